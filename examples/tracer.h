@@ -1,5 +1,5 @@
-// A small ray tracer's camera and spheres. Five classic mistakes can be asked of it by the variable
-// TRACER_MISTAKE of the environment: far_root, behind, upside_down, not_unit, pixel_step.
+// A small ray tracer's camera and spheres. The environment variable TRACER_MISTAKE makes it commit
+// one of five classic mistakes: far_root, behind, upside_down, not_unit, pixel_step.
 
 #pragma once
 
@@ -26,7 +26,7 @@ inline Vector cross(Vector a, Vector b) {
 }
 inline Vector unit(Vector a) { return (1 / std::sqrt(dot(a, a))) * a; }
 
-/// Where between two bounds line k of so many is.
+/// The position of line k of `count` between two bounds.
 inline double between(double low, double high, double k, double count) {
   const double steps = makes("pixel_step") ? count : count - 1;
   return low * ((steps - k) / steps) + high * (k / steps);  // both bounds are met exactly
@@ -66,7 +66,7 @@ inline std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
   return raycheck::Hit{s, ray.origin + s * d};
 }
 
-/// What raycheck is to know of it: rows are counted from below, pixels from bound to bound.
+/// What raycheck must know of it: rows count from below, pixels run from bound to bound.
 inline raycheck::Candidate tracer() {
   raycheck::Candidate candidate("tracer");
   candidate.declares = {raycheck::Rows::bottom_first, raycheck::Samples::edges,

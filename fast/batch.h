@@ -6,7 +6,7 @@
 
 namespace raycheck::fast {
 
-/// Points or vectors, one array a coordinate.
+/// Points or vectors, one array per coordinate.
 struct Vectors {
   std::vector<double> x, y, z;
 
@@ -29,7 +29,7 @@ struct Rays {
   }
 };
 
-/// What each ray of a batch hits; parameter and point mean something only where hit is 1.
+/// What each ray of a batch hits; parameter and point are valid only where hit is 1.
 struct Hits {
   std::vector<std::uint8_t> hit;
   std::vector<double> parameter;  ///< s, in multiples of the ray's direction.

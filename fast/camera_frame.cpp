@@ -15,13 +15,13 @@ double difference_of_products(double x, double y, double z, double w) {
   return std::fma(x, y, -second) - std::fma(z, w, -second);
 }
 
-/// a x b, every coordinate within 1.5 ulp. Of up and W at a small angle phi the products cancel;
-/// rounded each for itself they are off by about u |up| in any direction, along W too, and U would
-/// lean out of the image plane by about u/sin(phi). No camera nearby has such axes, only one whose
-/// axes are not orthonormal, so that the condition numbers of s and Q by a camera's inputs do not
-/// account for it. With every coordinate accurate, U is perpendicular to the rounded W but for a
-/// few u, whatever phi is; and that W is the exact one of a camera whose eye is a few u elsewhere.
-/// All that sin(phi) magnifies is then a turn about W that a condition number measures.
+/// a x b, every coordinate within 1.5 ulp. Where up and W are at a small angle phi the products
+/// cancel; rounded separately they are off by about u |up| in any direction, along W too, and U
+/// would lean out of the image plane by about u/sin(phi). No nearby camera has such axes, as they
+/// are not orthonormal, so the condition numbers of s and Q with respect to a camera's inputs do
+/// not account for it. With every coordinate accurate, U is perpendicular to the rounded W up to a
+/// few u, whatever phi is; and that W is exact for a camera whose eye is a few u away. All that
+/// sin(phi) then magnifies is a rotation about W, which a condition number measures.
 Eigen::Vector3d accurate_cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return {difference_of_products(a.y(), b.z(), a.z(), b.y()),
           difference_of_products(a.z(), b.x(), a.x(), b.z()),

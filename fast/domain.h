@@ -6,18 +6,18 @@ namespace raycheck::fast {
 inline constexpr double kSmallestLength = 0x1p-200;
 inline constexpr double kLargestLength = 0x1p200;
 
-/// The nonzero lengths beyond which a method promises nothing.
+/// The range of nonzero lengths for which a method's promises hold.
 struct Domain {
   double smallest_length = kSmallestLength;
   double largest_length = kLargestLength;
   bool operator==(const Domain&) const = default;
 };
 
-/// Lengths whose products of four stay in the range of floats, with all their 24 bits.
+/// Lengths whose fourfold products stay in the range of floats, with all their 24 bits.
 inline constexpr Domain kSingleDomain = {0x1p-25, 0x1p25};
 
-/// Lengths whose quotients are normal doubles: what a method whose intermediate values never over-
-/// or underflow can answer with full precision.
+/// Lengths whose quotients are normal doubles: those that a method can answer with full precision
+/// if its intermediate values never over- or underflow.
 inline constexpr Domain kWideDomain = {0x1p-500, 0x1p500};
 
 }  // namespace raycheck::fast

@@ -14,7 +14,7 @@
 
 namespace raycheck::fast {
 
-/// What a method knows of one ray and one sphere before a root is chosen.
+/// What a method computes for one ray and one sphere before it chooses a root.
 struct Roots {
   double axial_distance;  ///< v = T.D, a length
   double half_chord_sq;   ///< d^2; the ray's line meets the sphere where it is >= 0.
@@ -44,10 +44,10 @@ struct IntersectMethod {
   std::string_view name;
   std::string_view sentence;
   void (*intersect)(const Rays&, const scene::Sphere&, scene::Root, scene::Tangent, Hits&);
-  /// The same answer to one ray, to the bit; validity is not checked.
+  /// The same answer for one ray, to the bit; validity is not checked.
   std::optional<Hit> (*intersect_one)(const scene::Ray&, const scene::Sphere&, scene::Root,
                                       scene::Tangent);
-  /// What the answer is chosen from, of one ray, unchecked; null where a method has no such values.
+  /// The values an answer is chosen from, for one ray, unchecked; null if a method has none.
   Roots (*roots)(const scene::Ray&, const scene::Sphere&) = nullptr;
   // The bounds; audited by the tests of fast/ and the campaigns of `raycheck properties`.
   double max_ulp;
@@ -55,7 +55,7 @@ struct IntersectMethod {
   std::string_view not_kept = {};  ///< Where it keeps no promise (a test pins that).
   Domain domain = {};
   bool exact_class = false;
-  double unit_roundoff = 0x1p-53;  ///< Of the arithmetic that it computes in.
+  double unit_roundoff = 0x1p-53;  ///< Of the arithmetic it uses.
 };
 
 #define RAYCHECK_DECLARE(name) extern const IntersectMethod k##name;
@@ -65,7 +65,7 @@ RAYCHECK_INTERSECT_METHODS(RAYCHECK_DECLARE)
 /// Every method, in the order of reports.
 std::span<const IntersectMethod* const> intersect_methods();
 
-/// The first sphere that each ray meets; the earlier in the file among equals.
+/// The first sphere that each ray meets; among equals the earlier in the file.
 /// Shape: N rays, M spheres -> N indices, empty where every sphere is missed.
 std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& method,
                                                         const Rays& rays,

@@ -16,14 +16,13 @@ namespace raycheck::fast {
 /// Shape:  one camera, N pixels -> N points, or N rays; outputs are resized to N.
 /// Units:  scene lengths; directions are unit.
 /// Domain: a valid camera (under the rows and samples of `conventions`, otherwise
-///         std::invalid_argument naming the field), pixels inside the image; nonzero
-///         lengths inside `domain`, otherwise intermediate values over- or underflow silently.
+///         std::invalid_argument naming the field), pixels inside the image; nonzero lengths inside
+///         `domain`, otherwise intermediate values over- or underflow silently.
 /// Error:  at most max_point_ulp in a point and max_direction_ulp in a direction (relative error
 ///         and angle, in units of u) while their condition numbers are at most kModerateCondition
 ///         (properties/quantity.h), growing in proportion beyond. |D| differs from 1 by at most
-///         max_unit_defect_ulp u.
-///         A method's `not_kept` says where it does not keep its bounds.
-/// A function that a method does not have is null.
+///         max_unit_defect_ulp u. A method's `not_kept` says where it does not keep its bounds.
+/// A missing function is null.
 struct PixelRayMethod {
   using MakePoints = void (*)(const scene::Camera&, const scene::Conventions&,
                               std::span<const scene::Pixel>, Vectors&);
@@ -41,7 +40,7 @@ struct PixelRayMethod {
   double max_unit_defect_ulp;
   std::string_view not_kept = {};  ///< Where it does not keep them (a test pins that).
   Domain domain = {};
-  double unit_roundoff = 0x1p-53;  ///< Of the arithmetic that it computes in.
+  double unit_roundoff = 0x1p-53;  ///< Of the arithmetic it uses.
 };
 
 #define RAYCHECK_DECLARE(name) extern const PixelRayMethod k##name##Rays;

@@ -1,7 +1,7 @@
 #pragma once
 
-// How a method that answers one ray at a time becomes an IntersectMethod, whatever numbers it
-// computes in. Such a Method is made of a sphere, `Method{sphere}`, and then answers rays:
+// Turns a method that answers one ray at a time into an IntersectMethod, in whatever number type it
+// computes. Such a Method is made from a sphere, `Method{sphere}`, and then answers rays:
 // std::optional<Hit> answer(const scene::Ray&, scene::Root, scene::Tangent) const.
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace raycheck::fast {
 
-/// Throws std::invalid_argument naming the first field that keeps the input from having an answer.
+/// Throws std::invalid_argument naming the first field that makes the input invalid.
 void require_valid(const Rays& rays, const scene::Sphere& sphere);
 
 inline scene::Ray ray_at(const Rays& rays, std::size_t k) {

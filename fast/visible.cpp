@@ -15,7 +15,7 @@ PixelRectangle overlap(const PixelRectangle& a, const PixelRectangle& b) {
           std::max(a.j_begin, b.j_begin), std::min(a.j_end, b.j_end)};
 }
 
-/// Those of some spheres that a pixel of the rectangle may see.
+/// The spheres that some pixel of the rectangle may see.
 std::vector<std::size_t> spheres_in(const PixelRectangle& pixels, const scene::ScenePlan& plan,
                                     const std::vector<std::size_t>& among) {
   std::vector<std::size_t> result;
@@ -36,7 +36,7 @@ bool is_ray(const Rays& rays, std::size_t k) {
          (direction.x[k] != 0 || direction.y[k] != 0 || direction.z[k] != 0);
 }
 
-/// Moves the rays that are any to the front, and so the slots of their answers.
+/// Moves the valid rays to the front, and the slots of their answers with them.
 void keep_rays(Rays& rays, std::vector<std::size_t>& slots) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
@@ -102,7 +102,7 @@ class Renderer {
   const IntersectMethod& intersect_;
   PixelRectangle pixels_;
   SeenPixels& seen_;
-  // Of the tile.
+  // For the current tile.
   std::vector<scene::Pixel> asked_;
   std::vector<std::size_t> slots_;
   Rays rays_;

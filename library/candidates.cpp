@@ -93,13 +93,13 @@ void add_intersections(const Candidate& from, properties::Candidate& to) {
 
 namespace {
 
-/// Errors: std::invalid_argument naming what no candidate may have.
+/// Errors: std::invalid_argument saying what is invalid.
 void require_valid(const Candidate& candidate) {
   const bool has_any = candidate.frame || candidate.pixel_point || candidate.pixel_ray ||
                        candidate.focal_ray || candidate.intersect || candidate.nearest;
   if (!has_any) {
     throw std::invalid_argument(fmt::format(
-        "candidate {}: it has no function, so that nothing can be asked", candidate.name));
+        "candidate {}: it has no function, so that nothing can be judged", candidate.name));
   }
   const double smallest = candidate.smallest_length, largest = candidate.largest_length;
   if (!(smallest >= 0) || !std::isfinite(smallest)) {

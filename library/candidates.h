@@ -7,8 +7,8 @@
 
 namespace raycheck::library {
 
-/// A candidate that laws can be asked about, held to the bounds of direct/cross. It is valid while
-/// `candidate` is.
+/// A candidate as the laws take it, held to the bounds of direct/cross. `candidate` must outlive
+/// it.
 properties::Candidate inside(const Candidate& candidate);
 
 /// Errors: std::invalid_argument where the scene is not valid or a pixel lies outside its image.

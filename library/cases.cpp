@@ -66,7 +66,7 @@ Case make_case(const std::string& name, std::uint64_t seed, std::uint64_t k, int
   const properties::CaseSource* const source = properties::find_case_source(name);
   if (source == nullptr) {
     throw std::invalid_argument(
-        fmt::format("source {}: there is none of that name; raycheck::sources() has them", name));
+        fmt::format("source {}: unknown name; raycheck::sources() has all names", name));
   }
   const int highest = source->dial ? source->dial->highest : 0;
   if (severity < 0 || severity > highest) {

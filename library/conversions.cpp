@@ -20,7 +20,7 @@ int place_of(Seen seen, std::size_t count, std::string_view field) {
       fmt::format("{} = {}: it has {} values, from 0 on", field, place, count));
 }
 
-/// The enumerators that others see are those inside, behind as_asked.
+/// The public enumerators are the internal ones, preceded by as_asked.
 template <class Inside, class Seen, class Names>
 std::optional<Inside> asked(Seen seen, const Names& names, std::string_view field) {
   const int place = place_of(seen, names.size() + 1, field);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Between the structs that others see and those that raycheck computes with.
+// Between the public structs and those that raycheck computes with.
 
 #include <raycheck/scene.h>
 
@@ -27,10 +27,10 @@ inline Pixel pixel(const scene::Pixel& p) { return {p.i, p.j}; }
 scene::Camera camera(const Camera& c);
 Camera camera(const scene::Camera& c);
 
-/// What is as_asked is as the default has it.
+/// as_asked becomes the default.
 scene::Conventions conventions(const Conventions& c);
 Conventions conventions(const scene::Conventions& c);
-/// What is as_asked is not declared.
+/// as_asked stays undeclared.
 properties::DeclaredConventions declared(const Conventions& c);
 /// Empty where it is not stated.
 std::optional<properties::Level> level(Level level);

@@ -20,7 +20,7 @@ namespace raycheck::exact {
 using reference::Enclosure;
 using reference::Enclosure3;
 
-/// The ways in which a number is worked out.
+/// How a number is computed.
 struct Number::Impl {
   std::function<Enclosure(int relative_bits)> enclose;
   std::function<double()> rounded;
@@ -31,11 +31,11 @@ struct Number::Impl {
 namespace {
 
 constexpr int kFewestBits = 2, kMostBits = 100000;
-/// The decimal digits of a bit.
+/// Decimal digits per bit.
 constexpr double kDigitsOfABit = 0.30103;
-/// What is enclosed to be written is so much narrower, in bits, than what is written,
+/// A printed enclosure is computed with this many more bits than are printed,
 constexpr int kSpareBits = 8;
-/// which has so many more digits.
+/// and printed with this many more digits.
 constexpr int kSpareDigits = 3;
 
 Number number(std::function<Enclosure(int)> enclose, std::function<double()> rounded,
@@ -49,7 +49,7 @@ auto coordinate(const Triple& triple, int k) {
   return k == 0 ? triple.x : k == 1 ? triple.y : triple.z;
 }
 
-/// The coordinates of a vector by what makes it whole.
+/// A vector's coordinates, from functions of the whole vector.
 template <class Enclose, class Round, class Write, class Condition>
 Numbers numbers(const Enclose& enclose, const Round& round, const Write& write,
                 const Condition& condition) {

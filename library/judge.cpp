@@ -18,13 +18,13 @@ namespace {
 
 using properties::CampaignResult;
 
-/// Cases of a source that show whether it has what a law needs.
+/// How many cases of a source are searched for what a law needs.
 constexpr std::uint64_t kTriedSeeds = 8;
 
 const properties::Law& law_of(const std::string& name) {
   if (const properties::Law* const law = properties::find_law(name)) return *law;
   throw std::invalid_argument(
-      fmt::format("law {}: there is none of that name; raycheck::laws() has them", name));
+      fmt::format("law {}: unknown name; raycheck::laws() has all names", name));
 }
 
 /// Whether a case of the source has what a law needs of it and of the candidate.

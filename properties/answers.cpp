@@ -17,7 +17,7 @@ const Given& require_count(const Given& answers, std::size_t expected, const cha
   return answers;
 }
 
-/// The rays that are valid, and where they were among all.
+/// The valid rays, and their indices among all.
 struct ValidRays {
   explicit ValidRays(const std::vector<scene::Ray>& all) {
     indices.reserve(all.size());

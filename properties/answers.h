@@ -24,7 +24,7 @@ class Answers {
   const std::vector<scene::Pixel>& pixels() const { return case_.pixels; }
   std::size_t ray_count() const { return count_rays(case_); }
   const Candidate& candidate() const { return candidate_; }
-  /// The scene's conventions with the candidate's declared ones in their place.
+  /// The scene's conventions, overridden by those that the candidate declares.
   const scene::Conventions& conventions() const { return conventions_; }
 
   const FrameAnswer& frame();
@@ -32,23 +32,23 @@ class Answers {
   /// The rays of the case: the candidate's own under the origin convention, or the given ones.
   const std::vector<scene::Ray>& rays();
   bool has_rays() const;
-  /// Whether it was asked for rays, and failed to make them.
+  /// Whether the candidate failed to make rays.
   bool lacks_rays() const { return rays_.failure != nullptr; }
   const SphereHits& hits(std::size_t sphere);
   const std::vector<std::optional<std::size_t>>& nearest();
-  /// The candidate asked about other rays or spheres. A ray of its own making that is not finite or
-  /// has no direction is not asked about: it counts as a miss.
+  /// Asks the candidate about other rays or spheres. Its own rays that are not finite, or whose
+  /// direction is 0, are not asked about: they count as misses.
   std::vector<SphereHits> intersect(const std::vector<scene::Ray>& rays,
                                     const std::vector<scene::Sphere>& spheres,
                                     const scene::Conventions& conventions) const;
   std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
                                                const std::vector<scene::Sphere>& spheres) const;
-  /// What is asked of an intersection where it is one ray: that ray, as the candidate was given it,
-  /// and the spheres; otherwise the scene.
+  /// For an intersection of a single ray: that ray, as given to the candidate, and the spheres;
+  /// otherwise the scene.
   scene::Scene asked_scene() const;
 
  private:
-  /// What a candidate answered, or how it failed: it is not asked twice.
+  /// A candidate's answers, or how it failed: it is not asked twice.
   template <class Given>
   struct Once {
     std::optional<Given> answers;

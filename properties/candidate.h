@@ -21,7 +21,7 @@
 
 namespace raycheck::properties {
 
-/// The camera axes that a candidate answers with.
+/// The camera axes that a candidate returns.
 struct FrameAnswer {
   scene::UnitVector3 U, V, W;
 };
@@ -38,7 +38,7 @@ struct RayHit {
   HitAnswer hit;
 };
 
-/// The hits of several rays with one sphere, in the order of the rays; a ray without one misses it.
+/// The hits of several rays with one sphere, in the order of the rays; a ray not listed is a miss.
 using SphereHits = std::vector<RayHit>;
 
 /// What a candidate sees through a pixel.
@@ -47,16 +47,16 @@ struct SeenAnswer {
   double parameter = 0;  ///< s
 };
 
-/// What each pixel of an image shows, row j after row j: a sphere, kSomeSphere where it cannot be
-/// told which, or none.
+/// What each pixel of an image shows, row j after row j: a sphere, kSomeSphere if it is unknown
+/// which, or none.
 using ImageAnswer = std::vector<std::optional<std::size_t>>;
 inline constexpr std::size_t kSomeSphere = std::numeric_limits<std::size_t>::max();
 
-/// Relative changes of a scene that may show in an image: what its text and its renderer's `float`s
-/// or thresholds may lose.
+/// The relative change of a scene that may show in an image: the precision that its text and its
+/// renderer's `float`s or thresholds may lose.
 inline constexpr double kExcusedImageChange = 1e-6;
-/// The same of renderers that are judged in single precision: the roundings of floats, in scenes of
-/// a condition number of some thousand.
+/// The same for renderers that are judged in single precision: the roundings of floats, in scenes
+/// whose condition number is some thousands.
 inline constexpr double kExcusedSingleImageChange = 1e-4;
 constexpr double excused_image_change(scene::Precision precision) {
   return precision == scene::Precision::kSingle ? kExcusedSingleImageChange : kExcusedImageChange;
@@ -71,14 +71,13 @@ struct DeclaredConventions {
   std::optional<scene::Tangent> tangent;
   std::optional<scene::ValidRoots> valid = {};
 
-  /// The scene's conventions, or what someone else declares, with what is declared here in their
-  /// place.
+  /// The scene's conventions, or another declaration's, overridden by those declared here.
   scene::Conventions over(scene::Conventions conventions) const;
   DeclaredConventions over(DeclaredConventions others) const;
 };
 
-/// Whether a case stays a problem under the conventions that an implementation fixes: one sample
-/// between two edges is none.
+/// Whether a case stays valid under the conventions that an implementation fixes: a single sample
+/// between two edges does not.
 bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
 /// What a function throws that would fail whatever it is asked.
@@ -87,9 +86,9 @@ class CandidateUnavailable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What an implementation can be asked; an empty function: it has no such thing. Functions refuse
-/// input that is not a problem with std::invalid_argument; of what they throw otherwise, what()
-/// says how they failed. Answers come in the order of what was asked; an absent hit is a miss.
+/// The functions of an implementation; those that it lacks are empty. Functions refuse invalid
+/// input with std::invalid_argument; the what() of any other exception says how they failed.
+/// Answers come in the order of the questions; an absent hit is a miss.
 struct Functions {
   using Pixels = std::span<const scene::Pixel>;
   using Rays = std::span<const scene::Ray>;
@@ -104,7 +103,7 @@ struct Functions {
   /// From E along the unit direction D.
   std::function<std::vector<scene::Ray>(const scene::Camera&, const scene::Conventions&, Pixels)>
       focal_rays;
-  /// Every ray with every sphere: one list of hits a sphere.
+  /// Every ray with every sphere: one list of hits per sphere.
   std::function<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
   std::function<std::vector<std::optional<std::size_t>>(Rays, Spheres, const scene::Conventions&)>
       nearest;
@@ -117,38 +116,37 @@ struct Functions {
       visible;
   /// The whole image of a scene with a camera.
   std::function<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
-  /// What is asked from now on is a part of what failed, and has this share, in (0, 1], of the time
-  /// that an answer may take. Empty: it has no such thing.
+  /// What is asked from now on is a part of a batch that failed, and gets this share, in (0, 1], of
+  /// the time for an answer. Empty: it has no such limit.
   std::function<void(double share)> allow;
 };
 
 /// What an implementation promises of its answers.
 struct Promises {
-  /// The format that it is asked and judged in: cases are rounded to it (rounded_case.h), and its
-  /// errors and bounds count ulp and u of it.
+  /// The format that it is judged in: cases are rounded to it (rounded_case.h), and errors and
+  /// bounds count its ulp and u.
   scene::Precision precision = scene::Precision::kDouble;
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
-  /// The same where the rays come from a camera, so that a hit inherits the error of its ray;
-  /// empty: max_error.
+  /// The same for rays made from a camera, where a hit inherits the error of its ray; empty:
+  /// max_error.
   std::array<std::optional<double>, kQuantityCount> max_error_end_to_end = {};
   /// Whether the bound on a quantity holds whatever its condition number is; otherwise it grows
   /// with it (bound_growth).
   std::array<bool, kQuantityCount> is_unconditional = {};
-  /// The exact class of every given ray: no closeness to tangency and no domain excuses a wrong
-  /// one.
+  /// The exact class of every given ray: neither near-tangency nor the domain excuses a wrong one.
   bool exact_class = false;
-  /// The same of every sphere seen through a pixel, and s within reference::kVisibleParameterError.
+  /// The same for a sphere seen through a pixel, and s within reference::kVisibleParameterError.
   bool exact_visible = false;
-  /// It is asked what is not a problem, too, which it is to refuse.
+  /// Whether it is also given invalid input, which it must refuse.
   bool refuses = true;
-  /// Up to which cases it is to be right, where nobody asks for another level.
+  /// How hard the cases are that it must get right, unless another level is asked for.
   Level level = Level::kDemanding;
-  /// Of the arithmetic that it computes in; no less than that of the format.
+  /// Of the arithmetic that it uses; no less than that of the format.
   double unit_roundoff = kDoubleRoundoff;
 };
 
-/// Whether the class is promised of every ray of a scene, wherever the scene lies.
+/// Whether the class is promised for every ray of a scene, wherever the scene lies.
 inline bool promises_exact_class(const Promises& promises, const scene::Scene& scene) {
   return promises.exact_class && !scene.camera;
 }
@@ -157,28 +155,28 @@ inline bool promises_exact_class(const Promises& promises, const scene::Scene& s
 std::optional<double> documented_bound(const Promises& promises, Quantity quantity,
                                        bool has_camera);
 
-/// Which images are for an implementation, and how they are judged.
+/// Which images an implementation is given, and how they are judged.
 struct ImagePolicy {
-  /// Wrong pixels of `image` are excused where a relative change of the scene by so much may make
+  /// Wrong pixels of `image` are excused where a relative change of the scene by this much may make
   /// them right, or where the exact s is at most image_threshold.
   double excused_image_change = kExcusedImageChange;
   double image_threshold = 0;
-  /// Larger images are not for `image`.
+  /// Larger images are not given to `image`.
   std::int64_t most_image_pixels = std::int64_t{1} << 22;
-  /// Images with more pixels across or down are not for `visible`.
+  /// Images with more pixels across or down are not given to `visible`.
   std::int64_t most_visible_across = scene::kMostPixelsAcross;
 };
 
-/// An implementation under judgement. Who needs a part of it takes that part alone, as its base. It
-/// is asked from one thread at a time: where several judge, each has a candidate of its own.
+/// An implementation under judgement. Code that needs one part of it takes that base class alone.
+/// It is used by one thread at a time: where several judge, each has its own candidate.
 struct Candidate : Functions, Promises, Domain, ImagePolicy {
   std::string name;
   DeclaredConventions declared;
 };
 
-/// The same candidate, whose bounds count u of doubles, judged in a format: bounds keep their
-/// numbers of u of its arithmetic (those of a method in floats lose 2^29), and in single precision
-/// lengths are between kSmallestSingleLength and kLargestSingleLength.
+/// A candidate whose bounds count u of doubles, as judged in a format: bounds keep their numbers of
+/// u of its arithmetic (those of a method in floats lose 2^29), and single precision limits lengths
+/// to between kSmallestSingleLength and kLargestSingleLength.
 Candidate judged_in(scene::Precision precision, Candidate candidate);
 
 }  // namespace raycheck::properties

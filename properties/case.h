@@ -7,8 +7,8 @@
 
 namespace raycheck::properties {
 
-/// What a law is asked about: a scene, and the pixels that are looked at when it has a camera (its
-/// given rays are all looked at). Where cases come from is no business of a law's.
+/// What a law is applied to: a scene and, if it has a camera, the pixels to look at (given rays are
+/// all looked at). A law does not know where its cases come from.
 struct Case {
   scene::Scene scene;
   std::vector<scene::Pixel> pixels;

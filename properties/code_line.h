@@ -14,7 +14,7 @@ struct CodeLine {
   std::string text = {};  ///< What stands there, without the space around it.
 };
 
-/// What a candidate's function throws where it failed at a line that is known.
+/// Thrown by a candidate's function that failed at a known line.
 class FailedAtLine : public std::runtime_error {
  public:
   FailedAtLine(const std::string& what, CodeLine line)

@@ -8,8 +8,8 @@
 
 namespace raycheck::properties {
 
-/// What an answer that differs from the truth comes to. Only a defect is held against the method;
-/// only what is excused counts as well as right.
+/// The verdict on an answer that differs from the truth. Only a defect counts against the method;
+/// only an excused answer counts as right.
 enum class Standing {
   kDefect,
   kUndecided,  ///< Neither a witness was found nor a refutation.
@@ -23,7 +23,7 @@ constexpr std::string_view name(Standing standing) {
   return kStandingNames[static_cast<std::size_t>(standing)];
 }
 
-/// What a wrong decision comes to by what was found about inputs close by.
+/// The standing of a wrong decision, by what a search among nearby inputs found.
 constexpr Standing standing_of(reference::Nearby found) {
   switch (found) {
     case reference::Nearby::kWitness:
@@ -52,11 +52,11 @@ constexpr std::string_view name(ExcuseKind kind) {
 /// Why a discrepancy is not held against the method, if anything.
 struct Excuse {
   ExcuseKind kind = ExcuseKind::kNone;
-  /// By the kind: the relative change of the inputs within which a witness was found, or a
-  /// refutation (kNone; 0 where nothing excuses), or neither; the threshold that the exact s does
-  /// not exceed; the condition number that allows the error. 0 for the others.
+  /// Depends on the kind: the relative change of the inputs within which a witness was found, or a
+  /// refutation (kNone; 0 where no excuse applies), or neither; the threshold that the exact s does
+  /// not exceed; the condition number that allows the error. 0 for other kinds.
   double amount = 0;
-  /// Of a witness: the inputs, changed so, for which the answer is right.
+  /// The changed inputs for which the answer is right, if there is a witness.
   reference::InputChange witness = {};
 
   Standing standing() const {

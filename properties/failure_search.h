@@ -15,17 +15,17 @@ namespace raycheck::properties {
 class Trial;
 struct TrialPart;
 
-/// How many failures of a candidate are sought in the batches that failed, in all: each costs at
-/// most two new starts for each halving of a batch.
+/// How many failures of a candidate are searched for in failed batches, in all: each costs at most
+/// two restarts per halving of a batch.
 inline constexpr int kMostFailuresSought = 8;
 
-/// A search for them, which trials share one after the other.
+/// A search for failures, shared by successive trials.
 struct FailureSearch {
-  int batches = 0;     ///< That failed, and were asked in parts.
+  int batches = 0;     ///< Batches that failed and were asked in parts.
   int found = 0;       ///< Rays, or rays with a sphere, that fail alone.
-  int together = 0;    ///< Parts that fail, and are answered when they are halved.
-  int not_sought = 0;  ///< Batches, or parts of them, that failed after that.
-  /// How the candidate failed whatever it was asked: each of them is said once.
+  int together = 0;    ///< Parts that fail, but whose halves are answered.
+  int not_sought = 0;  ///< Batches, or parts, that failed once it was over.
+  /// The messages of failures whatever is asked: each is reported once.
   std::set<std::string> whatever_asked = {};
   bool is_over() const { return found + together >= kMostFailuresSought; }
 };

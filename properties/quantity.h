@@ -25,16 +25,16 @@ enum class Quantity {
   kBackwardError,   ///< the relative change of the inputs that makes s an exact root
   kNearestSphere,
   kInvariance,  ///< two answers of the candidate that should agree
-  kRefusal,     ///< input that is not a problem, and input that is
+  kRefusal,     ///< refuses invalid input, accepts valid input
 };
 inline constexpr std::size_t kQuantityCount = 16;
 
 /// A quantity's name in reports, the unit of its errors (ulp of the exact value, u of its size, or
-/// none for what is right or wrong), and the symbol of the numbers that are answered
-/// (docs/problem.md; none where they differ).
+/// none for decisions), and the symbol of the answered numbers (docs/problem.md; none where they
+/// differ).
 struct QuantityInfo {
   std::string_view name;
-  std::string_view unit;  ///< As reports on doubles name it.
+  std::string_view unit;  ///< As named in reports on doubles.
   std::string_view symbol = {};
 };
 
@@ -61,33 +61,33 @@ constexpr const QuantityInfo& info(Quantity quantity) {
   return kQuantities[static_cast<std::size_t>(quantity)];
 }
 
-/// Whether its answers are right or wrong, without a measure of how far off.
+/// Whether its answers are simply right or wrong, without a measure of the error.
 constexpr bool is_decision(Quantity quantity) { return info(quantity).unit.empty(); }
 
 /// The unit of a quantity's errors where answers are judged in a format: "u", "ulp of float", or
-/// nothing for what is right or wrong.
+/// empty for decisions.
 constexpr std::string_view unit_name(Quantity quantity, scene::Precision precision) {
   const std::string_view unit = info(quantity).unit;
   if (precision == scene::Precision::kDouble || unit.empty()) return unit;
   return unit == "ulp" ? "ulp of float" : "u of float";
 }
 
-/// u of doubles, in which reference/ measures errors; what is judged in another format counts them
-/// in that format's (scene::unit_roundoff).
+/// u of doubles, in which reference/ measures errors; answers judged in another format count them
+/// in that format's u (scene::unit_roundoff).
 inline constexpr double kDoubleRoundoff = scene::unit_roundoff(scene::Precision::kDouble);
 
 /// The bound on an error where a candidate documents none.
 inline constexpr double kDefaultMaxError = 16;
 
-/// Up to this condition number documented bounds hold as they stand; beyond, in proportion to it.
+/// Documented bounds hold unchanged up to this condition number; beyond, they grow with it.
 inline constexpr double kModerateCondition = 16;
 constexpr double bound_growth(double condition) {
   return condition > kModerateCondition ? condition / kModerateCondition : 1;
 }
 
 /// A class error is excused when a relative change of the inputs by this much may flip the exact
-/// class: what the roundings of a handful of operations amount to. (A method that computes in
-/// another precision is excused as many of its own u.)
+/// class: what the roundings of a handful of operations amount to. (A method in another precision
+/// is excused the same number of its own u.)
 inline constexpr double kExcusedRoundoffs = 16;
 inline constexpr double kExcusedChange = kExcusedRoundoffs * kDoubleRoundoff;
 constexpr double excused_change(double unit_roundoff) { return kExcusedRoundoffs * unit_roundoff; }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which of several spheres a ray meets first, by a candidate and exactly. Internal to the laws.
+// Which of several spheres a ray meets first, for a candidate and exactly. Internal to the laws.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,14 +23,14 @@ struct Choice {
 bool is_right(const Choice& choice);
 Wrong wrong_of(const Choice& choice);
 
-/// What excuses that a candidate's sphere is not the one that a ray meets first: inputs within a
-/// relative change for which it is.
+/// The excuse for a sphere that is not the one the ray meets first: inputs within a relative change
+/// for which it is.
 Excuse excuse(Trial& trial, std::size_t ray, Index got, double change);
 
 /// What the rays of a case meet.
 struct SpheresMet {
-  std::vector<std::uint32_t> count;  ///< Spheres, by ray.
-  std::vector<bool> is_unjudged;     ///< Rays that meet one in a tangent that is not judged.
+  std::vector<std::uint32_t> count;  ///< Spheres met, by ray.
+  std::vector<bool> is_unjudged;     ///< Rays that touch one where tangents are not judged.
 
   Expected expected(std::size_t ray) const {
     return count[ray] == 0   ? Expected::kNoSphere

@@ -6,14 +6,14 @@
 
 namespace raycheck::properties {
 
-/// What an answer is worth, given how well its question is conditioned.
+/// The quality of an answer, given the conditioning of its question.
 enum class Outcome {
   kExact,              ///< The double nearest to the truth, or the right decision.
   kAccurate,           ///< Off by no more than kAccurateError.
-  kIllConditioned,     ///< Off by more, as the condition number explains: the problem's fault.
-  kUnstable,           ///< Off by more than it explains: the method's fault.
+  kIllConditioned,     ///< Off by more, but kappa explains it: the problem's fault.
+  kUnstable,           ///< Off by more than kappa explains: the method's fault.
   kExcusedDecision,    ///< A witness shows that a small change of the inputs makes it right.
-  kUndecidedDecision,  ///< Neither that was shown nor its contrary.
+  kUndecidedDecision,  ///< Neither that nor the contrary was shown.
   kWrongDecision,      ///< A defect: no small change of the inputs makes it right.
   kOutsideDomain,      ///< Off by more than kAccurateError, or wrong, where nothing is promised.
 };
@@ -32,7 +32,7 @@ constexpr std::string_view name(Outcome outcome) {
 }
 
 /// Errors up to these, in the unit of their quantity (ulp or u) times the method's unit roundoff
-/// over that of the format it is judged in, are exact and accurate.
+/// over that of the format it is judged in, count as exact and as accurate.
 inline constexpr double kExactError = 0.5;
 inline constexpr double kAccurateError = 4;
 
@@ -40,7 +40,7 @@ inline constexpr double kAccurateError = 4;
 /// stays below this while the severity grows, and no decision is wrong without an excuse.
 inline constexpr double kStableRatio = 16;
 
-/// How far an answer is off, for its conditioning.
+/// How far an answer is off, relative to its conditioning.
 struct Stability {
   double condition = 0;  ///< kappa
   /// rho; where kappa is infinite (an exact tangent) the backward error in units of u instead.

@@ -16,7 +16,7 @@
 
 namespace raycheck::properties {
 
-/// How an answer that is right or wrong was wrong.
+/// In what way a decision was wrong.
 enum class Wrong {
   kNot,
   kMissed,
@@ -48,11 +48,11 @@ enum class Expected {
   kMiss,
   kSmallerRoot,
   kLargerRoot,
-  kNearestOfSeveral,  ///< Of several spheres that a ray meets.
+  kNearestOfSeveral,  ///< Among several spheres that a ray meets.
   kOnlySphere,
   kNoSphere,
   kRefusal,
-  kValue,  ///< A number or a vector: right is what is within its bound.
+  kValue,  ///< A number or a vector: right if within its bound.
 };
 inline constexpr std::size_t kExpectedCount = 9;
 inline constexpr std::array<std::string_view, kExpectedCount> kExpectedNames = {
@@ -62,14 +62,14 @@ constexpr std::string_view name(Expected expected) {
   return kExpectedNames[static_cast<std::size_t>(expected)];
 }
 
-/// How often something was asked, and how often the answer was right without an excuse.
+/// How often a question was asked, and how often the answer was right without an excuse.
 struct Answered {
   std::uint64_t asked = 0;
   std::uint64_t right = 0;
 };
 
-/// Where in a case an answer was asked: a ray (a camera's pixel, or a given ray by its index), and
-/// a sphere where the quantity has one.
+/// What in a case an answer is about: a ray (a camera's pixel, or a given ray by its index), and a
+/// sphere if the quantity has one.
 struct Place {
   std::size_t ray = 0;
   std::optional<scene::Pixel> pixel;
@@ -87,38 +87,37 @@ struct Decision {
 /// The order of places by the ray, then the sphere, then the pixel.
 bool is_earlier(const Place& a, const Place& b);
 
-/// What was compared for one quantity. It is the same in whatever order its parts were counted and
-/// merged; its memory does not grow with their number (properties/quantile_sketch.h).
+/// What was compared for one quantity. It does not depend on the order in which parts are counted
+/// and merged; its memory does not grow with their number (properties/quantile_sketch.h).
 struct Tally {
   std::uint64_t cases = 0;  ///< The right ones, the wrong ones and the errors.
   std::uint64_t right = 0;
   std::map<Wrong, std::uint64_t> wrong;
   std::array<std::uint64_t, kStandingCount> wrong_by_standing = {};
   std::array<Answered, kExpectedCount> answered = {};  ///< By what was expected.
-  QuantileSketch errors;                               ///< Empty for what is right or wrong.
-  /// The least and the greatest bound that an error was held to.
+  QuantileSketch errors;                               ///< Empty for decisions.
+  /// The least and the greatest bound that errors were compared with.
   double least_bound = std::numeric_limits<double>::infinity();
   double greatest_bound = -std::numeric_limits<double>::infinity();
   std::uint64_t ill_conditioned = 0;  ///< Above the flat bound, within its growth: no discrepancy.
-  /// The largest error; of what is right or wrong 2 where one is a defect, 1 where all that are
-  /// wrong are something else.
+  /// The largest error; for decisions 2 if one is a defect, 1 if all wrong ones are something else.
   double worst = -1;
   Place worst_place;  ///< The earliest of the worst.
-  // Only of trials that ask for the conditioning.
+  // Only for trials that ask for the conditioning.
   QuantileSketch conditions;              ///< One for each error.
   std::optional<double> worst_condition;  ///< At worst_place.
   /// The largest stability ratio within the stated domain.
   std::optional<double> worst_ratio;
   std::array<std::uint64_t, kOutcomeCount> outcomes = {};
-  /// The largest error over what a documented bound grows by, which is what that bound holds for,
-  /// infinite errors aside.
+  /// The largest error over the growth of a documented bound, which is what that bound limits;
+  /// without infinite errors.
   std::optional<double> max_over_growth;
 
   void merge(const Tally& other);
-  /// Makes an error, or a wrong answer so bad, the worst where it is.
+  /// Notes an error, or a wrong answer's badness, if it is the worst.
   void note_worst(double badness, const Place& place, std::optional<double> condition = {});
 
-  /// The bound that every error was held to; empty where there is none, or not one alone.
+  /// The bound that every error was compared with; empty without one, or with several.
   std::optional<double> bound() const {
     return least_bound == greatest_bound ? std::optional(greatest_bound) : std::nullopt;
   }
@@ -131,8 +130,8 @@ struct Tally {
   std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
   /// Whether every error counted was weighed by its condition number.
   bool is_weighed() const { return errors.count() == conditions.count(); }
-  /// All empty when no error was measured. The quantile is the least error that is no smaller than
-  /// that share of all, within kSketchResolution; the maximum is exact.
+  /// Empty when no error was measured. The quantile is the least error that is at least as large as
+  /// this share of all, within kSketchResolution; the maximum is exact.
   std::optional<double> quantile(double share) const { return errors.quantile(share); }
   std::optional<double> median() const { return quantile(0.5); }
   std::optional<double> max() const { return errors.max(); }

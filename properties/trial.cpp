@@ -69,7 +69,7 @@ Place Trial::place(std::size_t ray, std::optional<std::size_t> sphere) const {
 }
 
 double Trial::bound(Quantity quantity) const {
-  // The eye is an input: a ray that starts there starts at its very bits.
+  // The eye is an input: a ray from the eye must start at exactly these bits.
   if (quantity == Quantity::kRayOrigin && conventions().origin == scene::Origin::kFocal) return 0;
   if (options_.max_error) return *options_.max_error;
   return documented_bound(candidate(), quantity, scene().camera.has_value())
@@ -105,7 +105,7 @@ bool Trial::grown_bound_allows(const MeasuredError& own, double condition,
   if (std::isinf(condition) && of.backward) {
     return *own.bound > 0 && of.backward() * u_of_doubles_ <= bound(Quantity::kBackwardError);
   }
-  // An infinite error is one of a value whose exact one is 0, or that is not finite.
+  // Errors are infinite where the exact value is 0, or the answer is not finite.
   return std::isfinite(own.error) ? own.error <= *own.bound * bound_growth(condition)
                                   : *own.bound > 0 && std::isinf(condition);
 }

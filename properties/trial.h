@@ -21,7 +21,7 @@
 namespace raycheck::properties {
 
 struct TrialOptions {
-  std::optional<double> max_error = {};  ///< A bound in place of the candidate's own.
+  std::optional<double> max_error = {};  ///< A bound that replaces the candidate's own.
   bool conditioning = false;             ///< Weigh every error by its condition number.
   /// The truth about the same case under the candidate's conventions, where it is shared.
   std::shared_ptr<Truth> truth = nullptr;
@@ -31,7 +31,7 @@ struct TrialOptions {
   double share = 1;  ///< Of the time for a reply.
 };
 
-/// How a ray and a sphere are said to meet.
+/// How a ray and a sphere meet according to an answer.
 struct RayAnswer {
   const reference::ExactRay& ray;
   const scene::Sphere& sphere;
@@ -42,10 +42,10 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
   return {ray, sphere, hit == nullptr ? std::nullopt : std::optional(hit->parameter)};
 }
 
-/// Whether a hit is answered where the interval that it is judged by excludes it, which is a
-/// comparison of doubles (reference::is_outside) that no change of inputs excuses. The exact root
-/// `at`, correctly rounded, may lie on an open end, and is not excluded.
-/// Domain: `at` is what the ray and the sphere of the answer have under the conventions.
+/// Whether the answer is a hit that the interval excludes by which it is judged, a comparison of
+/// doubles (reference::is_outside) that no change of inputs excuses. The exact root `at`, correctly
+/// rounded, is not excluded even on an open end.
+/// Domain: `at` is the exact intersection of the answer's ray and sphere under the conventions.
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, scene::Precision precision);
 
@@ -72,12 +72,12 @@ class Trial : public Answers {
   /// The format that answers are judged in.
   scene::Precision precision() const { return candidate().precision; }
   Place place(std::size_t ray, std::optional<std::size_t> sphere = {}) const;
-  /// In the roundoff of the candidate's arithmetic.
+  /// In units of the candidate's own roundoff.
   double excused_change() const { return properties::excused_change(candidate().unit_roundoff); }
   /// Whether the case lies in the candidate's stated domain.
   bool inside_domain() const { return inside_domain_; }
-  /// Whether answers about a quantity are judged: in that domain, or where a promise of the exact
-  /// class goes beyond it.
+  /// Whether answers about a quantity are judged: inside that domain, or where the class is
+  /// promised to be exact beyond it.
   bool is_judged(Quantity quantity) const { return inside_domain_ || promises_exactly(quantity); }
 
   // The truth.
@@ -100,8 +100,8 @@ class Trial : public Answers {
                                     conventions().tangent);
   }
 
-  /// The bound on a quantity: the one asked for, or the candidate's, or the default; always 0 for
-  /// the origin of a ray that starts at the eye.
+  /// The bound on a quantity: the one in the options, or the candidate's, or the default; always 0
+  /// for the origin of a ray from the eye.
   double bound(Quantity quantity) const;
 
   /// Counts an error, and adds a discrepancy when it is above its bound. `condition` and `describe`
@@ -117,9 +117,8 @@ class Trial : public Answers {
     if (own.error <= *own.bound && !options_.conditioning) return;
     examine(verdict, own, {condition, describe, backward});
   }
-  /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `excuse` gives its
-  /// Excuse; it is called only where neither the stated domain nor a promise of the exact class
-  /// settles that.
+  /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `excuse` is called
+  /// only if neither the stated domain nor a promise of the exact class settles that.
   template <class GiveExcuse, class Describe>
   void judge(Verdict& verdict, const Decision& decision, const GiveExcuse& excuse,
              const Describe& describe) const {
@@ -127,13 +126,13 @@ class Trial : public Answers {
     verdict.judged_right(decision.quantity, decision.expected, 1);
   }
 
-  /// What excuses answers that are wrong or contradict each other: of each that is wrong, inputs
-  /// within excused_change() of its own for which it is right. Where one has none, nothing does.
+  /// The excuse for answers that are wrong or contradict each other: for each wrong one, inputs
+  /// within excused_change() of its own for which it is right. If one has none, there is no excuse.
   Excuse excuse(std::initializer_list<RayAnswer> answers) const;
   /// Where a witness is searched.
   reference::Neighbourhood neighbourhood(double relative_change) const;
 
-  /// What failed as a whole, in parts.
+  /// For asking a failed batch in parts.
   FailedParts& failed_parts() { return failed_parts_; }
 
  private:
@@ -147,15 +146,15 @@ class Trial : public Answers {
   bool promises_exactly(Quantity quantity) const;
   Stability weigh(double error, const Particulars& of) const;
   /// Whether the bound on a quantity is a documented one, which grows with the condition number: an
-  /// error that it then allows is no discrepancy. The user's does not grow; what it would allow is
-  /// excused.
+  /// error that it then allows is no discrepancy. The user's bound does not grow; what growth would
+  /// allow is excused.
   bool promises_growth(Quantity quantity) const;
   /// Whether an error above its bound is within what the bound grows to: without end where the
   /// condition number is infinite, unless there is a backward error to go by.
   bool grown_bound_allows(const MeasuredError& own, double condition, const Particulars& of) const;
-  /// measure() of an error that is weighed, or above its bound.
+  /// measure() for an error that is weighed, or above its bound.
   void examine(Verdict& verdict, const MeasuredError& own, const Particulars& of) const;
-  /// judge() of a wrong answer.
+  /// judge() for a wrong answer.
   void convict(Verdict& verdict, const Decision& decision, const std::function<Excuse()>& excuse,
                const std::function<void(Discrepancy&)>& describe) const;
   Discrepancy discrepancy_of(Quantity quantity, const Place& place) const;
@@ -177,7 +176,7 @@ struct TrialPart {
   TrialPart(const TrialPart&) = delete;
   TrialPart& operator=(const TrialPart&) = delete;
 
-  /// Where a place of the part is in the whole.
+  /// Converts a place in the part to one in the whole.
   Place place(Place of_part) const;
 
   Case the_case;
@@ -194,7 +193,7 @@ constexpr bool is_unjudged(const reference::Intersection& intersection, scene::T
          intersection.hit_class == reference::HitClass::kTangent;
 }
 
-/// Which root a hit asks for.
+/// Which root a hit is asked for.
 constexpr Expected root_expected(const reference::Intersection& at) {
   return at.root == reference::WhichRoot::kSmaller ? Expected::kSmallerRoot : Expected::kLargerRoot;
 }

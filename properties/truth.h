@@ -15,7 +15,7 @@
 
 namespace raycheck::properties {
 
-/// The element of a ray in a list in the order of the rays; null where there is none.
+/// The element of a ray in a list sorted by ray; null if there is none.
 template <class List>
 auto* find_ray(List& list, std::size_t ray) {
   const auto at = std::lower_bound(list.begin(), list.end(), ray,
@@ -27,13 +27,13 @@ auto* find_ray(List& list, std::size_t ray) {
 struct Meeting {
   std::size_t ray = 0;
   reference::Intersection intersection;
-  std::optional<double> condition_of_parameter = {};  ///< Worked out when first asked for.
+  std::optional<double> condition_of_parameter = {};  ///< Computed on demand.
 };
 
-/// The truth about a case under some conventions, each part worked out when first asked for and
-/// kept. It never sees a candidate; candidates judged under the same conventions share it. With a
-/// plan of the case's scene under these conventions it asks about the pixels of a sphere's
-/// rectangle only; the laws that judge plans ask without one.
+/// The truth about a case under some conventions, each part computed on demand and kept. It never
+/// sees a candidate; candidates judged under the same conventions share it. With a plan of the
+/// case's scene under these conventions it looks only at the pixels of a sphere's rectangle; laws
+/// that judge plans use a truth without one.
 class Truth {
  public:
   Truth(const Case& the_case, const scene::Conventions& conventions,
@@ -64,15 +64,15 @@ class Truth {
   std::optional<std::vector<std::optional<reference::NearestSphere>>> nearest_;
 };
 
-/// The conventions for which pixels that may meet a sphere are planned: every root that counts is
-/// one of those that count where nothing is said.
+/// The conventions under which plans are made: those with every root >= 0, which include all roots
+/// that may count.
 inline scene::Conventions planned(scene::Conventions conventions) {
   conventions.valid = {};
   return conventions;
 }
 
-/// The truths about one case, by the conventions under which candidates are judged; with the plan
-/// made for these, where there is one.
+/// The truths about one case, by the conventions that candidates are judged under; with the plan
+/// made for these, if there is one.
 class SharedTruths {
  public:
   explicit SharedTruths(const Case& the_case, std::span<const scene::ScenePlan> plans = {})

@@ -1,6 +1,6 @@
 #pragma once
 
-// In this order: FLINT 3 declares what takes MPFR's floats only behind them.
+// In this order: FLINT 3 declares functions on MPFR's floats only after MPFR.
 // clang-format off
 #include <mpfr.h>
 #include <arb.h>
@@ -21,13 +21,13 @@ class Enclosure {
  public:
   Enclosure() { arb_init(ball_); }
   explicit Enclosure(int value) : Enclosure() { arb_set_si(ball_, value); }
-  /// The double itself, exactly; `bits` is the precision of what is computed from it.
+  /// Exactly this double; `bits` is the precision of results computed from it.
   Enclosure(double value, int bits);
   /// Everything within |value| * relative_change of value.
   static Enclosure within(double value, double relative_change, int bits);
 
   Enclosure(const Enclosure& other) : Enclosure() { *this = other; }
-  /// Takes the ball over, bit by bit: nothing points into one.
+  /// Moves the ball bit by bit: nothing points into one.
   Enclosure(Enclosure&& other) noexcept : bits_(other.bits_) {
     *ball_ = *other.ball_;
     arb_init(other.ball_);
@@ -64,7 +64,7 @@ class Enclosure {
   double upper_rounded() const;
   /// True when radius <= 2^-relative_bits |midpoint|.
   bool is_within(int relative_bits) const;
-  /// An upper bound of radius / |every number in the ball|; infinite when the ball holds 0.
+  /// An upper bound of radius / |x| over the numbers x in the ball; infinite when it holds 0.
   double relative_radius() const;
 
   const arb_struct* ball() const { return ball_; }
@@ -77,7 +77,7 @@ class Enclosure {
     bits_ = other.bits_;
     other.bits_ = bits;
   }
-  /// A zero at the precision of what is computed from two numbers.
+  /// Zero, at the precision of a result computed from two numbers.
   Enclosure(const Enclosure& a, const Enclosure& b) : Enclosure() {
     bits_ = a.bits_ > b.bits_ ? a.bits_ : b.bits_;
   }
@@ -94,12 +94,12 @@ Enclosure operator+(const Enclosure& a, const Enclosure& b);
 Enclosure operator-(const Enclosure& a, const Enclosure& b);
 Enclosure operator*(const Enclosure& a, const Enclosure& b);
 Enclosure operator/(const Enclosure& a, const Enclosure& b);
-// A result that nothing else needs makes room for the next.
+// The memory of a temporary is reused for the result.
 inline Enclosure operator+(Enclosure&& a, const Enclosure& b) { return std::move(a += b); }
 inline Enclosure operator-(Enclosure&& a, const Enclosure& b) { return std::move(a -= b); }
 inline Enclosure operator*(Enclosure&& a, const Enclosure& b) { return std::move(a *= b); }
 inline Enclosure operator/(Enclosure&& a, const Enclosure& b) { return std::move(a /= b); }
-/// The square root of a number known not to be negative; what of the ball is negative is cut off.
+/// The square root of a number known not to be negative; cuts off the negative part of the ball.
 Enclosure sqrt(const Enclosure& value);
 Enclosure abs(const Enclosure& value);
 

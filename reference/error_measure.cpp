@@ -32,7 +32,7 @@ double relative_error_of(const Triple& given, const Enclosure3& exact) {
   return norm(exact).contains_zero() ? kInfinity : in_units_of_u(relative_distance(answer, exact));
 }
 
-/// A function of its own, so that no operation moves to where doubles round upward.
+/// A separate function, so that no operation moves to where doubles round upward.
 [[gnu::noinline]] std::optional<double> unit_defect_by_double_doubles(
     const scene::UnitVector3& given) {
   const NearestGuard guard;
@@ -119,7 +119,7 @@ double in_units_of_u(const Enclosure& x) {
   Enclosure scaled = abs(x);
   arb_mul_2exp_si(scaled.ball(), scaled.ball(), std::numeric_limits<double>::digits);
   const double bound = scaled.upper();
-  // A ball of no finite upper bound, or of none at all, bounds nothing.
+  // A ball with an infinite or NaN upper bound bounds nothing.
   return bound < std::numeric_limits<double>::max() ? bound : kInfinity;
 }
 

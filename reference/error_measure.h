@@ -7,8 +7,8 @@
 namespace raycheck::reference {
 
 // How far given doubles are from an enclosed truth. Every result is an upper bound, as sharp as the
-// enclosure is narrow; infinite for a given value that is not finite, and for a value other than
-// the exact one where the exact one is 0.
+// enclosure is narrow; infinite for a given value that is not finite, or that is not 0 when the
+// exact one is.
 
 /// |given - exact| / ulp(exact), ulp(x) the gap between the numbers of the format around x.
 double ulp_error(double given, const Enclosure& exact,
@@ -19,7 +19,7 @@ double relative_error(const scene::Point3& given, const Enclosure3& exact);
 double relative_error(const scene::UnitVector3& given, const Enclosure3& exact);
 
 /// The angle between two directions in units of u (its tangent, which is no smaller; infinite from
-/// a right angle on).
+/// 90 degrees on).
 double angle_error(const scene::UnitVector3& given, const Enclosure3& exact);
 
 /// | |given| - 1 | in units of u, too large by at most kUnitDefectWidth relatively; 0 is exact.

@@ -32,12 +32,12 @@ class ExactCamera {
   const scene::Camera& camera() const;
   const scene::Conventions& conventions() const;
 
-  /// Axes of relative width 2^-relative_bits a coordinate; exact where a coordinate is 0.
+  /// Axes of relative width 2^-relative_bits per coordinate; exact where a coordinate is 0.
   EnclosedFrame frame(int relative_bits = 70) const;
   RoundedFrame rounded_frame(scene::Precision precision = scene::Precision::kDouble) const;
-  /// Axes when every input is known to within a relative change, at one working precision.
+  /// Axes when every input is known only up to a relative change, at one working precision.
   EnclosedFrame frame_within(double relative_change, int bits = 256) const;
-  /// alpha(i) and beta(j) of a pixel, in the third coordinate near.
+  /// alpha(i) and beta(j) of a pixel, with `near` as the third coordinate.
   Enclosure3 plane_position(const scene::Pixel& pixel, int bits = 256) const;
 
   const std::shared_ptr<const Impl>& impl() const { return impl_; }

@@ -14,7 +14,7 @@
 namespace raycheck::reference {
 namespace {
 
-/// A function of its own, so that no operation moves to where doubles round upward.
+/// A separate function, so that no operation moves to where doubles round upward.
 [[gnu::noinline]] ExactRay::Direction direction_of(const ExactRay::Source& source) {
   const NearestGuard guard;
   const auto line = line_of(DoubleDoubleLift{}, source);
@@ -48,7 +48,7 @@ ExactRay::Direction ExactRay::direction_in_double_doubles() const {
   return direction_.get([this] { return direction_of(source_); });
 }
 
-/// The first rung, as long as it lives: doubles round upward, and the ray's line is in intervals.
+/// The first rung; while it lives doubles round upward, and the ray's line is in intervals.
 struct ExactRay::Filter {
   explicit Filter(const ExactRay& ray)
       : line{lift_vector<IntervalKernel>(IntervalLift{}, base_of(ray.source_)),
@@ -63,8 +63,8 @@ struct ExactRay::Filter {
   Line<IntervalKernel> line;
 };
 
-/// A sign by double-doubles. A function of its own, so that no operation moves to where doubles
-/// round upward.
+/// A sign by double-doubles. A separate function, so that no operation moves to where doubles round
+/// upward.
 template <class SignUnder>
 [[gnu::noinline]] std::optional<int> sign_by_double_doubles(const ExactRay& ray,
                                                             const SignUnder& sign_under) {
@@ -107,7 +107,7 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, En
 Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, Engine engine,
                                  Rung* highest) const {
   scene::require_valid(sphere);
-  if (engine == Engine::kFiltered) {  // All coefficients at once: intervals decide nearly always.
+  if (engine == Engine::kFiltered) {  // All coefficients at once: intervals nearly always decide.
     const Filter filter(*this);
     const auto pair =
         line_and_sphere(filter.line, lift_sphere<IntervalKernel>(IntervalLift{}, sphere));

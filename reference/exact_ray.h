@@ -29,7 +29,7 @@ constexpr std::string_view name(WhichRoot value) {
   return kWhichRootNames[static_cast<std::size_t>(value)];
 }
 
-/// How a ray meets a sphere; `root` speaks only of hits and tangents.
+/// How a ray meets a sphere; `root` is valid only for hits and tangents.
 struct Intersection {
   HitClass hit_class = HitClass::kMiss;
   WhichRoot root = WhichRoot::kSmaller;
@@ -42,8 +42,8 @@ constexpr bool counts_as_hit(HitClass hit_class, scene::Tangent tangent) {
          (hit_class == HitClass::kTangent && tangent != scene::Tangent::kMiss);
 }
 
-/// Which arithmetic decides: the rungs one after the other, or the exact field alone, which is how
-/// tests hold the rungs before it to account.
+/// Which arithmetic decides: the rungs one after the other, or the exact field alone, which tests
+/// use to check the other rungs.
 enum class Engine { kFiltered, kFieldOnly };
 
 /// The rungs of Engine::kFiltered, the cheapest first; a decision takes the first that is certain.
@@ -51,7 +51,7 @@ enum class Rung { kIntervals, kDoubleDoubles, kBalls, kField };
 
 /// The sphere that a ray meets first.
 struct NearestSphere {
-  std::size_t index = 0;  ///< The first in the file among equals.
+  std::size_t index = 0;  ///< Among equals the first in the file.
   Intersection intersection;
   std::vector<std::size_t>
       ties;  ///< All spheres met at exactly the same parameter, index included.
@@ -63,9 +63,9 @@ class EnclosedRay {
   struct Impl;
   explicit EnclosedRay(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
   Enclosure3 origin() const;       ///< P, or E, or a given ray's own origin.
-  Enclosure3 pixel_point() const;  ///< P; only of a camera's ray.
+  Enclosure3 pixel_point() const;  ///< P; only for a camera's ray.
   Enclosure3 direction() const;    ///< The unit direction D.
-  Enclosure length() const;        ///< l = |P - E|; of a given ray |direction|.
+  Enclosure length() const;        ///< l = |P - E|; for a given ray |direction|.
   Enclosure parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
   Enclosure3 point(const scene::Sphere& sphere, const Intersection& intersection) const;
   Enclosure half_chord_sq(const scene::Sphere& sphere) const;   ///< d^2 = r^2 - (|T|^2 - v^2)
@@ -75,8 +75,7 @@ class EnclosedRay {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// Whether a root counts among those that valid roots are made of (scene::ValidRoots), and if not,
-/// why.
+/// Whether a root is valid (scene::ValidRoots), and if not, why.
 enum class RootCounts { kYes, kCulled, kBeforeMin, kOnOpenMin, kOnOpenMax, kBeyondMax };
 
 inline constexpr std::array<std::string_view, 6> kRootCountsNames = {
@@ -86,8 +85,8 @@ constexpr std::string_view name(RootCounts value) {
 }
 
 /// One ray, known exactly: through a camera's pixel, or given by doubles.
-/// Units:  scene lengths; the parameter s of a camera's ray is a length (its direction is unit), of
-///         a given ray it counts multiples of the given direction.
+/// Units:  scene lengths; the parameter s of a camera's ray is a length (its direction is unit),
+///         that of a given ray counts multiples of its direction.
 /// Domain: every valid input (scene/validate.h) over the whole double range; otherwise constructors
 ///         and functions that take a sphere throw std::invalid_argument naming the field.
 /// Error:  decisions are exact; enclosures hold the true value; rounded_* are correctly rounded to
@@ -101,7 +100,7 @@ class ExactRay {
   ExactRay(const ExactCamera& camera, const scene::Pixel& pixel);
   explicit ExactRay(const scene::Ray& ray);
 
-  /// What the ray was made of: a camera and its pixel, or a given ray.
+  /// What the ray was made from: a camera and a pixel, or a given ray.
   struct Source {
     std::shared_ptr<const ExactCamera::Impl> camera;  ///< Null for a given ray.
     scene::Pixel pixel;
@@ -109,25 +108,25 @@ class ExactRay {
   };
   const Source& source() const { return source_; }
   /// g and |g|^2 of the line base + lambda g (reference/internal/formulas.h) in double-doubles:
-  /// computed when first asked for, since intervals decide nearly everything.
+  /// computed on demand, since intervals decide nearly everything.
   struct Direction {
     Triple<DoubleDouble> g;
     DoubleDouble a;
   };
   Direction direction_in_double_doubles() const;
 
-  /// Hit, miss or tangent, and at which root, under a `root` convention.
-  /// `highest`, where given, rises to the highest rung that a decision took.
+  /// Hit, miss or tangent, and at which root, under a `root` convention. `highest`, if given, is
+  /// raised to the highest rung that a decision needed.
   Intersection intersect(const scene::Sphere& sphere, scene::Root root = scene::Root::kNearest,
                          Engine engine = Engine::kFiltered, Rung* highest = nullptr) const;
-  /// The same under all that conventions say of roots: which count, and which of these is taken.
+  /// The same under all conventions about roots: which are valid, and which of these is taken.
   Intersection intersect(const scene::Sphere& sphere, const scene::Conventions& conventions,
                          Engine engine = Engine::kFiltered, Rung* highest = nullptr) const;
   /// Whether a root of a hit or a tangent counts.
   RootCounts counts(const scene::Sphere& sphere, const Intersection& at,
                     const scene::ValidRoots& valid, Engine engine = Engine::kFiltered,
                     Rung* highest = nullptr) const;
-  /// The sign of s - t of a hit or a tangent, t in a unit: with radii of the sphere, t r exactly.
+  /// The sign of s - t for a hit or a tangent; if t is in radii of the sphere, t r is exact.
   /// Domain: t is finite.
   int compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
                         scene::TUnit unit, Engine engine = Engine::kFiltered,
@@ -146,7 +145,7 @@ class ExactRay {
                                        const scene::Conventions& conventions,
                                        Rung* highest = nullptr) const;
 
-  /// Enclosures of relative width 2^-relative_bits a coordinate; exact where the value is 0.
+  /// Enclosures of relative width 2^-relative_bits per coordinate; exact where the value is 0.
   Enclosure3 pixel_point(int relative_bits = kValueBits) const;
   Enclosure3 origin(int relative_bits = kValueBits) const;
   Enclosure3 direction(int relative_bits = kValueBits) const;
@@ -164,11 +163,11 @@ class ExactRay {
   scene::Point3 rounded_point(const scene::Sphere& sphere, const Intersection& intersection,
                               scene::Precision precision = scene::Precision::kDouble) const;
 
-  /// Values at one working precision, when every input is known to within a relative change.
+  /// Values at one working precision, when every input is known only up to a relative change.
   EnclosedRay enclose(int bits, double relative_change = 0) const;
 
-  /// The width of values where no other is asked for, 2^-70 of their size: 17 bits below u, which
-  /// leaves 5 digits of an error of 1 ulp.
+  /// The default width of values, 2^-70 of their size: 17 bits below u, which leaves 5 digits of an
+  /// error of 1 ulp.
   static constexpr int kValueBits = 70;
 
  private:

@@ -8,9 +8,8 @@ namespace {
 
 using Pair = LineAndSphere<IntervalKernel>;
 
-/// The intersection from the signs of the discriminant, of c and of b, as ExactRay has it: with
-/// c < 0 the roots lie on both sides of the origin, with c > 0 on one side, b's; c = 0 makes one of
-/// them 0.
+/// The intersection from the signs of the discriminant, of c and of b, as ExactRay has it: with c <
+/// 0 the roots have opposite signs, with c > 0 both have b's sign, with c = 0 one of them is 0.
 std::optional<Intersection> decide(const Pair& pair, const Interval& squared_root,
                                    scene::Root root) {
   const Intersection miss{};

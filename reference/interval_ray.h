@@ -8,10 +8,10 @@
 
 namespace raycheck::reference {
 
-/// What intervals of doubles say of a ray and a sphere.
+/// What intervals of doubles tell about a ray and a sphere.
 struct IntervalIntersection {
   Intersection intersection;  ///< The exact one.
-  // Bounds of s, of hits and tangents.
+  // Bounds of s, for hits and tangents.
   double lower = 0;
   double upper = 0;
 };

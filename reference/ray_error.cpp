@@ -14,7 +14,7 @@ constexpr int kBits = 256;
 
 Triple<DoubleDouble> triple(const DoubleDoubleKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// measure(line) by double-doubles. A function of its own, so that no operation moves to where
+/// measure(line) by double-doubles. A separate function, so that no operation moves to where
 /// doubles round upward.
 template <class Measure>
 [[gnu::noinline]] auto by_double_doubles(const ExactRay& ray, const Measure& measure) {
@@ -42,8 +42,8 @@ std::optional<double> distance_by_double_doubles(const ExactRay& ray, const scen
   });
 }
 
-/// The exponent of the gap between the numbers of a format around the least number within, which is
-/// no larger than around any other; empty where it is not known.
+/// The exponent of a format's ulp around the smallest number within, which is no larger than around
+/// any other; empty if unknown.
 std::optional<int> ulp_exponent(const DoubleDouble& x, scene::Precision precision) {
   const double lower = abs(x).lower();
   if (!(lower >= std::numeric_limits<double>::min()) || !std::isfinite(x.high())) return {};

@@ -31,8 +31,8 @@ std::optional<double> sphere_residual(const scene::Sphere& sphere, const scene::
 /// be 0.
 std::optional<double> ray_residual(const ExactRay& ray, const scene::Point3& given);
 
-/// Whether a parameter is certainly within a share of the two roots' distance from the root other
-/// than `intersection`'s: what lies between the two is an error, not the other root.
+/// Whether a parameter is certainly within 1/kOtherRootShare of the roots' distance of the root
+/// other than `intersection`'s: between the two it is an error, not the other root.
 bool is_at_other_root(const ExactRay& ray, const scene::Sphere& sphere,
                       const Intersection& intersection, double given);
 inline constexpr int kOtherRootShare = 4;  ///< One over the share.

@@ -11,7 +11,7 @@ namespace {
 
 ExactNumber exact(const Rational& value) { return ExactNumber(FirstExtension(value)); }
 
-/// value(lift, line) by double-doubles. A function of its own, so that no operation moves to where
+/// value(lift, line) by double-doubles. A separate function, so that no operation moves to where
 /// doubles round upward.
 template <class Value>
 [[gnu::noinline]] auto by_double_doubles(const ExactRay& ray, const Value& value) {
@@ -35,7 +35,7 @@ auto finish_number(const ExactRay& ray, const Value& value, Compare compare, Fin
       [&](int bits) { return by_balls(ray, value, bits); }, compare);
 }
 
-/// The same of a vector's three coordinates; compare(k, m) is the exact sign of coordinate k - m.
+/// The same for a vector's three coordinates; compare(k, m) is the exact sign of coordinate k - m.
 template <class Result, class Value, class Compare, class Finish>
 Result finish_vector(const ExactRay& ray, const Value& value, Compare compare, Finish finish) {
   const DoubleDoubleKernel::Vector_3 first = by_double_doubles(ray, value);
@@ -76,7 +76,7 @@ struct RoundToSingle {
   }
 };
 
-/// finish(Round{}) or what rounds to floats.
+/// finish(Round{}), or the one that rounds to floats.
 template <class Finish>
 auto rounded(scene::Precision precision, const Finish& finish) {
   return precision == scene::Precision::kDouble ? finish(Round{}) : finish(RoundToSingle{});

@@ -7,7 +7,7 @@
 
 namespace raycheck::scene {
 
-/// A camera of the lecture: W = (eye - look_at) normalised, U = up x W normalised, V = W x U.
+/// A camera as in the lecture: W = (eye - look_at) normalised, U = up x W normalised, V = W x U.
 /// Lengths are scene lengths; near and far are signed positions along W, negative in front of the
 /// eye; the image plane is at near and bounded along U by left, right and along V by bottom, top.
 /// left > right or bottom > top mirrors the image.
@@ -26,7 +26,7 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// The most pixels that an image may have across, and down: indices of pixels then fit 64 bits.
+/// The most pixels that an image may have across, and down, so that pixel indices fit 64 bits.
 inline constexpr std::int64_t kMostPixelsAcross = (std::int64_t{1} << 31) - 1;
 
 /// Pixel (i, j): column i of width, row j of height, counted as the `rows` convention says.

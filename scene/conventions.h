@@ -15,15 +15,15 @@ enum class Samples { kEdges, kCentres };
 enum class Origin { kPixel, kFocal };
 /// Which root is the intersection: the smallest >= 0, or always v - d (negative: a miss).
 enum class Root { kNearest, kSmaller };
-/// What a double root counts as; kEither is not judged.
+/// Whether a double root is a hit; kEither is not judged.
 enum class Tangent { kHit, kMiss, kEither };
 
 /// Whether the ends of an interval of parameters belong to it.
 enum class Ends { kClosed, kOpenMax, kOpenMin, kOpen };
-/// What t_min and t_max count: s itself, or radii of the sphere that is met.
+/// The unit of t_min and t_max: s itself, or radii of the sphere that is met.
 enum class TUnit { kAbsolute, kRadius };
-/// Which roots are left out whatever they are: v + d, where a ray leaves a sphere (on back faces),
-/// or v - d, where it enters one.
+/// Which roots never count: v + d, where a ray leaves a sphere (on back faces), or v - d, where it
+/// enters one.
 enum class Culling { kNone, kBackFaces, kFrontFaces };
 
 /// Which roots count: those between t_min and t_max that are not culled. `root` chooses among them.
@@ -37,7 +37,7 @@ struct ValidRoots {
 
   bool includes_min() const { return ends == Ends::kClosed || ends == Ends::kOpenMax; }
   bool includes_max() const { return ends == Ends::kClosed || ends == Ends::kOpenMin; }
-  /// Every root >= 0, as where nothing is said.
+  /// The default: every root >= 0.
   bool is_usual() const { return *this == ValidRoots{}; }
 };
 

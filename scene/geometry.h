@@ -18,7 +18,7 @@ struct Point3 {
   bool operator==(const Point3&) const = default;
 };
 
-/// A vector that is meant to have length 1; rounding makes it nearly so.
+/// A vector meant to have length 1, up to rounding.
 struct UnitVector3 {
   double x = 0;
   double y = 0;

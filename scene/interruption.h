@@ -4,12 +4,12 @@
 
 namespace raycheck::scene {
 
-/// What interrupted work throws. It is no std::exception, so that nothing takes it for a failure of
-/// a candidate or of an input: whoever has a part of an answer catches it and keeps that.
+/// Thrown by interrupted work. Not a std::exception, so that it is never mistaken for a failure of
+/// a candidate or an input: code that has a part of an answer catches it and keeps that part.
 struct Interrupted {};
 
-/// While it lives, poll() on this thread asks `interrupted`, which has to live as long. The one
-/// made last is asked; it gives way to the one before when it ends.
+/// While it lives, poll() on this thread asks `interrupted`, which must outlive it. If they nest,
+/// the innermost one is asked.
 class Interruptible {
  public:
   explicit Interruptible(const std::function<bool()>& interrupted);
@@ -21,8 +21,8 @@ class Interruptible {
   const std::function<bool()>* before_;
 };
 
-/// Throws Interrupted where the work of this thread is to end; does nothing where nobody said who
-/// is to be asked. Whatever takes long calls it often, from deep inside.
+/// Throws Interrupted if this thread's work is to end; does nothing if no Interruptible lives. Long
+/// work calls it often, from its inner loops.
 void poll();
 
 }  // namespace raycheck::scene

@@ -71,7 +71,7 @@ double to_digits(double value, int digits) {
 std::string hexfloat(double value) {
   if (!std::isfinite(value)) return shortest(value);
   const int power = value == 0 ? 0 : std::ilogb(value);
-  // Between 1 and 2: how subnormal numbers are written differs from library to library.
+  // Scaled to [1, 2): libraries write subnormal numbers differently.
   std::string text = characters(std::scalbn(std::abs(value), -power), std::chars_format::hex);
   text.resize(text.find('p') + 1);
   return (std::signbit(value) ? "-0x" : "0x") + text + (power < 0 ? "" : "+") +

@@ -17,7 +17,7 @@ std::string shortest(double value);
 /// The double nearest to its decimal of that many significant digits. Domain: finite, digits >= 1.
 double to_digits(double value, int digits);
 
-/// A point's or a vector's coordinates as shortest decimals, a space between them.
+/// A point's or a vector's coordinates as shortest decimals, separated by spaces.
 template <class Triple>
 std::string shortest_words(const Triple& v) {
   return shortest(v.x) + " " + shortest(v.y) + " " + shortest(v.z);

@@ -9,8 +9,8 @@
 namespace raycheck::scene {
 
 /// The format that an implementation computes in and is judged in: its inputs are numbers of that
-/// format (every float is a double, and is given as one), and the ulp and u of its errors are those
-/// of that format.
+/// format (every float is a double, and is passed as one), and its errors count ulp and u of that
+/// format.
 enum class Precision { kDouble, kSingle };
 inline constexpr std::array<std::string_view, 2> kPrecisionNames = {"double", "single"};
 constexpr std::string_view name(Precision value) {
@@ -35,7 +35,7 @@ constexpr double unit_roundoff(Precision precision) {
 /// The number of the format nearest to a double, ties to even; beyond its range infinite.
 double rounded_to(Precision precision, double x);
 
-/// The number of the format next to x, one of it, in the direction of another.
+/// The neighbour of x, a number of the format, in the direction of `toward`.
 double next_after(Precision precision, double x, double toward);
 
 }  // namespace raycheck::scene

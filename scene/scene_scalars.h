@@ -1,6 +1,6 @@
 #pragma once
 
-// The numbers of a scene, one after the other. Internal to properties/.
+// Visits the numbers of a scene one by one. Internal to properties/.
 
 #include "scene/scene.h"
 

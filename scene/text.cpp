@@ -9,13 +9,13 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-/// A character and how many bytes it has.
+/// A character and its length in bytes.
 struct Character {
   std::uint32_t code = 0;
-  std::size_t bytes = 0;  ///< 0: the text begins with no character.
+  std::size_t bytes = 0;  ///< 0: the text starts with no valid character.
 };
 
-/// The first character of a text that is not empty.
+/// The first character of a nonempty text.
 Character first_of(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char head = byte(0);
@@ -27,7 +27,7 @@ Character first_of(std::string_view text) {
     if ((byte(k) & 0xC0) != 0x80) return {};
     code = code << 6 | (byte(k) & 0x3FU);
   }
-  // Longer than need be, half of a pair of UTF-16, or beyond the last.
+  // Overlong, a UTF-16 surrogate, or beyond the last code point.
   constexpr std::array<std::uint32_t, 5> kFirst = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_none =
       code < kFirst[count] || (code >= 0xD800 && code <= 0xDFFF) || code > 0x10FFFF;

@@ -5,12 +5,12 @@
 
 namespace raycheck::scene {
 
-/// Text of files, candidates and names, in which nothing acts on what shows it: valid UTF-8, each
-/// byte that is none replaced by U+FFFD, and control characters (those of C1 and those that change
-/// the direction of writing, too) spelled: \x1b, \u202e. Ends of lines and tabs stay.
+/// Text of files, candidates and names, made safe to display: valid UTF-8, with each invalid byte
+/// replaced by U+FFFD, and control characters (also C1, and those that change the writing
+/// direction) escaped: \x1b, \u202e. Line ends and tabs stay.
 std::string visible(std::string_view text);
 
-/// The same on one line: ends of lines and tabs are spelled, too.
+/// The same on one line: line ends and tabs are escaped, too.
 std::string visible_line(std::string_view text);
 
 }  // namespace raycheck::scene

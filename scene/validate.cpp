@@ -122,7 +122,7 @@ std::vector<Defect> defects_of(const char* name, const Input& input) {
   return found;
 }
 
-// No name is made of what nearly all spheres have nothing to say of.
+// Most spheres are plainly valid: for these no field name is built.
 bool is_plainly_valid(const Sphere& sphere) {
   return is_finite(sphere.centre) && std::isfinite(sphere.radius) && sphere.radius >= 0;
 }
@@ -191,7 +191,7 @@ std::vector<Defect> defects(const Scene& scene) {
 void require_valid(const Camera& camera) { require_none(defects(camera)); }
 void require_valid(const Ray& ray) { require_none(defects(ray)); }
 void require_valid(const Sphere& sphere) {
-  // Asked at every exact decision.
+  // Called at every exact decision.
   if (is_plainly_valid(sphere)) return;
   require_none(defects(sphere));
 }

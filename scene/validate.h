@@ -7,7 +7,7 @@
 
 namespace raycheck::scene {
 
-/// What is wrong with an input: while it has a defect, its rays or intersections mean nothing.
+/// A defect of an input: its rays or intersections are then meaningless.
 struct Defect {
   std::string field;  ///< As scene files spell it: "camera.up", "sphere[2].radius" (from 0).
   std::string value;  ///< The offending value, as it was read.

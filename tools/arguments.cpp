@@ -79,7 +79,7 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
 
 std::optional<scene::Dialect> parse_dialect(const std::string& text) {
   const auto rule = parse_driver(text);
-  // A file is of what it shows.
+  // A file's dialect is what it shows.
   return rule && !rule->tries_others ? std::optional(rule->form.dialect) : std::nullopt;
 }
 
@@ -109,7 +109,7 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
             std::uint64_t value = 0;
             const char* const end = digits.data() + digits.size();
             const auto read = std::from_chars(digits.data(), end, value);
-            // The parser of options would take digits after a 0 as octal ones.
+            // The option parser would read digits after a leading 0 as octal.
             const bool is_decimal = digits.size() == 1 || !digits.starts_with('0');
             if (read.ec == std::errc{} && read.ptr == end && is_decimal && value >= least &&
                 value <= most) {
@@ -158,7 +158,7 @@ CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
                    "run candidates as root with --sandbox none: they may do whatever root may");
   return command
       .add_option("--sandbox", arguments.sandbox,
-                  "how candidates are kept: require, refuse where seccomp, bubblewrap or, as root, "
+                  "isolation of candidates: require, refuse where seccomp, bubblewrap or, as root, "
                   "a user of its own does not work; available, what works here; none, limits only")
       ->check(CLI::IsMember({"require", "available", "none"}))
       ->capture_default_str();
@@ -177,7 +177,7 @@ Sandbox sandbox_of(const SandboxArguments& arguments) {
 
 namespace {
 
-/// Of --timeout: less is no time to answer in, more is as good as none.
+/// For --timeout: less leaves no time for an answer, more is no limit.
 constexpr double kLeastSeconds = 1e-3;
 constexpr double kMostSeconds = 86400;
 
@@ -224,7 +224,7 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments) {
 
 namespace {
 
-/// A renderer that is given driver files of the form that it reads.
+/// A renderer, given driver files of the form that it reads.
 External as_it_reads(const External& external, const DriverRule& rule) {
   const DryRun found = dry_run(*external.renderer, rule);
   if (found.refusal) throw CandidateError(found.refusal->why, {}, external.name);
@@ -262,7 +262,7 @@ std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
   std::vector<Implementation> found = find_candidates(arguments);
   for (const Implementation& one : found) {
     if (!one.stages.empty()) continue;
-    throw CandidateError(one.draws() ? "it draws pictures; what is asked here is single answers"
+    throw CandidateError(one.draws() ? "it draws pictures; this command asks for single answers"
                                      : "it makes no rays and intersects nothing",
                          {}, one.name);
   }
@@ -349,10 +349,10 @@ void add_seed(CLI::App& command, std::uint64_t& seed) {
 
 namespace {
 
-/// What views colour by (red() of tools/report/words.h): a colour, and its end.
+/// The colours of views (red() of tools/report/words.h): start and end.
 constexpr std::array<std::string_view, 2> kColours = {"\x1b[31m", "\x1b[0m"};
 
-/// As scene::visible, but that colours stay.
+/// Like scene::visible, but keeps colours.
 std::string visible_but_colours(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
@@ -372,8 +372,8 @@ std::string visible_but_colours(std::string_view text) {
   return shown;
 }
 
-/// In a log of GitHub's workflows lines that begin with "::", and "##[" wherever it stands, are
-/// commands (docs/ci.md): there the first of them is spelled.
+/// In the log of a GitHub workflow "::" at the start of a line, and "##[" anywhere, are commands
+/// (docs/ci.md): their first character is escaped there.
 std::string as_log_shows(const std::string& text) {
   if (std::getenv("GITHUB_ACTIONS") == nullptr) return text;
   std::string shown;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the commands share of reading arguments and writing reports. Internal to the commands.
+// How the commands read arguments and write reports. Internal to the commands.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -27,12 +27,12 @@ std::vector<double> parse_list(const char* option, std::string_view text, std::s
                                const char* meaning);
 /// Doubles represent every whole number up to here.
 inline constexpr std::int64_t kMostIndex = 9'000'000'000'000'000;
-/// A whole number of these; the error names the option.
+/// A whole number in this range; the error names the option.
 std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
                          std::int64_t most = kMostIndex);
 /// A pixel, "I,J".
 scene::Pixel parse_pixel(const char* option, std::string_view text);
-/// The same, of a scene's camera; the error names its file, too.
+/// The same for a scene's camera; the error also names the scene's file.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);
 /// What --dialect says of a driver file that is read; empty if the text is.
@@ -41,11 +41,11 @@ std::optional<scene::Dialect> parse_dialect(const std::string& text);
 std::optional<DriverRule> parse_driver(const std::string& text);
 /// --dialect of a driver file that is read.
 void add_dialect(CLI::App& command, std::string& dialect);
-/// --dialect, in place of a rubric's [driver].
+/// --dialect, which replaces a rubric's [driver].
 void add_rubric_dialect(CLI::App& command, std::string& dialect);
 
-/// What an option takes: a whole number of these, in digits; a number of these, as scene files
-/// have them. What they refuse, they say beside what is allowed.
+/// Validators: a whole number in this range, in digits; a number in this range, as in scene files.
+/// Their errors name the refused value and what is allowed.
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
 CLI::Validator number_between(double least, double most);
 /// A bound on errors: a finite number >= 0.
@@ -64,7 +64,7 @@ CLI::Option* add_named(CLI::App& command, const std::string& option, Enum& value
       ->check(CLI::IsMember(all))
       ->default_str(all[static_cast<std::size_t>(value)]);
 }
-/// The most of --cases and --steps.
+/// The largest --cases and --steps.
 inline constexpr std::uint64_t kMostCases = 1'000'000'000;
 
 /// The pairs of methods asked for by --rays and --intersect, or what the latter is called.
@@ -72,7 +72,7 @@ std::vector<MethodPair> chosen_methods(const std::string& rays,
                                        const std::vector<std::string>& intersect,
                                        const char* field = "intersect");
 
-/// What --sandbox and --i-know are given; the default is the command's.
+/// The values of --sandbox and --i-know; the command sets the default.
 struct SandboxArguments {
   std::string sandbox = "available";
   bool knows = false;
@@ -80,21 +80,21 @@ struct SandboxArguments {
 CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments);
 Sandbox sandbox_of(const SandboxArguments& arguments);
 
-/// What --candidate, --sandbox, --timeout and --bounds are given; the last three go with the first.
+/// The values of --candidate, --sandbox, --timeout and --bounds; the last three need the first.
 struct ExternalArguments {
   std::vector<std::string> candidates;
   SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
-  std::string bounds;                                      ///< Whose; empty: kDefaultMethods'.
+  std::string bounds;  ///< Whose bounds; empty: kDefaultMethods'.
   scene::Precision precision = scene::Precision::kDouble;  ///< Of renderers.
-  std::optional<double> image_change;                      ///< Empty: what suits the precision.
+  std::optional<double> image_change;                      ///< Empty: the precision's default.
   double threshold = 0;
 };
 void add_external(CLI::App& command, ExternalArguments& arguments);
-/// --precision, --image-change and --t-threshold, which go with a --candidate
+/// --precision, --image-change and --t-threshold, which need a --candidate
 void add_renderer(CLI::App& command, ExternalArguments& arguments);
-/// Each once compiled, where it has to be, and introduced; `driver` is what renderers read, found
-/// out by a dry run where it tries several.
+/// Compiles each candidate if necessary, and hears its introduction; `driver` is what renderers
+/// read, found by a dry run if it tries several.
 std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
                                             const std::optional<DriverRule>& driver = {});
 /// The same, to be judged by their stages, not by pictures. Errors: CandidateError of a renderer.
@@ -104,9 +104,9 @@ std::vector<Implementation> find_by_stages(const ExternalArguments& arguments);
 std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
                                            const ExternalArguments& arguments);
 
-/// --format, one of those names; the first where it is not given.
+/// --format, one of these names; the first by default.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
-/// The same, of the views of a report.
+/// The same for the views of a report.
 template <class Report, std::size_t N>
 void add_format(CLI::App& command, std::string& format, const View<Report> (&views)[N]) {
   std::vector<std::string> names;
@@ -120,32 +120,31 @@ void add_methods(CLI::App& command, std::vector<std::string>& methods);
 /// The file that an option names, opened before the work that it is to take; empty where it is not
 /// given. Errors: std::invalid_argument as OutputFile.
 std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);
-/// --view FILE: a page for a browser; `what` is what it shows.
+/// --view FILE: a page for a browser that shows `what`.
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
 /// --certificates FILE
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
-/// --threads; `same` is what does not depend on it.
+/// --threads; `same` names what does not depend on it.
 void add_threads(CLI::App& command, int& threads, std::string_view same);
 /// --strict
 void add_strict(CLI::App& command, bool& strict);
-/// --cases and --seed of the questions that generate prints, and verify has the answers to.
+/// --cases and --seed of the questions that generate prints and verify reads answers to.
 void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed,
                    scene::Precision& precision);
 /// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 
-/// What is printed acts on no terminal, whatever files, candidates and names hold: it is spelled as
-/// scene::visible has it. Standard error may be closed or full; that is no reason to lose the
-/// report.
+/// Prints text escaped by scene::visible, so that no file, candidate or name controls the terminal.
+/// Standard error may be closed or full: that must not lose the report.
 void print_error(const std::string& text);
 void print_warnings(const std::vector<std::string>& warnings);
-/// Throws what write_out() throws: a lost report must not look like a good one. `colours`: those of
-/// views stay.
+/// Throws what write_out() throws: a lost report must not look like a good one. `colours`: keeps
+/// the views' colours.
 void print_report(const std::string& report, bool colours = false);
-/// Likewise, of lines that the log of GitHub's workflows is to obey.
+/// Likewise for lines that the log of a GitHub workflow is to execute.
 void print_commands(const std::string& commands);
-/// Prints a report in the format of that name.
-/// Domain: a name that add_format takes.
+/// Prints a report in the format of this name.
+/// Domain: a name that add_format accepts.
 template <class Report, std::size_t N>
 void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report,
                 const std::string& picture_link = {}) {
@@ -163,7 +162,7 @@ void print_view(const View<Report> (&views)[N], std::string_view format, const R
 /// Draws the facets, unless there is no gnuplot: then it says so on standard error.
 void draw_or_say(const std::vector<ChartFacet>& facets, const std::string& path);
 
-/// `found`: a defect, or what else fails; `checked`: enough was judged to say that there is none.
+/// `found`: a defect or another failure; `checked`: enough was judged to exclude one.
 int exit_code(bool was_interrupted, bool found, bool checked);
 
 }  // namespace raycheck::tools

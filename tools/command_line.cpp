@@ -30,11 +30,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Options whose value is a file to be written; of --report it is behind the kind.
+/// Options whose value is a file to write; for --report it follows the kind.
 constexpr const char* kWriting[] = {"--certificates", "--out",  "--package", "--plot",
                                     "--report",       "--save", "--view"};
 
-/// Those whose value is a file that is read, besides what a command takes without an option.
+/// Options whose value is a file to read, besides positional arguments.
 constexpr const char* kReading[] = {"--baseline", "--candidate", "--secret-file"};
 
 bool reads(const CLI::Option& option) {
@@ -88,9 +88,8 @@ bool is_same(const std::string& a, const std::string& b) {
   return !a.empty() && !error && one == other;
 }
 
-/// Throws std::invalid_argument where a file that an option has written is also one that another
-/// argument of the command names, whatever links lead there: to be read (also as a word of a
-/// candidate), or to be written.
+/// Throws std::invalid_argument if a file that one option writes is also named by another argument
+/// of the command, also through links: to be read (also as a word of a candidate), or written.
 /// Domain: a command whose arguments are parsed.
 void require_written_apart(const CLI::App& command) {
   const std::vector<Written> all = written_by(command);
@@ -112,8 +111,7 @@ void require_written_apart(const CLI::App& command) {
   }
 }
 
-/// The report of a command that was interrupted before there was anything to say, or before all of
-/// it was written.
+/// Ends a command that was interrupted before it had anything to report, or had written all of it.
 int end_without_report(const CLI::App& command) {
   if (has_written_out()) {
     print_error("raycheck: interrupted before all was written\n");
@@ -127,8 +125,7 @@ int end_without_report(const CLI::App& command) {
   return exit_code(true, false, false);
 }
 
-/// What is said of an error. Libraries name fields; where that is one of an option, the option is
-/// named.
+/// The text of an error. Libraries name fields; if an option sets the field, names the option.
 std::string said_of(const std::exception& error, const CLI::App& command) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     return command.get_name() + ": takes more memory than there is for it";
@@ -140,7 +137,7 @@ std::string said_of(const std::exception& error, const CLI::App& command) {
   return is_option ? "--" + text : text;
 }
 
-/// What a command comes to, whatever it throws.
+/// The exit code of a command, whatever it throws.
 int outcome_of(const Command& command) {
   const std::function<bool()> is_interrupted = interrupted;
   try {
@@ -150,7 +147,7 @@ int outcome_of(const Command& command) {
   } catch (const scene::Interrupted&) {
     return end_without_report(*command.app);
   } catch (const std::exception& error) {
-    // Of what a signal cut short, errors say nothing.
+    // After a signal, errors mean nothing.
     if (interrupted()) return end_without_report(*command.app);
     print_error(fmt::format("raycheck: {}\n", said_of(error, *command.app)));
     return kExitBadInput;
@@ -216,9 +213,9 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
     return kExitBadInput;
   } catch (const ClosedPipe&) {
     return kExitOfSignal + SIGPIPE;
-  } catch (const scene::Interrupted&) {  // the reader of a report did not wait for it
+  } catch (const scene::Interrupted&) {  // the reader of the report went away
     return exit_code(true, false, false);
-  } catch (const std::exception& error) {  // help, or what an interrupt left, was not written
+  } catch (const std::exception& error) {  // help, or a partial report, was not written
     print_error(fmt::format("raycheck: {}\n", error.what()));
     return kExitBadInput;
   }

@@ -8,13 +8,13 @@
 
 namespace raycheck::tools {
 
-/// A command that is linked, with its options.
+/// A linked command with its options.
 struct Command {
   CLI::App* app;
   CommandRun run;
 };
 
-/// Says what raycheck is, and adds all commands to it; those that are linked have their options.
+/// Describes raycheck, and adds all commands to it; linked ones get their options.
 std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked);
 
 /// A program: reads its arguments, prints its report, returns its exit code.

@@ -72,7 +72,7 @@ inline constexpr int kExitNothingFound = 0;
 inline constexpr int kExitDiscrepancy = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitNothingChecked = 4;
-/// And the signal: of one that interrupted it, and of SIGPIPE where nobody reads what it prints.
+/// Plus the signal: the one that interrupted it, or SIGPIPE if nobody reads its output.
 inline constexpr int kExitOfSignal = 128;
 
 }  // namespace raycheck::tools

@@ -13,7 +13,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A baseline has a line for each known discrepancy.
+/// A baseline has one line per known discrepancy.
 constexpr std::uintmax_t kMostBaselineBytes = std::uintmax_t{64} << 20;
 
 /// --report takes KIND=FILE.
@@ -43,20 +43,20 @@ void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std
   command
       .add_option(
           "--picture-link", arguments.picture_link,
-          "where a Markdown report's picture is to be found, in place of the picture within")
+          "a link to a Markdown report's picture, in place of the picture inside the report")
       ->type_name("ADDRESS");
   CLI::Option* const baseline =
       command
           .add_option("--baseline", arguments.baseline,
-                      "known discrepancies, a line each: only what is not among them fails")
+                      "known discrepancies, one per line: only others fail")
           ->type_name("FILE");
   command
       .add_flag("--update-baseline", arguments.updates,
-                "write the baseline: what was found is known from now on")
+                "write the baseline: everything found is known from now on")
       ->needs(baseline);
   command
       .add_flag("--strict-baseline", arguments.strict,
-                "fail, too, where the baseline has what was mended")
+                "fail, too, if the baseline has mended discrepancies")
       ->needs(baseline);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-// What commands that gate continuous integration share of reading arguments. Internal to the
-// commands.
+// The arguments shared by commands that gate continuous integration. Internal to the commands.
 
 #include <memory>
 #include <optional>
@@ -15,7 +14,7 @@
 
 namespace raycheck::tools {
 
-/// What --report, --picture-link, --baseline and what goes with it are given.
+/// The values of --report, --picture-link, --baseline and related options.
 struct GateArguments {
   std::vector<std::string> reports;  ///< KIND=FILE
   std::string picture_link;
@@ -23,7 +22,7 @@ struct GateArguments {
   bool updates = false;
   bool strict = false;
 };
-/// `kinds`: what --report takes.
+/// `kinds`: the values of --report.
 void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std::string>& kinds);
 template <class Report, std::size_t N>
 void add_gate(CLI::App& command, GateArguments& arguments, const View<Report> (&views)[N]) {
@@ -32,15 +31,14 @@ void add_gate(CLI::App& command, GateArguments& arguments, const View<Report> (&
   add_gate(command, arguments, kinds);
 }
 
-/// The files of a gate: opened before the work, so that hours of it are not lost, and written
-/// after.
+/// The files of a gate: opened before the work, so that hours are not lost, and written after it.
 class GateFiles {
  public:
   /// Errors: std::invalid_argument naming the option, the file and what is wrong with it.
   explicit GateFiles(const GateArguments& arguments);
 
-  /// What was found, held against the baseline, which is written where it is to be updated; empty
-  /// where there is none.
+  /// The findings compared with the baseline, which is updated if requested; empty without a
+  /// baseline.
   std::optional<Ratchet> ratchet(const Findings& findings, bool was_interrupted);
 
   template <class Report, std::size_t N>

@@ -1,4 +1,4 @@
-// raycheck: starts the program that has the command asked for.
+// raycheck: starts the program that contains the command.
 
 #include <unistd.h>
 
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside this one where it is built, below libexec where it is installed.
+/// Beside this program when built, below libexec when installed.
 fs::path found(const fs::path& folder, const std::string& program) {
   const fs::path beside = folder / program;
   std::error_code error;

@@ -35,8 +35,8 @@ extern "C" void on_signal(int signal) {
   if (signal == SIGINT) std::signal(SIGINT, SIG_DFL);
 }
 
-/// How long a wait for the other end of a stream lasts before interrupts are looked at, and how
-/// many such waits in a row it is given after one.
+/// How long to wait for the other end of a stream before checking for interrupts, and how many such
+/// waits it gets after an interrupt.
 constexpr int kWaitMilliseconds = 100;
 constexpr int kMostWaits = 10;
 
@@ -52,14 +52,14 @@ bool is_ready(int descriptor, short events) {
 
 void hold_standard_streams() {
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
-    // open() takes the least number that is free.
+    // open() returns the lowest free number.
     if (fcntl(descriptor, F_GETFD) < 0) open("/", O_PATH);
   }
 }
 
 void catch_signals() {
   struct sigaction action {};
-  action.sa_handler = on_signal;  // without SA_RESTART: what waits is to look at the flag
+  action.sa_handler = on_signal;  // without SA_RESTART: waits must see the flag
   struct sigaction before {};
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     sigaction(signal, nullptr, &before);
@@ -67,7 +67,7 @@ void catch_signals() {
     sigaction(signal, &action, nullptr);
   }
   std::signal(SIGPIPE, SIG_IGN);
-  // A file that may not grow is one that cannot be written, which is said.
+  // A file that may not grow is then reported as one that cannot be written.
   std::signal(SIGXFSZ, SIG_IGN);
 }
 bool interrupted() { return first_signal != 0; }
@@ -123,8 +123,8 @@ bool stdout_takes_colours() {
 
 namespace {
 
-/// One line on standard error that says how far long work has come, after the first second. Where
-/// standard error is no terminal it has instead a line for each part that is done.
+/// One line on standard error that says how far long work has come, after the first second. If
+/// standard error is not a terminal, it prints a line for each finished part instead.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string_view what)

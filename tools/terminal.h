@@ -13,14 +13,14 @@ namespace raycheck::tools {
 void hold_standard_streams();
 
 /// From now on SIGINT, SIGTERM and SIGHUP raise a flag instead of ending the program, and a pipe
-/// that closes makes writing fail. A second SIGINT ends it; of the others terminals and services
-/// send several. A SIGHUP that is ignored (nohup) stays so.
+/// that closes makes writing fail. A second SIGINT ends it; terminals and services may send several
+/// of the others. A SIGHUP that is ignored (nohup) stays so.
 void catch_signals();
 bool interrupted();
-/// The signal that was caught first; 0 before.
+/// The first signal that was caught; 0 if none.
 int caught_signal();
 
-/// What write_out() throws when nobody reads standard output any more.
+/// Thrown by write_out() if nobody reads standard output any more.
 struct ClosedPipe {};
 /// Writes to standard output. After an interrupt, gives up on a reader that does not read for a
 /// second. Errors: ClosedPipe; std::runtime_error; scene::Interrupted when it gives up.
@@ -33,8 +33,8 @@ std::string read_in(std::size_t most);
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.
 bool stdout_takes_colours();
 
-/// Runs work from the terminal: the signals that are caught end it early, and `what` is said to
-/// have come so far on standard error until the control is gone.
+/// Control for work run from a terminal: caught signals end it early, and standard error shows the
+/// progress of `what` while the control lives.
 properties::RunControl run_control(std::string what, int threads = 1);
 
 }  // namespace raycheck::tools

@@ -47,8 +47,8 @@ class Malformed(Exception):
     """A line is no certificate."""
 
 
-# What a line has to be before anything is computed of it: each shape is a function of a value and
-# of where that is, which raises Malformed. Keys that no shape names are not looked at.
+# The required form of a line, checked before any computation: each shape is a function of a value
+# and its location that raises Malformed. Keys that no shape names are ignored.
 
 LONGEST = 4000  # digits: products of four doubles have fewer
 EXPONENTS = range(-1074, 1024)  # of doubles
@@ -250,8 +250,8 @@ def norm_sq(v):
     return sum(x**2 for x in v)
 
 
-# A ray and a sphere: start + mu g, mu >= 0, on the line base + mu g. Of a given ray every number is
-# a Fraction and these three functions are the whole proof; of a camera's ray some are Intervals.
+# A ray and a sphere: start + mu g, mu >= 0, on the line base + mu g. For given rays all numbers are
+# Fractions and these three functions are the whole proof; for cameras' rays some are Intervals.
 
 
 def equation(ray, centre, radius):
@@ -429,7 +429,7 @@ def ray_of(inputs, conventions, root):
     return None
 
 
-# What a certificate states, against what was computed.
+# Compares what a certificate states with what was computed.
 
 
 class Meeting:
@@ -613,7 +613,7 @@ def confirm_met(certificate, met, got):
 
 def confirm_nearest(certificate, meetings):
     exact = [int(x) for x in numbers(certificate["exact"])]
-    # A picture may show a sphere without telling which: that is right wherever one is met.
+    # A picture may show a sphere without telling which: that is right if any is met.
     is_untold = certificate["got"] == [SOME_SPHERE]
     got = [] if is_untold else [int(x) for x in numbers(certificate["got"])]
     require(not (exact and is_untold), "a sphere is met, and a sphere was said")
@@ -634,8 +634,8 @@ def confirm_nearest(certificate, meetings):
             require(low > high if k in got else low >= high, "another sphere is met before")
 
 
-# A wrong decision is excused by inputs close by for which it is right, or is a defect where there
-# are none. Every input x may become x (1 + share), |share| <= amount.
+# A wrong decision is excused by inputs close by for which it is right; without any it is a defect.
+# Every input x may become x (1 + share), |share| <= amount.
 
 
 def named_inputs(inputs, of_many_spheres):
@@ -838,9 +838,9 @@ def confirm_witness(certificate, ray):
     require(found, "the answer is not right for the inputs of its witness")
 
 
-# That there are no such inputs is proved by mean-value forms over the box of all that are nearby.
-# They matter by T = C - L, g, r and s, in multiples of g, alone. Each function below takes the four
-# and gives its value and its derivatives by them.
+# Mean-value forms over the box of all nearby inputs prove that there are none. Inputs matter only
+# through T = C - L, g, r and s, in multiples of g. Each function below takes these four and returns
+# its value and its derivatives by them.
 
 
 def discriminant_form(T, g, r, s):
@@ -1014,7 +1014,7 @@ def is_shorter(vector, across, least_sq):
     other = [float(k == least_axis) for k in range(3)]
     frame = [axis, cross(axis, other), cross(axis, cross(axis, other))]
     frame = [[Fraction(x / dot(v, v) ** 0.5) for x in v] for v in frame]
-    # By a frame F nearly orthonormal, |F v|^2 >= (1 - defect) |v|^2.
+    # For a nearly orthonormal frame F, |F v|^2 >= (1 - defect) |v|^2.
     defect = max(sum(abs(dot(v, w) - (v is w)) for w in frame) for v in frame)
     along = lambda v: vector[0].shifted(v[0], 0).plus(v[1], vector[1]).plus(v[2], vector[2])
     rest, first, second = map(along, frame)
@@ -1096,7 +1096,7 @@ def is_right_nowhere(certificate, ray):
     return is_hit_nowhere(s, nearby.box, slack, reach, conventions)
 
 
-# What is said of wrong decisions, by whether they are excused by a witness or said to be defects.
+# The messages on wrong decisions: excused by a witness, or stated to be defects.
 BY_WITNESS, PROVED, NOT_PROVED = (
     "right for its witness",
     "proved wrong for all inputs nearby",
@@ -1175,7 +1175,7 @@ def judge(certificate):
     except ArithmeticError as problem:
         return "REFUTED", f"its numbers cannot be computed with: {problem}", None
     except (AttributeError, LookupError, TypeError, ValueError):
-        raise Malformed("it has not what a proof of its quantity takes") from None
+        raise Malformed("it lacks what a proof of its quantity needs") from None
 
 
 def visible(text):

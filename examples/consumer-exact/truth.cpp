@@ -44,7 +44,7 @@ int main() {
   const auto nearest = known.ray({8, 8}).nearest({{{8, 8, 54}, 12}, {{8, 8, 60}, 3}});
   if (nearest) std::printf("sphere %zu\n", nearest->index);
 
-  // Near-tangents, one ulp and less off: a hash of all that is decided and rounded.
+  // Near-tangents, off by one ulp or less: a hash of all decisions and rounded values.
   std::uint64_t hash = 0;
   const auto add = [&hash](double value) {
     std::uint64_t bits = 0;

@@ -1,4 +1,4 @@
-// Properties of one's own, on rays and spheres that are hard.
+// Your own properties, tested on hard rays and spheres.
 
 #include <raycheck/exact.h>
 #include <raycheck/rapidcheck.h>

@@ -14,9 +14,9 @@ struct Exact {
 static Exact exact(const Vector& v) { return {Expr(v.x), Expr(v.y), Expr(v.z)}; }
 static Expr dot(const Exact& a, const Exact& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-/// The double nearest to x / y but for 2^-kBits of it, y != 0. CORE divides after both are known:
-/// asked through a quotient, the square root of a large number comes with fewer bits than were
-/// asked for. Its own conversion to a double truncates.
+/// The double nearest to x / y up to 2^-kBits of it, y != 0. Divides approximations of both: within
+/// a quotient, CORE returns fewer bits of a large number's square root than requested. Its own
+/// conversion to a double truncates.
 static double rounded_quotient(const Expr& x, const Expr& y) {
   constexpr long kBits = 96;
   if (x.isZero()) return 0;

@@ -20,7 +20,7 @@ RTCDevice device() {
   return made;
 }
 
-/// A scene of one sphere. Robust: its boxes lose no hit of what is in them.
+/// A scene of one sphere. Robust mode: its bounding boxes lose no hit.
 RTCScene scene_of(const Sphere& sphere) {
   const RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* const vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
@@ -68,7 +68,7 @@ std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Convent
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(kept_scene_of(sphere), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-  // Embree gives no point: whoever uses it computes one so, in floats.
+  // Embree returns no point: its users compute one like this, in floats.
   const float s = query.ray.tfar;
   return Hit{s,
              {query.ray.org_x + s * query.ray.dir_x, query.ray.org_y + s * query.ray.dir_y,
@@ -77,8 +77,8 @@ std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Convent
 
 }  // namespace
 
-// Tangents count as hits and the first root from 0 on is taken, whatever is asked. The squares of
-// lengths stay in the range of floats.
+// Tangents count as hits and the first root >= 0 is taken, whatever the conventions say. The
+// squares of lengths stay in the range of floats.
 RAYCHECK_CANDIDATE(.name = "embree", .root = Root::nearest, .tangent = Tangent::hit,
                    .intersect = intersect, .level = Level::ordinary, .smallest_length = 0x1p-30,
                    .largest_length = 0x1p30, .precision = Precision::single)

@@ -13,7 +13,7 @@ using namespace raycheck;
 static vecgeom::Vector3D<double> vector3(const Vector& v) { return {v.x, v.y, v.z}; }
 
 static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
-  // It speaks of orbs around the origin and of unit directions: whoever uses it sees to both.
+  // VecGeom knows orbs around the origin and unit directions: the caller converts.
   const auto origin = vector3(difference(ray.origin, sphere.centre));
   const double length = vector3(ray.direction).Mag();
   const auto unit = vector3(ray.direction) / length;
@@ -25,8 +25,8 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   return hit_at(ray, distance / length);
 }
 
-// Tangents count as hits and the first root from 0 on is taken, whatever is asked. Origins within
-// 1e-9 of the surface are on it for VecGeom: below a thousandth that is most of a length.
+// Tangents count as hits and the first root >= 0 is taken, whatever the conventions say. VecGeom
+// takes origins within 1e-9 of the surface as on it: too coarse for lengths below 1e-3.
 RAYCHECK_CANDIDATE(.name = "vecgeom", .root = Root::nearest, .tangent = Tangent::hit,
                    .intersect = intersect, .level = Level::ordinary, .smallest_length = 0x1p-10,
                    .largest_length = 0x1p50)

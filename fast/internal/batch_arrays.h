@@ -16,7 +16,7 @@ struct RayArrays {
   const double* direction[3];
 };
 
-/// In place of a hit: the kernel has no answer.
+/// In place of a hit flag: this kernel cannot decide.
 inline constexpr std::uint8_t kOpen = 2;
 
 struct HitArrays {
@@ -25,7 +25,7 @@ struct HitArrays {
   double* point[3];
 };
 
-/// Bit k as byte k.
+/// Expands bit k into byte k.
 inline constexpr auto kBytesOfBits = [] {
   std::array<std::uint64_t, 256> bytes{};
   for (std::size_t bits = 0; bits < bytes.size(); ++bits) {
@@ -34,7 +34,7 @@ inline constexpr auto kBytesOfBits = [] {
   return bytes;
 }();
 
-/// What IntersectMethod::intersect is asked.
+/// The inputs of IntersectMethod::intersect.
 struct BatchInput {
   std::size_t count;
   RayArrays rays;
@@ -43,11 +43,11 @@ struct BatchInput {
   scene::Tangent tangent;
 };
 
-/// Answers to rays, each as the method's intersect_one() answers it. False where a ray may be no
-/// valid one; its answers then mean nothing.
+/// Answers rays, each as the method's intersect_one() does. False where some ray may be invalid;
+/// the answers are then meaningless.
 using BatchKernel = bool (*)(const BatchInput&, const HitArrays&);
 
-/// IntersectMethod::intersect by the target's kernel.
+/// IntersectMethod::intersect with the target's kernel.
 void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,
                   scene::Root root, scene::Tangent tangent, Hits& hits);
 

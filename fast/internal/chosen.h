@@ -4,7 +4,7 @@
 
 namespace raycheck::fast {
 
-/// The answer to one ray; without a hit `at` means nothing. Internal to fast/.
+/// The answer to one ray; `at` is valid only for a hit. Internal to fast/.
 struct Chosen {
   bool hit;
   Hit at;

@@ -67,8 +67,8 @@ HWY_INLINE N square_rest(N a, N /*square*/, N high) {
 
 #else
 
-// Without the instruction a call of std::fma costs more than the 17 operations of Dekker's product,
-// which finds the same errors, to the bit, where nothing over- or underflows on the way.
+// Without an FMA instruction, calling std::fma costs more than the 17 operations of Dekker's
+// product, which finds the same errors, to the bit, unless something over- or underflows.
 
 /// a b - c, rounded once.
 inline HWY_NOINLINE double fused_minus(double a, double b, double c) { return std::fma(a, b, -c); }
@@ -81,7 +81,7 @@ inline HWY_NOINLINE Lanes fused_minus(Lanes a, Lanes b, Lanes c) {
   return load(x);
 }
 
-/// The errors of products from here on, and all their parts, are in the double range.
+/// From here on the errors of products, and all their parts, are in the double range.
 inline constexpr double kLeastProduct = 0x1p-960;
 
 /// a as two numbers of at most 26 bits (Veltkamp; in Dekker 1971); NaN where |a| > 2^996.
@@ -92,8 +92,8 @@ HWY_INLINE Rounded<N> split(N a) {
   return {high, a - high};
 }
 
-/// Dekker's error of a product, unless it cannot be trusted: what overflows on the way does not
-/// come out finite.
+/// Dekker's error of a product; not finite where an intermediate result overflows, so that it
+/// cannot be trusted by mistake.
 template <class N>
 HWY_INLINE N trusted(N error, N a, N b, N product) {
   const auto is_exact = (absolute(product) > N(kLeastProduct)) & (error - error == N(0));

@@ -1,5 +1,5 @@
-// From a method's roots of one ray and one sphere, in any type of number, to its answers to one ray
-// and to a batch. Internal to fast/. Compiled once for each of Highway's targets
+// From a method's roots for one ray and one sphere, in any number type, to its answers for one ray
+// and for a batch. Internal to fast/. Compiled once for each of Highway's targets
 // (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_) == defined(HWY_TARGET_TOGGLE)
@@ -22,14 +22,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-/// Roots, in the type of number that a method computes in.
+/// Roots, in the number type that a method computes in.
 template <class N>
 struct RootsOf {
   N axial_distance;
   N half_chord_sq;
   N smaller;
   N larger;
-  N discriminant;  ///< A multiple of half_chord_sq, for its sign.
+  N discriminant;  ///< A multiple of half_chord_sq; only its sign counts.
 };
 
 /// The roots of a t^2 - 2 b t + c = 0 from its discriminant: q = b + sign(b) sqrt(disc) does not
@@ -46,7 +46,7 @@ HWY_INLINE RootsOf<N> roots_by_q(const N& a, const N& b, const N& c, const N& di
           select(forward, one, other), discriminant};
 }
 
-/// An answer; without a hit its parameter and point mean nothing.
+/// An answer; parameter and point are valid only for a hit.
 template <class N>
 struct ChosenOf {
   MaskOf<N> hit;
@@ -83,8 +83,8 @@ struct FromRoots : Method {
   }
 };
 
-// The functions of an IntersectMethod, of an Answerer: a type with an answer() as FromRoots has.
-// Flattened: a call would pass vectors through memory, and compute what the answer does not need.
+// The functions of an IntersectMethod, made from an Answerer: a type with FromRoots's answer().
+// Flattened: a call would pass vectors through memory, and compute more than the answer needs.
 
 template <class N>
 HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {
@@ -135,8 +135,8 @@ template <class Answerer>
   }
 }
 
-/// Whether all rays seen are valid, but that a direction whose square is out of range, or an origin
-/// near the end of the range, may pass for no valid one.
+/// Whether all rays seen are valid. May report invalid where a direction's square is out of range,
+/// or an origin is near the end of the range.
 class Validity {
  public:
   Validity() : sum_(0.0), directionless_(sum_ < sum_) {}
@@ -154,13 +154,13 @@ class Validity {
 
 static_assert(kLaneCount <= sizeof(std::uint64_t));
 
-/// One byte a lane: 1, or 0.
+/// One byte per lane: 1 or 0.
 HWY_INLINE std::uint64_t bytes(LaneMask mask) { return kBytesOfBits[bits(mask)]; }
 HWY_INLINE void store(std::uint64_t bytes, std::uint8_t* to) {
   std::memcpy(to, &bytes, kLaneCount);
 }
 
-/// A BatchKernel for multiples of kLaneCount.
+/// A BatchKernel for counts divisible by kLaneCount.
 template <class Answerer>
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchInput& input,
                                                         const HitArrays& answers) {
@@ -182,7 +182,7 @@ template <class Answerer>
   return valid.holds();
 }
 
-/// A BatchKernel made of one for multiples of kLaneCount.
+/// A BatchKernel for any count, from one for multiples of kLaneCount.
 inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
                          const HitArrays& answers) {
   constexpr std::size_t kLanes = kLaneCount;
@@ -191,7 +191,7 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
   part.count -= rest;
   const bool valid = whole_vectors(part, answers);
   if (rest == 0) return valid;
-  // The last rays fill a vector with copies of the very last.
+  // The last vector is filled up with copies of the last ray.
   const std::size_t first = part.count;
   double given[6][kLanes];
   double found[4][kLanes];

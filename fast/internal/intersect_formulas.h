@@ -1,5 +1,5 @@
-// The formulas that several methods share, each in its own type of number. Internal to fast/.
-// Compiled once for each of Highway's targets (fast/internal/lanes.h).
+// The formulas that several methods share, in any number type. Internal to fast/. Compiled once for
+// each of Highway's targets (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_INTERSECT_FORMULAS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_FAST_INTERNAL_INTERSECT_FORMULAS_H_
@@ -49,7 +49,7 @@ struct LectureFormula {
 };
 
 /// Lagrange's identity, disc = b^2 - a c = a r^2 - |T x d|^2, whose terms cancel only near
-/// tangency; roots by q. For numbers so slow that a miss had better end early.
+/// tangency; roots by q. For number types so slow that an early exit on a miss pays.
 template <class N>
 struct Lagrange {
   using Number = N;

@@ -1,5 +1,5 @@
 // Doubles side by side, with the operators and functions of a single number, so that a formula is
-// one template, whichever type of number it is asked for. Internal to fast/.
+// one template for every number type. Internal to fast/.
 //
 // Whatever is in HWY_NAMESPACE is compiled once for each of Highway's targets, hence the guard.
 // Every operation rounds each lane once, as IEEE 754 has it: lanes agree with doubles to the bit.
@@ -25,7 +25,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using DoubleTag = hn::ScalableTag<double>;
 
-/// What a comparison of lanes is: a truth value a lane. Scalars have bool and its operators.
+/// The result of comparing lanes: one truth value per lane. Scalars use bool and its operators.
 struct LaneMask {
   hn::Mask<DoubleTag> raw;
 };
@@ -37,7 +37,7 @@ HWY_INLINE bool any(LaneMask a) { return !hn::AllFalse(DoubleTag(), a.raw); }
 HWY_INLINE bool any(bool a) { return a; }
 HWY_INLINE bool all(LaneMask a) { return hn::AllTrue(DoubleTag(), a.raw); }
 
-/// As many doubles as a register of the target holds.
+/// As many doubles as one register of the target holds.
 struct Lanes {
   hn::Vec<DoubleTag> raw;
 
@@ -58,7 +58,7 @@ HWY_INLINE LaneMask operator==(Lanes a, Lanes b) { return {hn::Eq(a.raw, b.raw)}
 template <class N>
 using MaskOf = decltype(std::declval<N>() < std::declval<N>());
 
-/// A type of number that std:: and its own namespace have no square root of specialises this.
+/// Specialised for number types whose square root is neither in std:: nor in their namespace.
 template <class N>
 N square_root(const N& x) {
   using std::sqrt;
@@ -87,7 +87,7 @@ inline constexpr std::size_t kLaneCount = hn::MaxLanes(DoubleTag());
 
 HWY_INLINE Lanes load(const double* from) { return Lanes(hn::LoadU(DoubleTag(), from)); }
 HWY_INLINE void store(Lanes x, double* to) { hn::StoreU(x.raw, DoubleTag(), to); }
-/// A bit a lane, from the lowest.
+/// One bit per lane, lowest lane first.
 HWY_INLINE std::uint8_t bits(LaneMask mask) {
   std::uint8_t result = 0;
   hn::StoreMaskBits(DoubleTag(), mask.raw, &result);

@@ -1,13 +1,13 @@
 #pragma once
 
-// The loops over pixels of the methods that make each ray on its own. Internal to fast/.
+// The pixel loops of the methods that compute each ray independently. Internal to fast/.
 
 #include "fast/internal/pixel_plane.h"
 #include "fast/pixel_ray.h"
 
 namespace raycheck::fast {
 
-/// What a method knows of one pixel: P, and E to P before it is normalised.
+/// What a method computes for a pixel: P, and P - E before it is normalised.
 struct PixelTrace {
   Eigen::Vector3d point;
   Eigen::Vector3d along;

@@ -27,7 +27,7 @@ class Integer {
   mpz_t value_;
 };
 
-/// Numbers that keep their memory from one ray to the next.
+/// Numbers that keep their memory between rays.
 struct Scratch {
   std::array<Integer, 3> origin, direction, to_centre;
   Integer radius, a, b, c, discriminant, root, rest, numerator, denominator, parameter, point;
@@ -66,11 +66,11 @@ int set(const std::array<Integer*, kCount>& integers, const std::array<double, k
   return least;
 }
 
-/// The double nearest to x 2^exponent, ties to even; with `inexact` that value is a little larger
-/// in size. Overflow to infinity.
+/// The double nearest to x 2^exponent, ties to even; `inexact` means that the true magnitude is
+/// slightly larger. Overflows to infinity.
 double nearest_double(const Integer& x, long exponent, bool inexact, Integer& scratch) {
   if (x.sign() == 0) return 0;
-  const long excess = x.bits() - 64;  // the upper 64 bits, whatever is below, and where they stand
+  const long excess = x.bits() - 64;  // beyond the top 64 bits
   if (excess >= 0) {
     mpz_tdiv_q_2exp(scratch, x, static_cast<mp_bitcnt_t>(excess));
     inexact |= mpz_scan1(x, 0) < static_cast<mp_bitcnt_t>(excess);
@@ -103,7 +103,7 @@ void set_coefficients(Scratch& n) {
   }
 }
 
-/// Bits of square roots and quotients.
+/// Bits of square roots and quotients, at least.
 constexpr long kBits = 128;
 
 /// numerator / denominator = the root that counts, where disc >= 0; true when it is exact.

@@ -9,13 +9,13 @@
 namespace raycheck::fast {
 namespace {
 
-// After scaling, max(|T_i|, r) and max |d_i| lie in [1, 2), so that f^2 + r^2 < 16, a < 12 and
-// f |d| < 12. What underflows then is below 2^-1000 and counts for nothing.
+// After scaling, max(|T_i|, r) and max |d_i| lie in [1, 2), so that f^2 + r^2 < 16, a < 12 and f
+// |d| < 12. Anything that then underflows is below 2^-1000 and negligible.
 //
 // b, c and disc are sums in which every term passes at most 8 operations, each off by at most
 // kDoubleDoubleError = 2^-102 of its result, and the sizes of the terms add up to at most f |d|,
-// f^2 + r^2 and 2 a (f^2 + r^2): they are off by at most 2^-99 of the first two, and by 2^-98
-// a (f^2 + r^2). Signs are certain beyond twice that.
+// f^2 + r^2 and 2 a (f^2 + r^2): they are off by at most 2^-99 of the first two, and by 2^-98 a
+// (f^2 + r^2). Signs are certain beyond twice these bounds.
 constexpr double kPairMargin = 0x1p-97;
 
 /// s = |c|/q or q/a is precise when its parts are off by at most this; with the operations left and
@@ -25,17 +25,17 @@ constexpr double kPreciseShare = 0x1p-58;
 /// c is precise enough for s where |c| is beyond this share of f^2 + r^2.
 constexpr double kPreciseC = kPairMargin / kPreciseShare;
 
-/// Of the sum of 17 terms below, whose sizes add up to f^2 + r^2: a pass leaves errors of at most
-/// 16 u times the sizes it began with, so two leave 2^-49 of the sum and 2^-97 (f^2 + r^2), of
-/// which the last, plain summation loses 2^-49 again: 2^-98 of the sum and 2^-146 (f^2 + r^2).
-/// (Ogita, Rump and Oishi, Accurate sum and dot product, 2005, on their SumK.)
+/// For the sum of 17 terms below, whose magnitudes add up to f^2 + r^2: a pass leaves errors of at
+/// most 16 u times the magnitudes it began with, so two leave 2^-49 of the sum and 2^-97 (f^2 +
+/// r^2), of which the last, plain summation loses 2^-49 again: 2^-98 of the sum and 2^-146 (f^2 +
+/// r^2). (Ogita, Rump and Oishi, Accurate sum and dot product, 2005, on their SumK.)
 constexpr double kLongSumMargin = 0x1p-142;
 constexpr double kPreciseLongSum = kLongSumMargin / kPreciseShare;
 
 using Eigen::Vector3d;
 using Pair3 = Eigen::Matrix<DoubleDouble, 3, 1>;
 
-/// c from exact products, in two passes of exact sums: where the origin is so near the surface that
+/// c from exact products, in two passes of error-free sums: for origins so near the surface that
 /// pairs of doubles lose too much.
 DoubleDouble long_sum_c(const Pair3& to_centre, double radius) {
   std::array<double, 17> terms;
@@ -92,7 +92,7 @@ std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere
   double radius = sphere.radius;
   Pair3 T = difference(centre, origin);
   int length_exponent = 0;
-  if (!std::isfinite(largest(T))) {  // lengths so large that what these quarters lose is nothing
+  if (!std::isfinite(largest(T))) {  // so large that dividing by 4 loses nothing
     length_exponent = 2;
     T = difference(centre / 4, origin / 4);
     radius /= 4;
@@ -124,7 +124,7 @@ std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere
   const bool outside = c.high > 0;
   if (!outside && root == scene::Root::kSmaller) return miss;
   const DoubleDouble b = T.dot(d);
-  // Even where b's sign is not certain: then b^2 < (12 2^-98)^2 < a c, so that disc < 0.
+  // Holds even where b's sign is uncertain: then b^2 < (12 2^-98)^2 < a c, so disc < 0.
   if (outside && b.high < 0) return miss;
   const DoubleDouble a = d.dot(d);
   const Pair3 moment = T.cross(d);

@@ -24,7 +24,7 @@ HWY_INLINE Triple<N> triple(const Plain& value) {
   return {N(value.x), N(value.y), N(value.z)};
 }
 
-/// From, and to, one array a coordinate.
+/// Loads and stores: one array per coordinate.
 HWY_INLINE Triple<Lanes> load(const double* const (&from)[3], std::size_t k) {
   return {load(from[0] + k), load(from[1] + k), load(from[2] + k)};
 }

@@ -10,9 +10,9 @@ using Formula = HWY_NAMESPACE::Lagrange<Float128>;
 
 namespace HWY_NAMESPACE {
 
-/// From 64 bits by one of Newton's steps to all but the last of 113. The library with the type's
-/// own square root, libquadmath, has a header that only one of the compilers finds; the rest of its
-/// arithmetic is the compilers' own.
+/// One Newton step takes 64 bits to all but the last of 113. The type's own square root is in
+/// libquadmath, whose header only one of the compilers finds; the compilers provide the rest of the
+/// arithmetic.
 template <>
 Float128 square_root(const Float128& x) {
   if (!(x > 0)) return static_cast<Float128>(std::sqrt(static_cast<long double>(x)));

@@ -14,29 +14,29 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-// The first step: coefficients in doubles, then one of Newton's steps from a residual in pairs.
+// The first step: coefficients in doubles, then one Newton step from a residual in pairs.
 //
 // It answers where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2, and f^2 differs from r^2
 // by more than kSurfaceShare r^2 + K M^2, M = |C|_1 + r, K = min(kReachShare + kSmallShare (M/r)^2,
 // kMostReach); and where disc > kLeastDiscriminant and a + f^2, r^2 < kLargestSquare, so that no
-// product overflows, a > 2^-700, for a hit r^2 > 2^-700, and what underflows is too small to count
+// product overflows, a > 2^-700, for a hit r^2 > 2^-700, and anything that underflows is negligible
 // beside the margins.
 //
 // Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 12u a (f^2 + r^2) + u |disc^|, less than a
-// hundredth of what is asked; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b needs no more of b:
-// with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while |b^ - b| <= 4u f|d|. With
-// disc < 0 the ray misses whatever b is.
+// hundredth of what is required; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b requires no more of
+// b: with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while |b^ - b| <= 4u f|d|.
+// With disc < 0 the ray misses whatever b is.
 //
-// The first root s0, of relative error e. Let t = disc/(a r^2) <= 1 and x = f/r, so that
-// t > 0.99 (2^-13 + 2^-31 x^2); then t^2.5 > 2^-39.8 x and t > 2^-21.1 x. On a hit |m| <= |d| r,
-// hence f|d| <= |b| + |d| r <= 2q/sqrt(t), and
+// The first root s0, of relative error e. Let t = disc/(a r^2) <= 1 and x = f/r, so that t > 0.99
+// (2^-13 + 2^-31 x^2); then t^2.5 > 2^-39.8 x and t > 2^-21.1 x. On a hit |m| <= |d| r, hence f|d|
+// <= |b| + |d| r <= 2q/sqrt(t), and
 //   |disc^ - disc| <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2
 // moves q by at most 13.2u/t of itself (next to nothing from the last term, as f|d| < 2^15.6
 // sqrt(disc)), b^ by 8u/sqrt(t): e <= 24u/t + 6u (f^2 + r^2)/|c|, the latter only through c.
 //
 // Newton's step leaves e^2 g, g = a s/(2 sqrt(disc)), of s. With c > 0, g <= f|d|/(2 sqrt(disc)) =
-// x/(2 sqrt(t)) and g <= a c/(2 disc); with c < 0, a |c| = disc - b^2 and q <= 2 sqrt(disc) make
-// g <= 1 and, through c, g <= a |c|/(2 disc).
+// x/(2 sqrt(t)) and g <= a c/(2 disc); with c < 0, a |c| = disc - b^2 and q <= 2 sqrt(disc) make g
+// <= 1 and, through c, g <= a |c|/(2 disc).
 //   (24u/t)^2 2 g <= (24u)^2 x/t^2.5 <= 2^-57, or (24u/t)^2 2 <= 2^-69
 //   (6u (f^2 + r^2)/c)^2 2 g <= 2^-80 where f^2 >= 2r^2, since then f^2 + r^2 <= 3c;
 //   otherwise <= 36u^2 ((f^2 + r^2)/|c|) 3/t <= 2^-58.5.
@@ -52,10 +52,10 @@ namespace {
 //   120u^2 f^2/(s sqrt(disc)) <= 2^-64, as 200u^2/t at q/a and by q <= 2^8 sqrt(disc) where
 //   f^2 < 2r^2, q <= 2^15.6 sqrt(disc) otherwise, at |c|/q;
 //   120u^2 M^2/(s sqrt(disc)) <= 2^-58, as s sqrt(disc) >= |f - r| max(2^-6.6 r, 2^-15.6 f)
-//   > 2^-40 M^2 by what is asked of f^2 - r^2.
+//   > 2^-40 M^2 by what is required of f^2 - r^2.
 //
 // All in all s is off by less than 2^-56 of itself before it is rounded: 0.63 ulp. Q = L + s d is
-// made from fl(L + s0 d), what that leaves out and the rest of s, and rounded once.
+// made from fl(L + s0 d), its rounding error and the correction of s, and rounded once.
 constexpr double kDiscriminantShare = 0x1p-13;
 constexpr double kFarShare = 0x1p-31;
 constexpr double kSurfaceShare = 0x1p-26;
@@ -81,7 +81,7 @@ HWY_INLINE Reached<N> reached(N origin, N s0, N direction, N centre) {
   return {point.x, rest, away.x, away.error - rest};
 }
 
-/// What the sphere alone decides.
+/// What depends on the sphere alone.
 template <class N>
 struct Ball {
   HWY_INLINE Ball(const Triple<N>& its_centre, N radius)
@@ -94,7 +94,7 @@ struct Ball {
     const N ratio = reach / radius;
     const N share = smaller(N(kReachShare) + N(kSmallShare) * (ratio * ratio), N(kMostReach));
     const N margin = N(kSurfaceShare) * square + share * (reach * reach);
-    // Compared with NaN, nothing is certain.
+    // With NaN comparisons fail: nothing is certain.
     const N known = select(square < N(kLargestSquare), square, N(std::nan("")));
     inside = known - margin;
     outside = known + margin;
@@ -104,7 +104,7 @@ struct Ball {
   N square;
   N doubt, scale;
   Rounded<N> coarse;  ///< The square, in units of ulp(scale).
-  N inside, outside;  ///< f^2 below and above these is that of an origin inside, and outside.
+  N inside, outside;  ///< f^2 below/above: the origin is inside/outside.
 };
 
 /// The class where it is certain, and the first root.
@@ -172,8 +172,8 @@ bool any_hit(const std::uint8_t* codes) {
 constexpr std::size_t kBlock = 128;
 static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
 
-/// A BatchKernel for multiples of kLaneCount. In two passes over what the nearest cache holds: a
-/// vector's whole chain of operations is too long for the next to begin before its end.
+/// A BatchKernel for multiples of kLaneCount. Two passes over data that fits the L1 cache: one
+/// vector's chain of operations is too long for the next to start before it ends.
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchInput& input, const HitArrays& answers) {
   const BatchInput asked = input;
   const HitArrays to = answers;
@@ -229,7 +229,7 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
   std::uint8_t* const first = hits.hit.data();
   std::uint8_t* const last = first + hits.size();
   for (std::uint8_t* open = first; open != last; ++open) {
-    // Not std::find, which asks byte by byte.
+    // Faster than std::find, which compares byte by byte.
     open =
         static_cast<std::uint8_t*>(std::memchr(open, kOpen, static_cast<std::size_t>(last - open)));
     if (open == nullptr) return;

@@ -5,7 +5,7 @@ namespace {
 
 struct Direct {
   static PixelTrace trace(const PixelPlane& plane, const scene::Pixel& pixel) {
-    // In place: copied, g would be stored by coordinates and loaded in pairs, which waits.
+    // In place: a copy of g would be stored by coordinates and loaded in pairs, which stalls.
     PixelTrace trace;
     trace.along =
         plane.camera.near * plane.W + plane.alpha(pixel) * plane.U + plane.beta(pixel) * plane.V;
@@ -16,7 +16,7 @@ struct Direct {
 
 }  // namespace
 
-/// D from g = n W + alpha U + beta V, so that E's size does not touch it; P = E + g.
+/// D from g = n W + alpha U + beta V, so that |E| does not affect it; P = E + g.
 const PixelRayMethod kDirectRays = {
     .name = "direct",
     .sentence = "D from g = nW + alpha U + beta V, P = E + g",

@@ -24,8 +24,8 @@ void focal_rays(const scene::Camera& camera, const scene::Conventions& conventio
 
 }  // namespace
 
-/// Rays from E only, with all that the pixels share computed once per scene. It takes the axes for
-/// orthonormal, which the bound on |D| pays for.
+/// Rays from E only, with everything that pixels share computed once per scene. It assumes
+/// orthonormal axes, and its bound on |D| allows for that.
 const PixelRayMethod kFocalRays = {
     .name = "focal",
     .sentence = "rays from E; nW and n^2 once per scene, |g| from n, alpha, beta",

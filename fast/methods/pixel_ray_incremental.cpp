@@ -4,12 +4,12 @@
 namespace raycheck::fast {
 namespace {
 
-/// How many pixels of a row are stepped over before it starts anew, by multiplication, as a
-/// renderer in tiles does. A pixel's answer then depends on its column alone, not on which pixels
-/// are asked for; a batch in the order of rows costs an addition a pixel.
+/// How many pixels of a row are stepped over before it restarts by multiplication, as a tiled
+/// renderer does. A pixel's answer then depends on its column alone, not on which pixels are asked
+/// for; a batch in row order costs one addition per pixel.
 constexpr std::int64_t kIncrementalTile = 64;
 
-/// E to P of one pixel after another: along a row by adding du, from each tile's first column anew.
+/// E to P for successive pixels: adds du along a row, restarting at each tile's first column.
 class Steps {
  public:
   explicit Steps(const PixelPlane& plane) : plane_(plane) {
@@ -63,8 +63,8 @@ void make_rays(const scene::Camera& camera, const scene::Conventions& convention
 
 }  // namespace
 
-/// `direct` with g stepped along a row by du = (right - left)/(w-1) U, kIncrementalTile times at
-/// most, which the bounds pay for.
+/// `direct` with g stepped along a row by du = (right - left)/(w-1) U, at most kIncrementalTile
+/// times, which the bounds allow for.
 const PixelRayMethod kIncrementalRays = {
     .name = "incremental",
     .sentence = "g += du along a row, restarted every 64 pixels; D from g, P = E + g",

@@ -62,7 +62,7 @@ void pixel_points(const scene::Camera& camera, const scene::Conventions& convent
   }
 }
 
-/// A ray from the eye starts at the eye that was given, which needs no arithmetic.
+/// A ray from the eye starts at the eye as given, which needs no arithmetic.
 template <scene::Origin kOrigin>
 void make_rays(const scene::Camera& camera, const scene::Conventions& conventions,
                std::span<const scene::Pixel> pixels, Rays& rays) {

@@ -56,8 +56,8 @@ typedef struct raycheck_hit {
   raycheck_vector point; /* origin + s direction */
 } raycheck_hit;
 
-/* What a scene asks, or a candidate declares. AS_ASKED is for declarations: the candidate follows
-   what it is asked. */
+/* What a scene asks for, or a candidate declares. AS_ASKED is for declarations: the candidate
+   follows the scene. */
 enum { RAYCHECK_AS_ASKED = 0 };
 enum { RAYCHECK_ROWS_BOTTOM_FIRST = 1, RAYCHECK_ROWS_TOP_FIRST = 2 }; /* which row is j = 0 */
 enum { RAYCHECK_SAMPLES_EDGES = 1, RAYCHECK_SAMPLES_CENTRES = 2 };    /* i/(w-1), (i+1/2)/w */
@@ -69,8 +69,8 @@ typedef struct raycheck_conventions {
   int32_t rows, samples, origin, root, tangent;
 } raycheck_conventions;
 
-/* Up to which random cases `raycheck properties` holds the candidate to the laws: those that any
-   plain, careful code in doubles is right on, those that take a stable method, or all. */
+/* How hard the random cases are on which `raycheck properties` holds the candidate to the laws:
+   those that plain, careful code in doubles gets right, those that need a stable method, or all. */
 enum {
   RAYCHECK_LEVEL_UNSTATED = 0, /* ordinary */
   RAYCHECK_LEVEL_ORDINARY = 1,
@@ -93,7 +93,7 @@ typedef struct raycheck_valid_roots {
   int32_t ends, unit, culling;
 } raycheck_valid_roots;
 
-/* What a candidate of version 3 or later is given where a function takes conventions. */
+/* The conventions as a candidate of version 3 or later receives them. */
 typedef struct raycheck_asked {
   raycheck_conventions conventions;
   raycheck_valid_roots valid;
@@ -106,7 +106,7 @@ static inline const raycheck_valid_roots* raycheck_valid_roots_of(
 /* Whether the candidate follows the scene's valid roots, or declares its own. */
 enum { RAYCHECK_ROOTS_USUAL = 0, RAYCHECK_ROOTS_DECLARED = 1, RAYCHECK_ROOTS_AS_ASKED = 2 };
 
-/* The format that the candidate computes in. Of single precision all inputs are floats, given as
+/* The format that the candidate computes in. In single precision all inputs are floats, passed as
    doubles, and errors count u and ulp of float. */
 enum { RAYCHECK_PRECISION_DOUBLE = 0, RAYCHECK_PRECISION_SINGLE = 1 };
 
@@ -127,7 +127,7 @@ typedef struct raycheck_candidate {
   /* One ray and one sphere; directions need not be unit. */
   raycheck_hit (*intersect)(const raycheck_ray*, const raycheck_sphere*,
                             const raycheck_conventions*);
-  /* `count` rays and one sphere: hits[k] is of rays[k]. Asked in place of `intersect`. */
+  /* `count` rays and one sphere: hits[k] is for rays[k]. Called instead of `intersect`. */
   void (*intersect_batch)(const raycheck_ray* rays, size_t count, const raycheck_sphere*,
                           const raycheck_conventions*, raycheck_hit* hits);
   /* The sphere with the least s, an index, or -1. */

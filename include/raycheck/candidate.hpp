@@ -12,9 +12,9 @@
 //
 //     RAYCHECK_CANDIDATE(.pixel_ray = pixel_ray, .intersect = intersect)
 //
-// What a function is to do stands in <raycheck/candidate.h>. The conventions that it fixes are
-// declared: RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray). Members come in
-// the order of Functions. C++20.
+// <raycheck/candidate.h> says what each function must do. Declare the conventions that yours fix:
+// RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray). Name members in the order of
+// Functions. C++20.
 
 #include <raycheck/candidate.h>
 #include <raycheck/scene.h>
@@ -25,7 +25,7 @@
 
 namespace raycheck {
 
-/// A candidate: what it declares, and its functions; null: it has no such thing.
+/// A candidate: what it declares, and its functions; null: it lacks that function.
 struct Functions {
   const char* name = nullptr;
   Rows rows = Rows::as_asked;
@@ -43,10 +43,10 @@ struct Functions {
   Level level = Level::unstated;
   /// Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are.
   double smallest_length = 0, largest_length = 0;
-  /// Of single: all inputs are floats, given as doubles, and errors count u and ulp of float.
+  /// For single: all inputs are floats, passed as doubles, and errors count u and ulp of float.
   Precision precision = Precision::double_;
   Roots roots = Roots::usual;
-  ValidRoots valid = {};  ///< Of Roots::declared.
+  ValidRoots valid = {};  ///< For Roots::declared.
 };
 
 namespace detail {
@@ -135,7 +135,7 @@ inline const raycheck_candidate* offer(const Functions& given) {
 }  // namespace detail
 }  // namespace raycheck
 
-/// Makes a shared library a candidate; once, outside of any namespace.
+/// Makes a shared library a candidate; use once, outside any namespace.
 #define RAYCHECK_CANDIDATE(...)                                             \
   extern "C" const raycheck_candidate* raycheck_candidate_functions(void) { \
     return raycheck::detail::offer(raycheck::Functions{__VA_ARGS__});       \

@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_CASES_H_
 #define RAYCHECK_CASES_H_
 
-// The rays, spheres and cameras that raycheck asks about: every case by its seed, the same on every
+// The rays, spheres and cameras that raycheck tests with: a seed gives the same case on every
 // machine. C++17; link raycheck::raycheck.
 
 #include <raycheck/api.h>
@@ -15,19 +15,18 @@
 
 namespace raycheck {
 
-/// What is asked about: all rays of a scene, or these pixels of its camera.
+/// A test case: all rays of a scene, or these pixels of its camera.
 struct Case {
   Scene scene;                ///< With a camera or rays.
-  std::vector<Pixel> pixels;  ///< Of its camera; empty where there is none.
+  std::vector<Pixel> pixels;  ///< Of its camera; empty without one.
 };
 
-/// Where cases come from. A source with a dial is a stress family, whose cases become harder in one
-/// respect.
+/// A source of cases. One with a dial is a stress family, whose cases become harder in one respect.
 struct Source {
   std::string name;         ///< "distance"
   std::string sentence;     ///< What its cases are.
-  bool has_camera = false;  ///< Whether they ask about pixels, not about given rays.
-  /// What severity counts, "log10 of the distance over the radius"; empty: it has none.
+  bool has_camera = false;  ///< Whether its cases have pixels, not given rays.
+  /// What severity measures, "log10 of the distance over the radius"; empty: no dial.
   std::string dial;
   /// Severities are 0..highest; those up to `ordinary` are ordinary, up to `demanding` demanding.
   int highest = 0, ordinary = 0, demanding = 0;
@@ -45,8 +44,8 @@ RAYCHECK_API Case make_case(const std::string& source, std::uint64_t seed, std::
 /// fewer, a number with fewer digits. Errors: std::invalid_argument where the case is not valid.
 RAYCHECK_API std::vector<Case> simpler(const Case& from);
 
-/// A case made of bytes: of a source and severity that they choose, numbers of it exchanged for
-/// those that the bytes spell. Empty where that is no problem any more: a direction of 0, say.
+/// A case made from bytes: they choose a source and a severity, and replace numbers of its case by
+/// numbers that they encode. Empty where the result is invalid: a direction of 0, say.
 RAYCHECK_API std::optional<Case> case_of_bytes(const std::uint8_t* bytes, std::size_t count);
 
 /// A case as a scene file for `raycheck check`, its pixels in a comment. Numbers read back

@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_CATCH2_H_
 #define RAYCHECK_CATCH2_H_
 
-// raycheck's laws as sections of a Catch2 test, one of each law on each source of cases:
+// raycheck's laws as sections of a Catch2 test, one per law and source of cases:
 //
 //     #include <raycheck/catch2.h>
 //     RAYCHECK_TESTS("tracer", my_candidate());

@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_DOCTEST_H_
 #define RAYCHECK_DOCTEST_H_
 
-// raycheck's laws as subcases of a doctest test, one of each law on each source of cases:
+// raycheck's laws as subcases of a doctest test, one per law and source of cases:
 //
 //     #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 //     #include <raycheck/doctest.h>

@@ -1,16 +1,16 @@
 #ifndef RAYCHECK_EXACT_H_
 #define RAYCHECK_EXACT_H_
 
-// The truth about camera rays and spheres. All arithmetic is inside libraycheck: how your code is
-// compiled changes no answer. C++17; link raycheck::raycheck.
+// Exact answers about camera rays and spheres. All arithmetic is inside libraycheck: your compiler
+// flags change no answer. C++17; link raycheck::raycheck.
 //
 //     const auto met = raycheck::exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
 //     met.hit_class;                  // hit
 //     met.parameter->rounded();       // 4, correctly rounded
 //     met.parameter->ulp_error(3.9);  // how far a double is off
 //
-// Domain: finite doubles, directions other than 0, radii not negative, cameras with axes and
-//         pixels; otherwise functions throw std::invalid_argument naming the field.
+// Domain: finite doubles, nonzero directions, radii not negative, cameras with axes and pixels;
+//         otherwise functions throw std::invalid_argument naming the field.
 // Errors: none: decisions are exact, rounded values are correctly rounded, enclosures enclose.
 // Thread safety: const members of one object may be called from several threads.
 
@@ -27,47 +27,47 @@
 namespace raycheck {
 namespace exact {
 
-/// lower <= a number <= upper.
+/// lower <= some number <= upper.
 struct Interval {
-  double lower = 0, upper = 0;  ///< In the units of the number.
+  double lower = 0, upper = 0;  ///< In the number's units.
 };
 
-/// A real number that is known exactly. Copies share it. It is worked out when asked for.
+/// A real number that is known exactly. Copies share it. It is computed on demand.
 class RAYCHECK_API Number {
  public:
   /// Correctly rounded: to nearest, ties to even; infinite beyond the doubles.
   double rounded() const;
-  /// The doubles next to it; both are it where it is a double.
+  /// The neighbouring doubles; both equal the number if it is a double.
   Interval interval() const;
   /// Decimals with a radius, "[2.6180339887498948482 +/- 4.6e-20]", the radius at most 2^-bits of
   /// the number. Domain: 2 <= bits <= 100,000; otherwise throws std::invalid_argument.
   std::string enclosure(int bits) const;
   /// As SageMath prints it: "-1/5*sqrt(109) + 28/5".
   std::string closed_form() const;
-  /// |given - this| in gaps between the doubles around this: an upper bound, sharp to 5 digits.
-  /// Infinite where `given` is not finite, or is not 0 and this is.
+  /// |given - this| in units of the spacing of doubles around this: an upper bound, sharp to 5
+  /// digits. Infinite if `given` is not finite, or is not 0 while this is 0.
   double ulp_error(double given) const;
-  /// By how much it changes at most, relatively, where all doubles that it is made of are changed
-  /// by a small relative amount, per that amount. An upper bound, too large by at most 0.1%. Of a
-  /// coordinate it is that of its vector.
+  /// Its largest relative change, per unit of change, when all doubles that it depends on undergo a
+  /// small relative change. An upper bound, too large by at most 0.1%. A coordinate has the
+  /// condition number of its vector.
   double condition() const;
 
   struct Impl;
-  /// As libraycheck makes it.
+  /// For libraycheck's own use.
   explicit Number(std::shared_ptr<const Impl> impl);
 
  private:
   std::shared_ptr<const Impl> impl_;
 };
 
-/// A point or a vector, coordinate by coordinate.
+/// A point or a vector, by coordinates.
 struct Numbers {
   Number x, y, z;  ///< Scene lengths.
   /// Each coordinate correctly rounded.
   RAYCHECK_API Vector rounded() const;
 };
 
-/// At an s that the `root` convention allows: a ray does not meet a sphere, crosses or touches it.
+/// Whether a ray misses, crosses or touches a sphere, at an s that the `root` convention allows.
 enum class HitClass { miss, hit, tangent };
 /// Of the quadratic equation for s.
 enum class WhichRoot { smaller, larger };
@@ -77,22 +77,22 @@ struct Intersection {
   HitClass hit_class = HitClass::miss;  ///< Exact.
   /// Whether that counts as a hit under the `tangent` convention.
   bool is_hit = false;
-  WhichRoot root = WhichRoot::smaller;  ///< Of a hit or a tangent, like the next two.
-  std::optional<Number> parameter;      ///< s, in multiples of the direction as it was given.
+  WhichRoot root = WhichRoot::smaller;  ///< For a hit or a tangent, like the next two.
+  std::optional<Number> parameter;      ///< s, in multiples of the direction as given.
   std::optional<Numbers> point;         ///< Q, the point of the ray at s.
 };
 
 /// The sphere that a ray meets first.
 struct Nearest {
-  std::size_t index = 0;          ///< The first in the list among equals.
-  std::vector<std::size_t> ties;  ///< All that are met at exactly the same s, `index` included.
+  std::size_t index = 0;          ///< Among equals the first in the list.
+  std::vector<std::size_t> ties;  ///< All that are met at exactly this s, with `index`.
   Intersection intersection;      ///< With that sphere.
 };
 
-/// A ray, given or through a camera's pixel.
+/// A ray, given or made from a camera's pixel.
 class RAYCHECK_API Ray {
  public:
-  /// A given one. Domain: finite, the direction not 0; otherwise throws std::invalid_argument.
+  /// A given ray. Domain: finite, nonzero direction; otherwise throws std::invalid_argument.
   explicit Ray(const raycheck::Ray& ray);
 
   Numbers origin() const;     ///< Where it starts.
@@ -105,7 +105,7 @@ class RAYCHECK_API Ray {
                                  const Conventions& conventions = {}) const;
 
   struct Impl;
-  /// As libraycheck makes it.
+  /// For libraycheck's own use.
   explicit Ray(std::shared_ptr<const Impl> impl);
 
  private:
@@ -117,7 +117,7 @@ struct Axes {
   Numbers u, v, w;  ///< Of length 1, at right angles.
 };
 
-/// A camera, of which nothing is rounded.
+/// A camera; nothing of it is rounded.
 class RAYCHECK_API Camera {
  public:
   /// Domain: finite numbers, axes, an image plane and pixels; otherwise throws
@@ -125,7 +125,7 @@ class RAYCHECK_API Camera {
   explicit Camera(const raycheck::Camera& camera, const Conventions& conventions = {});
 
   Axes axes() const;  ///< U, V and W.
-  /// The point of the image plane. Domain: a pixel of the image; otherwise throws
+  /// The pixel's point on the image plane. Domain: a pixel of the image; otherwise throws
   /// std::invalid_argument.
   Numbers pixel_point(Pixel pixel) const;
   /// With a direction of length 1, from the pixel's point or the eye as the `origin` convention
@@ -141,7 +141,7 @@ class RAYCHECK_API Camera {
 /// How a ray meets a sphere, as Ray::hit() says.
 RAYCHECK_API Intersection hit(const raycheck::Ray& ray, const Sphere& sphere,
                               const Conventions& conventions = {});
-/// The same of every ray with every sphere: spheres.size() answers a ray.
+/// The same for every ray and every sphere: spheres.size() answers per ray.
 RAYCHECK_API std::vector<Intersection> hits(const std::vector<raycheck::Ray>& rays,
                                             const std::vector<Sphere>& spheres,
                                             const Conventions& conventions = {});
@@ -149,12 +149,12 @@ RAYCHECK_API std::vector<Intersection> hits(const std::vector<raycheck::Ray>& ra
 RAYCHECK_API std::optional<Nearest> nearest(const raycheck::Ray& ray,
                                             const std::vector<Sphere>& spheres,
                                             const Conventions& conventions = {});
-/// The same of every ray: an answer a ray.
+/// The same for every ray: one answer per ray.
 RAYCHECK_API std::vector<std::optional<Nearest>> nearest(const std::vector<raycheck::Ray>& rays,
                                                          const std::vector<Sphere>& spheres,
                                                          const Conventions& conventions = {});
 
-/// |given - exact| in gaps between the doubles around exact.
+/// |given - exact| in units of the spacing of doubles around exact.
 RAYCHECK_API double ulp_error(double given, const Number& exact);
 
 }  // namespace exact

@@ -1,14 +1,14 @@
 #ifndef RAYCHECK_FUZZ_H_
 #define RAYCHECK_FUZZ_H_
 
-// A fuzzer of an implementation: bytes make a case, of which a law is asked.
+// A fuzzer for an implementation: bytes make a case, on which a law is checked.
 //
 //     #include <raycheck/fuzz.h>
 //     RAYCHECK_FUZZ(my_candidate(), "class")
 //
 // compiled by clang and linked with raycheck::fuzz makes a program that stops at the first case
 // that breaks the law, and prints it. C++17. Without libFuzzer, link raycheck::raycheck and call
-// the entry.
+// the entry point.
 
 #include <raycheck/cases.h>
 #include <raycheck/judge.h>
@@ -21,8 +21,7 @@
 
 namespace raycheck {
 
-/// The verdict about the case that bytes make is printed, and the program aborted, where the law is
-/// broken.
+/// Judges the case that the bytes make; if it breaks the law, prints the verdict and aborts.
 inline void fuzz_one(const Candidate& candidate, const std::string& law, const std::uint8_t* bytes,
                      std::size_t count) {
   const auto the_case = case_of_bytes(bytes, count);
@@ -35,7 +34,7 @@ inline void fuzz_one(const Candidate& candidate, const std::string& law, const s
 
 }  // namespace raycheck
 
-/// libFuzzer's entry, which asks a raycheck::Candidate about a law.
+/// libFuzzer's entry point, which checks a raycheck::Candidate against a law.
 #define RAYCHECK_FUZZ(candidate, law)                                                   \
   extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) { \
     static const ::raycheck::Candidate raycheck_candidate = candidate;                  \

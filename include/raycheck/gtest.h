@@ -1,12 +1,12 @@
 #ifndef RAYCHECK_GTEST_H_
 #define RAYCHECK_GTEST_H_
 
-// raycheck's laws as GoogleTest tests, one of each law on each source of cases:
+// raycheck's laws as GoogleTest tests, one per law and source of cases:
 //
 //     #include <raycheck/gtest.h>
 //     RAYCHECK_TESTS(Tracer, my_candidate());
 //
-// makes Tracer.class/distance and so on: law/source, with _ for - (which a filter takes for "not").
+// makes Tracer.class/distance and so on: law/source, with _ for - (which means "not" in a filter).
 // C++17; link raycheck::gtest.
 
 #include <gtest/gtest.h>
@@ -19,10 +19,10 @@
 
 namespace raycheck {
 
-/// One law on one source. Where the source says too little the test is skipped.
+/// One law on one source. Skipped where the source says too little.
 class LawTest : public testing::Test {
  public:
-  /// What fails is reported at `file` and `line`.
+  /// Failures are reported at `file` and `line`.
   LawTest(std::shared_ptr<const LawTests> tests, Question question, const char* file, int line)
       : tests_(std::move(tests)), question_(std::move(question)), file_(file), line_(line) {}
 

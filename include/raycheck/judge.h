@@ -1,8 +1,8 @@
 #ifndef RAYCHECK_JUDGE_H_
 #define RAYCHECK_JUDGE_H_
 
-// Your implementation against raycheck's laws, in your own process: fast, and without a sandbox, so
-// that what it breaks is yours. C++17; link raycheck::raycheck.
+// Judges your implementation by raycheck's laws, in your own process: fast, and without a sandbox,
+// so a crash is yours. C++17; link raycheck::raycheck.
 //
 //     raycheck::Candidate mine("mine");
 //     mine.intersect = [](const raycheck::Ray& ray, const raycheck::Sphere& sphere,
@@ -24,23 +24,23 @@
 
 namespace raycheck {
 
-/// An implementation under judgement. A function that is empty is not judged. Functions are called
-/// from one thread at a time; what they throw counts as a failure to answer.
+/// An implementation under judgement. Empty functions are not judged. Functions are called from one
+/// thread at a time; an exception counts as a failure to answer.
 struct Candidate {
   /// One without functions.
   explicit Candidate(std::string its_name = "candidate") : name(std::move(its_name)) {}
 
-  std::string name;  ///< As verdicts call it.
-  /// The conventions that it fixes; the others it follows as they are asked.
+  std::string name;  ///< Its name in verdicts.
+  /// The conventions that it fixes; it follows the scene's in all others.
   Conventions declares;
-  /// Up to which cases it is to be right; unstated: ordinary ones.
+  /// How hard the cases are that it must get right; unstated: ordinary.
   Level level = Level::unstated;
   /// Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are.
   double smallest_length = 0, largest_length = 0;
-  /// Of single: cases are rounded to floats, given as doubles, and errors and bounds count u and
+  /// For single: cases are rounded to floats, passed as doubles, and errors and bounds count u and
   /// ulp of float.
   Precision precision = Precision::double_;
-  /// Of usual every root >= 0 counts for it; of declared those of declares.valid.
+  /// With usual every root >= 0 counts; with declared those of declares.valid.
   Roots roots = Roots::usual;
 
   /// The camera's axes, unit and at right angles.
@@ -59,7 +59,7 @@ struct Candidate {
       nearest;
 };
 
-/// A law: what every right implementation does.
+/// A law: a property that every correct implementation has.
 struct Law {
   std::string name;      ///< "nearest-root"
   std::string sentence;  ///< "the root is the right one: ..."
@@ -74,69 +74,69 @@ struct Question {
   std::string source;  ///< Of sources().
 };
 
-/// The laws that speak of what a candidate has, each with every source that has cases for it at the
-/// candidate's level. Errors: std::invalid_argument naming what no candidate may have: no function
-/// at all, lengths that leave nothing, t_min and t_max that are no interval.
+/// The laws that apply to a candidate, each with every source that has cases for it at the
+/// candidate's level. Errors: std::invalid_argument saying what is invalid: no function at all, an
+/// empty range of lengths, t_min and t_max that do not make an interval.
 RAYCHECK_API std::vector<Question> questions(const Candidate& candidate);
 
-/// How many cases are tried, which, and what is let pass.
+/// How many cases are tried, which ones, and what is tolerated.
 struct JudgeOptions {
   /// Shared evenly among the sources, and within a source among its severities.
   int cases = 500;
   std::uint64_t seed = 1;  ///< The same seed gives the same cases.
-  /// A bound on errors in place of those of direct/cross, in each quantity's own unit.
+  /// A bound on errors that replaces those of direct/cross, in each quantity's own unit.
   std::optional<double> max_error = {};
-  bool strict = false;  ///< What is excused or undecided breaks a law, too.
+  bool strict = false;  ///< Excused or undecided answers break a law, too.
 };
 
-/// What a law comes to: some cases were left undecided, too few or none could be judged, or the
-/// candidate has nothing that it speaks of.
+/// The outcome of a law: it holds, is broken, some cases stayed undecided, too few or none could be
+/// judged, or it does not apply to the candidate.
 enum class Finding { holds, broken, undecided, too_few_judged, not_judged, left_out };
 /// In words: "too few judged".
 RAYCHECK_API std::string name(Finding finding);
 
-/// The first case that breaks a law, shrunk while it does.
+/// The first case that breaks a law, shrunk as long as it does.
 struct BrokenCase {
   Case shrunk;         ///< With one ray or pixel, where that still breaks it.
   std::string replay;  ///< For replay().
-  /// What was answered, what is right, and by how much it is off.
+  /// What was answered, what is right, and how far apart they are.
   std::string discrepancy;
-  /// The classic mistakes that explain what is wrong; empty where none does.
+  /// The classic mistakes that explain the wrong answers; empty where none does.
   std::vector<std::string> sentences;
 };
 
-/// What judging a candidate by a law comes to.
+/// A law's verdict on a candidate.
 struct Verdict {
   std::string law;                      ///< Its name.
   std::string candidate;                ///< The candidate's name.
   Finding finding = Finding::left_out;  ///< In a word.
   std::uint64_t cases = 0;              ///< That were tried.
   std::uint64_t comparisons = 0;        ///< Of answers with the truth.
-  std::uint64_t excused = 0;            ///< Wrong ones that inputs close by make right.
+  std::uint64_t excused = 0;            ///< Wrong ones that are right for inputs close by.
   std::string reason;                   ///< Why cases were left out, or too few judged.
   std::optional<BrokenCase> broken;     ///< Where the law is broken.
   /// All of it in lines: the sentence, the discrepancy, the replay string and the shrunk scene.
   std::string text;
 
-  /// Holds, or has nothing to say: not broken, undecided or judged too rarely.
+  /// The law holds or does not apply: it is not broken, undecided or judged too rarely.
   bool passes() const {
     return finding == Finding::holds || finding == Finding::left_out ||
            finding == Finding::not_judged;
   }
 };
 
-/// Asks a candidate about random cases of a source ("distance", "distance@3" with a severity), or,
-/// where none is named, of every source of the candidate's level, and holds the answers to a law.
-/// The same arguments give the same verdict. It is held to the error bounds of direct/cross.
-/// Errors: std::invalid_argument naming a law or a source that there is not.
+/// Judges a candidate by a law on random cases of a source ("distance", or "distance@3" with a
+/// severity), or, if none is named, of every source of the candidate's level. The same arguments
+/// give the same verdict. The error bounds are those of direct/cross.
+/// Errors: std::invalid_argument naming an unknown law or source.
 RAYCHECK_API Verdict judge(const Candidate& candidate, const std::string& law,
                            const std::string& source = "", const JudgeOptions& options = {});
 
-/// The same of one case of your own. Errors: std::invalid_argument where it is not valid.
+/// The same for one case of your own. Errors: std::invalid_argument where it is not valid.
 RAYCHECK_API Verdict judge_case(const Candidate& candidate, const std::string& law,
                                 const Case& the_case, const JudgeOptions& options = {});
 
-/// The case of a replay string (LAW:CANDIDATE:SOURCE:SEED) again, whatever the candidate is called.
+/// Judges a replay string's case (LAW:CANDIDATE:SOURCE:SEED) again, whatever the candidate's name.
 /// Errors: std::invalid_argument where the string names no law, source or seed.
 RAYCHECK_API Verdict replay(const Candidate& candidate, const std::string& text,
                             const JudgeOptions& options = {});

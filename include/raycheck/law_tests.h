@@ -12,31 +12,31 @@
 
 namespace raycheck {
 
-/// What became of one test.
+/// The outcome of one test.
 struct LawOutcome {
-  bool passes = false;           ///< What the test comes to.
-  bool says_too_little = false;  ///< It passes, but shows nothing: another source does.
+  bool passes = false;           ///< The test's result.
+  bool says_too_little = false;  ///< It passes, but proves nothing: another source does.
   std::string text;              ///< The verdict's.
 };
 
-/// The tests of a candidate: every law that speaks of what it has, on every source.
+/// The tests of a candidate: every law that applies to it, on every source.
 class LawTests {
  public:
-  /// Cases of each law and source, where nobody says how many.
+  /// Cases per law and source, by default.
   static constexpr int kCases = 100;
 
-  /// kCases cases of each law and source.
+  /// With kCases cases per law and source.
   explicit LawTests(Candidate candidate) : LawTests(std::move(candidate), usual()) {}
-  /// As many as options say. Of a candidate that cannot be asked one test fails, which says why.
+  /// With as many as `options` say. An invalid candidate has one test, which fails and says why.
   LawTests(Candidate candidate, JudgeOptions options)
       : candidate_(std::move(candidate)), options_(options) {
     try {
       questions_ = raycheck::questions(candidate_);
-      if (questions_.empty()) error_ = "candidate: no law has a question for what it has";
+      if (questions_.empty()) error_ = "candidate: no law applies to it";
     } catch (const std::invalid_argument& error) {
       error_ = error.what();
     }
-    // Nothing to ask is no success: one test says why.
+    // Nothing to ask is not a success: one test fails.
     if (!error_.empty()) questions_ = {{"candidate", "valid"}};
   }
 
@@ -62,7 +62,7 @@ class LawTests {
   Candidate candidate_;
   JudgeOptions options_;
   std::vector<Question> questions_;
-  std::string error_;  ///< Why nothing can be asked; empty: it can.
+  std::string error_;  ///< Why nothing can be asked; empty if it can.
 };
 
 }  // namespace raycheck

@@ -27,13 +27,13 @@ namespace raycheck {
 /// A ray and a sphere that it may meet.
 struct RaySphere {
   Ray ray;        ///< As given, its direction of any length.
-  Sphere sphere;  ///< The one that is asked about.
+  Sphere sphere;  ///< The sphere in question.
 };
 
 namespace gen {
 
-/// Cases of a source; `severity` -1: any of those up to its highest. Errors: std::invalid_argument,
-/// when a case is made, naming a source or a severity that there is not; below likewise.
+/// Cases of a source; `severity` -1: any up to its highest. Errors: std::invalid_argument, when a
+/// case is made, naming an unknown source or severity; likewise below.
 inline rc::Gen<Case> from(const std::string& source, int severity = -1) {
   const std::vector<Source> all = sources();
   const auto found =
@@ -77,11 +77,11 @@ inline rc::Gen<Scene> tie(int severity = -1) { return scene("coincident", severi
 
 }  // namespace gen
 
-/// As RapidCheck shows a case: a scene file.
+/// Shows a case to RapidCheck: as a scene file.
 inline void showValue(const Case& one, std::ostream& out) { out << scene_text(one); }
-/// As RapidCheck shows a scene.
+/// Shows a scene to RapidCheck.
 inline void showValue(const Scene& one, std::ostream& out) { out << scene_text({one, {}}); }
-/// As RapidCheck shows a ray and a sphere: the scene of the two.
+/// Shows a ray and a sphere to RapidCheck: as a scene of the two.
 inline void showValue(const RaySphere& one, std::ostream& out) {
   Scene scene;
   scene.rays = {one.ray};

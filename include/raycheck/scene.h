@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_SCENE_H_
 #define RAYCHECK_SCENE_H_
 
-// What is looked at: plain structs, shared by candidates and by libraycheck. C++17.
+// Cameras, rays, spheres: plain structs, shared by candidates and libraycheck. C++17.
 
 #include <cstdint>
 #include <limits>
@@ -55,38 +55,38 @@ struct Hit {
 
 /// Which row of pixels is j = 0.
 enum class Rows { as_asked, bottom_first, top_first };
-/// Where in its column or row of w a pixel's point lies: at i/(w-1) or (i+1/2)/w of the way.
+/// Where in its column or row a pixel's point lies: i/(w-1) or (i+1/2)/w of the way across.
 enum class Samples { as_asked, edges, centres };
 /// Where rays start: at the pixel's point P or at the eye E.
 enum class Origin { as_asked, pixel, focal };
 /// Which root is the hit: the smallest that is at least 0, or the smaller one; a negative one is a
 /// miss.
 enum class Root { as_asked, nearest, smaller };
-/// What a ray that touches a sphere does.
+/// Whether a ray that touches a sphere hits it.
 enum class Tangent { as_asked, hit, miss, either };
 
-/// Which ends of [t_min, t_max] belong to it.
+/// Which ends belong to [t_min, t_max].
 enum class Ends { closed, open_max, open_min, open };
-/// What t_min and t_max count: s itself, or radii of the sphere.
+/// The unit of t_min and t_max: s itself, or radii of the sphere.
 enum class TUnit { absolute, radius };
 /// Which roots never count: v + d, on back faces, or v - d, on front faces.
 enum class Culling { none, back_faces, front_faces };
 
 /// Which roots count: those between t_min and t_max, in s or in radii of the sphere, that are not
-/// culled: v + d lies on back faces, v - d on front faces. As it is: every root >= 0.
+/// culled: v + d lies on back faces, v - d on front faces. By default: every root >= 0.
 struct ValidRoots {
   double t_min = 0;  ///< The least s that counts, or the least number of radii; finite.
   double t_max = std::numeric_limits<double>::infinity();  ///< Likewise the largest; >= t_min.
   Ends ends = Ends::closed;         ///< Whether t_min and t_max count themselves.
-  TUnit unit = TUnit::absolute;     ///< What they are given in.
-  Culling culling = Culling::none;  ///< Which faces do not count, wherever they are.
+  TUnit unit = TUnit::absolute;     ///< Their unit.
+  Culling culling = Culling::none;  ///< Which faces never count.
 };
 
-/// Whether an implementation takes every root >= 0, the valid roots that it declares, or those that
-/// it is asked for.
+/// Whether an implementation accepts every root >= 0, the valid roots that it declares, or those
+/// that the scene asks for.
 enum class Roots { usual, declared, as_asked };
 
-/// What the lecture leaves open. Asked of libraycheck, as_asked stands for the first that is named.
+/// What the lecture leaves open. libraycheck itself takes as_asked for the value named here.
 struct Conventions {
   Rows rows = Rows::as_asked;           ///< Else bottom_first.
   Samples samples = Samples::as_asked;  ///< Else edges.
@@ -98,17 +98,17 @@ struct Conventions {
 
 /// A camera's rays, or given ones, the spheres that they may meet, and the conventions.
 struct Scene {
-  std::optional<Camera> camera;  ///< Empty where there are rays.
-  std::vector<Ray> rays;         ///< Empty where there is a camera.
-  std::vector<Sphere> spheres;   ///< In the order that indices count.
-  Conventions conventions;       ///< What is asked of an implementation.
+  std::optional<Camera> camera;  ///< Empty if rays are given.
+  std::vector<Ray> rays;         ///< Empty if there is a camera.
+  std::vector<Sphere> spheres;   ///< Indices count in this order.
+  Conventions conventions;       ///< Those that an implementation must follow.
 };
 
 /// The format that an implementation computes in, and is judged in.
 enum class Precision { double_, single };
 
-/// Up to which cases an implementation is to be right: ordinary ones (careful doubles), demanding
-/// ones (stable formulas), extreme ones (all that doubles can say).
+/// How hard the cases are that an implementation must get right: ordinary (careful doubles),
+/// demanding (stable formulas), extreme (all that doubles can express).
 enum class Level { unstated, ordinary, demanding, extreme };
 
 }  // namespace raycheck

@@ -21,7 +21,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 HEADERS = HERE.parent.parent / "include/raycheck"
 SKIPPED = 77
 ACCEPT = "./run abi --accept"
-# Nothing of the machine, and no type that is not reached from the public headers.
+# Nothing that depends on the machine, and no type that the public headers do not reach.
 PLAIN = ["--drop-private-types", "--drop-undefined-syms", "--exported-interfaces-only",
          "--no-architecture", "--no-comp-dir-path", "--no-corpus-path", "--no-elf-needed",
          "--no-parameter-names", "--no-show-locs", "--no-write-default-sizes"]

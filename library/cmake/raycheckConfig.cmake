@@ -1,7 +1,7 @@
-# raycheck::raycheck, the library; and, where the package that each is for is installed,
-# raycheck::gtest (with GoogleTest's main), raycheck::catch2 (with Catch2's), raycheck::doctest and
-# raycheck::rapidcheck; and, where the compiler is clang, raycheck::fuzz (with libFuzzer's main). A
-# component asks for one: find_package(raycheck REQUIRED COMPONENTS gtest).
+# raycheck::raycheck, the library; for each test framework that is installed, raycheck::gtest (with
+# GoogleTest's main), raycheck::catch2 (with Catch2's), raycheck::doctest and raycheck::rapidcheck;
+# and with clang, raycheck::fuzz (with libFuzzer's main). Components select them:
+# find_package(raycheck REQUIRED COMPONENTS gtest).
 include("${CMAKE_CURRENT_LIST_DIR}/raycheckTargets.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/raycheckFrameworks.cmake")
 

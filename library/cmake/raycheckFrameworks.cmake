@@ -1,4 +1,4 @@
-# The targets of the headers that are for another library, where it is there.
+# The targets of the headers for other libraries, where these are installed.
 function(raycheck_framework name package)
   if(TARGET raycheck::${name})
     return()

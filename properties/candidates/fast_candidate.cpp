@@ -26,8 +26,8 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
   };
 }
 
-/// So many pixels around one that is asked about are rendered with it, as a renderer would: the
-/// plan is then about more than that one.
+/// Renders this many pixels on each side of the one asked about with it, as a renderer would: the
+/// plan then covers more than that pixel.
 constexpr std::int64_t kAround = 2;
 
 std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
@@ -170,8 +170,8 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
   promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp + kRoundedPointResidual);
   promise_hit(Quantity::kRayResidual, intersect.max_point_ulp + kRoundedPointResidual);
-  // A root off by so much is at most twice that many u off, and kappa is at least 1: scaling all
-  // lengths scales s.
+  // A root off by x ulp is off by at most 2x u, and kappa is at least 1: scaling all lengths scales
+  // s.
   promise(Quantity::kBackwardError, 2 * intersect.max_ulp);
   candidate.exact_class = intersect.exact_class;
   const bool is_stable = rays.not_kept.empty() && intersect.not_kept.empty();

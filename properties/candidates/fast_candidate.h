@@ -9,8 +9,8 @@
 
 namespace raycheck::properties {
 
-/// What a hit's bound gains where its ray comes from a camera, in multiples of the ray's bound: the
-/// ray's origin and direction are each off by that much, and so then are s and Q, in proportion to
+/// How much a hit's bound grows where its ray comes from a camera, in multiples of the ray's bound:
+/// the ray's origin and direction are each off by that much, and hence s and Q, in proportion to
 /// their condition numbers; audited by the campaigns.
 inline constexpr double kRayShare = 1;
 double inherited_bound(const fast::PixelRayMethod& rays);
@@ -22,8 +22,8 @@ inline constexpr double kRoundedPointResidual = kModerateCondition / 2;
 
 /// A ray method and an intersection method of fast/ as one candidate, "RAYS/INTERSECT". On given
 /// rays it promises what the intersection method does, in that method's domain; end to end from a
-/// camera its hits promise inherited_bound() more, in both methods' domains. It sees by a plan that
-/// does what `items` say.
+/// camera the bounds of its hits are larger by inherited_bound(), in both methods' domains.
+/// `visible` uses a plan with these `items`.
 Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
                          const scene::PlanItems& items = {});
 

@@ -14,8 +14,8 @@ using reference::HitClass;
 using reference::Intersection;
 using reference::WhichRoot;
 
-/// Classes are exact beyond these too. Quotients of such lengths are normal doubles, so that errors
-/// may be counted in ulp of s and u of |Q|.
+/// Classes are exact outside this range, too. Quotients of lengths inside it are normal doubles, so
+/// errors can be counted in ulp of s and u of |Q|.
 constexpr fast::Domain kWideDomain = {.smallest_length = 0x1p-500, .largest_length = 0x1p500};
 
 template <Engine engine>
@@ -44,10 +44,10 @@ struct Intervals {
   }
 };
 
-/// The sign of the midpoint: the ball's own where that is certain.
+/// The midpoint's sign: the ball's own where that is certain.
 int sign_of_midpoint(const Enclosure& value) { return arf_sgn(arb_midref(value.ball())); }
 
-/// The midpoint as a double; the ball's own value correctly rounded where it is that narrow.
+/// The midpoint as a double; the ball's value correctly rounded where the ball is narrow enough.
 double rounded(const Enclosure& value) {
   const double low = value.lower_rounded();
   const double high = value.upper_rounded();

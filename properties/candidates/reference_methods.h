@@ -6,9 +6,9 @@
 
 namespace raycheck::properties {
 
-// The exact and nearly exact ways to intersect, as methods to be compared with those of fast/: what
-// certainty costs. They are made of the reference, so that judging `reference` tells its price and
-// no more.
+// The exact and nearly exact ways to intersect, as methods to compare with those of fast/: what
+// certainty costs. They are built from the reference, so judging `reference` tells its cost and
+// nothing else.
 
 /// The precision of `arb-128`, in bits.
 inline constexpr int kArbBits = 128;
@@ -24,7 +24,7 @@ inline constexpr double kArbMaxPointUlp = kCorrectlyRoundedPointUlp + 0x1p-30;
 inline constexpr double kIntervalsMaxUlp = 96;
 inline constexpr double kIntervalsMaxPointUlp = 192;
 
-/// `arb-128`: balls of 128 bits; where they do not decide, their midpoints do.
+/// `arb-128`: balls of 128 bits; their midpoints decide where they cannot.
 extern const fast::IntersectMethod kArb;
 /// `reference-intervals`: the first step of the reference's ladder; what it leaves open is a miss.
 extern const fast::IntersectMethod kReferenceIntervals;

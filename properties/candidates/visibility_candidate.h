@@ -6,11 +6,11 @@
 
 namespace raycheck::properties {
 
-/// It answers by whole rows: the law that asks it leaves out larger images.
+/// It computes whole rows: larger images are not given to it.
 inline constexpr std::int64_t kMostCertifiedPixelsAcross = 1 << 12;
 
-/// Certified visibility (reference/visibility/visibility.h) as a candidate, `certified`, that only
-/// sees: by a plan that does what `items` say. It promises every decision.
+/// Certified visibility (reference/visibility/visibility.h) as a candidate, `certified`, with
+/// `visible` alone: by a plan with these `items`. It promises every decision.
 Candidate certified_candidate(const scene::PlanItems& items = {});
 
 }  // namespace raycheck::properties

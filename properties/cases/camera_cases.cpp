@@ -14,7 +14,7 @@ using scene::Camera;
 using scene::Sphere;
 using scene::Vector3;
 
-/// Spheres in view of a camera that is otherwise done, and some of its pixels.
+/// Adds spheres in view of a camera that is otherwise complete, and some of its pixels.
 void finish(Random& random, const Camera& camera, std::int64_t fewest_spheres, Case& result) {
   result.scene.camera = camera;
   add_spheres_in_view(random, random.integer(fewest_spheres, 3), result.scene);
@@ -62,7 +62,7 @@ Case plain_cameras(int, std::uint64_t seed) {
   });
 }
 
-/// A smaller sphere about as the eye has another, before or behind it or cutting it.
+/// A smaller sphere roughly in line with the eye and another: before, behind or cutting it.
 Sphere in_line_with(Random& random, const Camera& camera, const Sphere& other) {
   const double depth = random.between(0.3, 3);
   const double share = random.between(0.1, 1.1);
@@ -145,7 +145,7 @@ constexpr CaseSource kCameraSourceTable[] = {
     {"plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras},
     {"crowds", "ordinary cameras and spheres that hide one another", true, {}, crowds},
     {"far-camera", "ordinary cameras and spheres in view, all 10^k from the world's origin", true,
-     // The lecture's P - E loses directions from @1 on; who never forms it breaks nothing.
+     // The lecture's P - E loses directions from @1 on; code that never forms it breaks nothing.
      Dial{"log10 of the distance from the world's origin", 10, 15, 4, 15}, far_camera},
     {"camera-scale", "cameras and spheres in view, every length times 2^k or 2^-k", true,
      // right.cpp breaks `scaling` from @391 on, the laws of the camera from @510 on; see scale.

@@ -12,7 +12,7 @@ namespace raycheck::properties {
 namespace {
 
 int any_severity(const Dial& dial, std::uint64_t seed) {
-  Random random(~seed);  // apart from the draws that make the case
+  Random random(~seed);  // not the random numbers that make the case
   return static_cast<int>(random.integer(0, dial.highest));
 }
 

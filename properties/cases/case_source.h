@@ -18,8 +18,8 @@ struct Dial {
   std::string_view meaning;  ///< What severity counts: "log10 of the distance over the radius".
   int base;                  ///< 10 or 2
   int highest;               ///< Severities are 0..highest.
-  int ordinary;              ///< Severities 0..ordinary are ordinary,
-  int demanding;             ///< those beyond up to this are demanding, the others extreme.
+  int ordinary;              ///< Severities up to this are ordinary,
+  int demanding;             ///< those up to this demanding, and the rest extreme.
 
   /// The highest severity of a level.
   int highest_of(Level level) const;
@@ -38,45 +38,45 @@ struct CaseSource {
   Level level = Level::kOrdinary;  ///< Of a source without a dial.
 };
 
-/// Longer ranges of severities are judged at some of them.
+/// Of a longer range of severities only this many are judged.
 inline constexpr int kMostSeverities = 65;
 
 /// Every source, in the order of reports: those with a camera first.
 std::span<const CaseSource> case_sources();
 
-/// The source of that name, or null.
+/// The source of this name, or null.
 const CaseSource* find_case_source(std::string_view name);
 
-/// A case of a severity that the seed chooses, each as likely as the other.
+/// A case whose severity follows from the seed; all are equally likely.
 Case any_case(const CaseSource& source, std::uint64_t seed);
 
-/// Severities first..last: all of them, or at most so many, evenly spaced but for the last, which
-/// is always among them. Domain: first <= last, most >= 1.
+/// Severities first..last: all of them, or at most `most`, evenly spaced except for the last, which
+/// is always included. Domain: first <= last, most >= 1.
 std::vector<int> some_severities(int first, int last, int most = kMostSeverities);
 
-/// A source, and perhaps the one severity that is wanted of it.
+/// A source, and optionally the only severity wanted of it.
 struct ChosenSource {
   const CaseSource* source = nullptr;
   std::optional<int> severity = {};
 
   Case make(std::uint64_t seed) const;
-  /// Of the case that the seed makes; 0 of a source without a dial.
+  /// The severity of a seed's case; 0 for a source without a dial.
   int severity_of(std::uint64_t seed) const;
   std::string name() const;  ///< "SOURCE" or "SOURCE@SEVERITY"
-  /// Of the name, by FNV-1a: the same on every machine, as std::hash is not.
+  /// Hashes the name by FNV-1a: the same on every machine, unlike std::hash.
   std::uint64_t hash() const;
-  /// Of its severity, or of a source without a dial; of one with a dial as a whole the dial's last.
+  /// The level of its severity, of a source without a dial, or of a dial's highest severity.
   Level level() const;
 };
 
-/// The one of several sources that a random number chooses, each as likely as the others (by
-/// rendezvous hashing of number and name; Thaler and Ravishankar 1998). A source more takes over
-/// its share of the numbers, and leaves every other number the source that it had.
+/// Chooses one of several sources, all equally likely, by a random number (rendezvous hashing of
+/// number and name; Thaler and Ravishankar 1998). Adding a source gives it its share of the
+/// numbers, and leaves every other number with the source that it had.
 /// Domain: at least one source.
 const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t number);
 
-/// Reads a ChosenSource's name. Throws std::invalid_argument saying which part of it is wrong, and
-/// which severities there are.
+/// Reads a ChosenSource's name. Throws std::invalid_argument saying which part is wrong, and which
+/// severities exist.
 ChosenSource chosen_source(std::string_view name);
 
 }  // namespace raycheck::properties

@@ -114,7 +114,7 @@ Case surface(int severity, std::uint64_t seed) {
 
 constexpr int kExactlyAtCentre = 16;
 
-/// The first sphere holds the origin; a second one, half of the time, lies wholly behind it.
+/// The first sphere contains the origin; half of the time a second one lies entirely behind it.
 Case inside(int severity, std::uint64_t seed) {
   Random random(seed);
   Case result;
@@ -139,8 +139,8 @@ Case inside(int severity, std::uint64_t seed) {
   return result;
 }
 
-/// A planet as renderers see it: the world's origin near the eye, the ray by a share of the dip of
-/// the horizon below it or above it.
+/// A planet as renderers see it: the world's origin near the eye, the ray above or below the
+/// horizon by a fraction of the horizon's dip.
 Case horizon(int severity, std::uint64_t seed) {
   Random random(seed);
   Case result;
@@ -180,17 +180,17 @@ constexpr CaseSource kContactSourceTable[] = {
           50},
      tangent_ulps},
     {"surface", "origins 10^-k half chords off the surface; at the highest, on it", false,
-     // Nobody's decisions are wrong; the textbook's (D - r)(D + r) keeps half of its digits at @8.
+     // All methods decide correctly; the textbook's (D - r)(D + r) keeps half of its digits at @8.
      Dial{"log10 of the half chord over the distance from the surface", 10, kExactlyOnSurface, 8,
           kExactlyOnSurface},
      surface},
     {"inside", "origins inside, 10^-k radii off the centre; at the highest, at it", false,
-     // Nothing is hard here.
+     // Not hard for any method.
      Dial{"log10 of the radius over the distance from the centre", 10, kExactlyAtCentre,
           kExactlyAtCentre, kExactlyAtCentre},
      inside},
     {"horizon", "rays at the horizon from 10^-k radii above a huge sphere", false,
-     // Nobody's decisions are wrong; excuses are needed from @12 (direct/cross) and @13 (textbook)
+     // All methods decide correctly; excuses are needed from @12 (direct/cross) and @13 (textbook)
      // on.
      Dial{"log10 of the radius over the altitude", 10, 15, 6, 11}, horizon}};
 

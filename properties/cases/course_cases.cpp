@@ -1,5 +1,5 @@
-// What courses set: cameras and spheres of few digits, on which the usual formulas do well, and
-// which tell the usual mistakes apart. No ray starts inside a sphere, by either origin.
+// Course assignments: cameras and spheres of few digits, which the usual formulas get right and
+// which tell the usual mistakes apart. No ray of either origin starts inside a sphere.
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ using scene::Sphere;
 using scene::Vector3;
 
 constexpr double kGrain = 0.25;        ///< Coordinates are multiples of it, radii of its half.
-constexpr double kFineGrain = 0x1p-6;  ///< The same before the image plane.
-constexpr double kGap = 0.0625;        ///< At least so far are spheres from planes that they avoid.
+constexpr double kFineGrain = 0x1p-6;  ///< The same in front of the image plane.
+constexpr double kGap = 0.0625;        ///< Spheres keep this far from planes they avoid.
 
 double quarters(Random& random, std::int64_t low, std::int64_t high) {
   return kGrain * static_cast<double>(random.integer(low, high));
@@ -32,7 +32,7 @@ Camera course_camera(Random& random) {
   } while (dot(view, view) < 4);
   camera.look_at = along(camera.eye, 1, view);
   camera.up = {0, 1, 0};
-  // Near the view an upright camera is no ordinary one.
+  // A camera whose `up` is nearly along the view is not ordinary.
   while (dot(cross(camera.up, view), cross(camera.up, view)) <=
              0.1 * dot(view, view) * dot(camera.up, camera.up) ||
          random.one_in(2)) {
@@ -61,7 +61,7 @@ class View {
     v_ = cross(w_, u_);
   }
 
-  /// Towards a point of the image plane, a little beyond its bounds at times.
+  /// Towards a point of the image plane, sometimes a little outside its bounds.
   Vector3 sight(Random& random) const {
     const double alpha = random.between(1.1 * camera_.left, 1.1 * camera_.right);
     const double beta = random.between(1.1 * camera_.bottom, 1.1 * camera_.top);
@@ -71,7 +71,7 @@ class View {
     return {along_w.x + along_u.x + along_v.x, along_w.y + along_u.y + along_v.y,
             along_w.z + along_u.z + along_v.z};
   }
-  /// In front of the eye.
+  /// Depth before the eye.
   double depth(const Point3& point) const { return -dot(point - camera_.eye, w_); }
 
  private:
@@ -85,7 +85,7 @@ Sphere rounded(const Point3& centre, double radius, double grain) {
           std::max(grain / 2, (grain / 2) * std::round(radius / (grain / 2)))};
 }
 
-/// Beyond the image plane, all of it.
+/// Entirely beyond the image plane.
 Sphere beyond(Random& random, const Camera& camera, const View& view) {
   for (;;) {
     const Vector3 sight = view.sight(random);
@@ -97,7 +97,7 @@ Sphere beyond(Random& random, const Camera& camera, const View& view) {
   }
 }
 
-/// Behind the eye, where the lines of the rays go.
+/// Behind the eye, on the backward extension of rays.
 Sphere behind(Random& random, const Camera& camera, const View& view) {
   for (;;) {
     const Vector3 sight = view.sight(random);

@@ -1,7 +1,7 @@
 #pragma once
 
-// What the makers of random cases share. Internal to properties/. Nothing here calls a function
-// that differs between machines, but for Random::power_of_ten().
+// Helpers for the makers of random cases. Internal to properties/. Nothing here calls a function
+// that differs between machines, except Random::power_of_ten().
 
 #include "properties/case.h"
 #include "properties/cases/random.h"
@@ -12,9 +12,9 @@ namespace raycheck::properties {
 /// 10^k rounded once, |k| <= 22.
 double power_of_ten(int k);
 
-/// What severity k sets, around 10^k, as a factor in [0.5, 2) 10^k: cases of one severity differ.
+/// What severity k sets, a random factor in [0.5, 2) 10^k: cases of one severity differ.
 double about_ten_to(Random& random, int k);
-/// The same for a share of a whole: in [0.4, 0.9) 10^-k, so below 1 at severity 0.
+/// The same for a fraction: in [0.4, 0.9) 10^-k, so below 1 at severity 0.
 double share_of(Random& random, int k);
 double signed_share_of(Random& random, int k);
 
@@ -23,17 +23,17 @@ double length(const scene::Vector3& v);
 scene::Point3 along(const scene::Point3& origin, double t, const scene::Vector3& direction);
 scene::Vector3 times(double factor, const scene::Vector3& v);
 scene::Vector3 cross(const scene::Vector3& a, const scene::Vector3& b);
-/// A unit vector across `direction`.
+/// A unit vector at right angles to `direction`.
 scene::Vector3 across(Random& random, const scene::Vector3& direction);
 
-/// Between given doubles, to a few units in the last place however much they cancel: a family whose
-/// dial is finer than the rounding of a sphere's centre chooses the radius to fit.
+/// For given doubles, accurate to a few units in the last place however much they cancel: a family
+/// whose dial is finer than the rounding of a sphere's centre chooses the radius to fit.
 double distance_between(const scene::Point3& from, const scene::Point3& to);  ///< |T|
 double impact_parameter(const scene::Ray& ray, const scene::Point3& centre);  ///< |T x d|/|d|
-/// T.d/|d|, as good relative to |T|.
+/// T.d/|d|, accurate relative to |T|.
 double axial_distance(const scene::Ray& ray, const scene::Point3& centre);
 
-/// 2^1074 times the smallest double is 1.
+/// The smallest double times 2^1074 is 1.
 inline constexpr int kMostBinades = 1074;
 
 scene::Conventions any_conventions(Random& random);
@@ -80,7 +80,7 @@ std::vector<scene::Pixel> some_pixels(Random& random, const scene::Camera& camer
 /// `count` spheres about where the camera looks: hit by some pixels, missed by others.
 void add_spheres_in_view(Random& random, std::int64_t count, scene::Scene& scene);
 
-/// fill(random, case) until it makes a valid one; it is given conventions.
+/// Calls fill(random, case) until the case is valid; its conventions are set first.
 template <class Fill>
 Case valid_case(std::uint64_t seed, Fill fill) {
   Random random(seed);

@@ -1,4 +1,4 @@
-// Families of cameras whose spheres are aimed at through given pixels.
+// Families of cameras with spheres placed along the rays of given pixels.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ using scene::Point3;
 using scene::Sphere;
 using scene::Vector3;
 
-/// Where a pixel's ray starts and goes, as far as plain arithmetic tells.
+/// Where a pixel's ray starts and goes, to the accuracy of plain doubles.
 struct PixelAim {
   Line from_pixel;
   Line from_eye;
@@ -91,7 +91,7 @@ std::int64_t any_index(Random& random, std::int64_t count) {
   return random.one_in(2) ? end : random.integer(0, count - 1);
 }
 
-/// Square images and wide ones. One row or column of pixels has no edges to lie on.
+/// Square images and wide ones. A single row or column of pixels cannot be sampled at edges.
 Case image_size(int severity, std::uint64_t seed) {
   return valid_case(seed, [severity](Random& random, Case& result) {
     Camera camera = ordinary_camera(random);
@@ -113,7 +113,7 @@ Case image_size(int severity, std::uint64_t seed) {
 }
 
 /// Rays from the image plane, the first pixel's point next to the surface of every sphere: before
-/// it, just inside, about to leave, or just past it, where the sphere is between eye and plane.
+/// it, just inside, about to leave, or just past it, with the sphere between eye and plane.
 Case near_plane(int severity, std::uint64_t seed) {
   return valid_case(seed, [severity](Random& random, Case& result) {
     result.scene.conventions.origin = scene::Origin::kPixel;
@@ -151,7 +151,7 @@ constexpr CaseSource kPixelSourceTable[] = {
      // The lecture's directions break from @6 on; others hold to the end.
      Dial{"log2 of the pixels across", 2, kMostPixelsLog2, 14, kMostPixelsLog2}, image_size},
     {"near-plane", "image planes 10^-k radii off the surface of a sphere", true,
-     // Nobody's decisions are wrong, though the pixel's own rounding comes before that of surface.
+     // All methods decide correctly, though the pixel's own rounding comes before that of surface.
      Dial{"log10 of the radius over the pixel's distance from the surface", 10, 15, 6, 15},
      near_plane}};
 

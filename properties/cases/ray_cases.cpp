@@ -110,7 +110,7 @@ Case far_world(int severity, std::uint64_t seed) {
   return ray_case(random, origin, ordinary_sphere);
 }
 
-/// The larger of the two keeps lengths of ordinary rays finite, the smaller their directions.
+/// The larger one keeps the lengths of ordinary rays finite, the smaller one their directions.
 constexpr int kMostUpOfLengths = 1018;
 constexpr int kMostUpOfDirections = 1022;
 
@@ -127,7 +127,7 @@ Case scale(int severity, std::uint64_t seed) {
   return result;
 }
 
-/// Spheres are aimed at along the direction that is left after the smallest doubles rounded it.
+/// Spheres are aimed at along the direction as rounded to the smallest doubles.
 Case direction_length(int severity, std::uint64_t seed) {
   Random random(seed);
   const int exponent = any_scaling(random, severity, kMostUpOfDirections);
@@ -163,7 +163,7 @@ constexpr CaseSource kRaySourceTable[] = {
      false, Dial{"log10 of the radius over the separation", 10, kExactlyCoincident, 6, 12},
      coincident},
     {"far-world", "ordinary rays and spheres, all 10^k from the world's origin", false,
-     // Nobody breaks a law; beyond @4 the inputs keep less than half of their digits.
+     // No method breaks a law; beyond @4 the inputs keep less than half of their digits.
      Dial{"log10 of the distance from the world's origin", 10, 15, 4, 15}, far_world},
     {"scale", "ordinary rays and spheres, every length times 2^k or 2^-k", false,
      // right.cpp breaks `scaling`, which scales once more, from @391 on, its decisions from @510
@@ -172,7 +172,7 @@ constexpr CaseSource kRaySourceTable[] = {
      // binades.
      Dial{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, scale},
     {"direction-length", "ordinary rays and spheres, the direction times 2^k or 2^-k", false,
-     // As of scale.
+     // As for scale.
      Dial{"log2 of the direction's length, up or down", 2, kMostBinades, 100, 190},
      direction_length}};
 

@@ -7,8 +7,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// N pixels of an image, spread evenly: the middles of the cells of a grid as near to square as N
-/// lets it be. All pixels, row by row, when N is their number.
+/// N pixels of an image, spread evenly: the middles of the cells of a grid as nearly square as N
+/// allows. All pixels, row by row, when N is their number.
 class PixelGrid {
  public:
   PixelGrid(const scene::Camera& camera, std::uint64_t count)

@@ -7,7 +7,7 @@
 
 namespace raycheck::properties {
 
-/// The rays of a scene as cases for the laws: all of them, or, of a camera's, at most so many,
+/// The rays of a scene as cases for the laws: all of them, or for a camera at most a given number,
 /// spread evenly over the image.
 class SceneCases {
  public:
@@ -16,7 +16,7 @@ class SceneCases {
   const scene::Scene& scene() const { return scene_; }
   std::uint64_t rays_in_scene() const;
   std::uint64_t rays_judged() const { return judged_; }
-  /// Rays first..end of those judged, as a case.
+  /// The rays [first, end) of those judged, as a case.
   Case from(std::uint64_t first, std::uint64_t end) const;
 
  private:

@@ -37,7 +37,7 @@ bool is_valid(const Case& the_case) {
   });
 }
 
-/// Spheres of radius 0. A case is no simpler for becoming one of those: they are harder to picture.
+/// Spheres of radius 0. Having one does not make a case simpler: they are harder to picture.
 std::ptrdiff_t count_points(const scene::Scene& scene) {
   return std::count_if(scene.spheres.begin(), scene.spheres.end(),
                        [](const scene::Sphere& sphere) { return sphere.radius == 0; });
@@ -62,7 +62,7 @@ void reset(const Case& the_case, Convention scene::Conventions::*member, std::ve
   if (!(plain.scene.conventions == the_case.scene.conventions)) out.push_back(std::move(plain));
 }
 
-/// 2, then counts ever closer below `count`: the least that will do is found by halving.
+/// 2, then counts that approach `count`: halving finds the smallest that will do.
 std::vector<std::int64_t> smaller_counts(std::int64_t count) {
   std::vector<std::int64_t> result = {2};
   for (std::int64_t step = count / 2; step > 0; step /= 2) result.push_back(count - step);
@@ -75,7 +75,7 @@ void shrink_image(const Case& the_case, std::vector<Case>& out) {
   for (const bool across : {true, false}) {
     const std::int64_t count = across ? camera.width : camera.height;
     for (const std::int64_t smaller : smaller_counts(count)) {
-      // Pixels stay where they are in the image, or keep their indices as far as there are such.
+      // Pixels keep their position in the image, or their indices where these still exist.
       for (const bool in_proportion : {true, false}) {
         Case less = the_case;
         (across ? less.scene.camera->width : less.scene.camera->height) = smaller;

@@ -7,8 +7,8 @@
 
 namespace raycheck::properties {
 
-/// How much there is to say about a double: its significant bits, the distance of its exponent from
-/// 0, and its sign; 0 for 0. Shrinking only ever lowers it, so it ends.
+/// The complexity of a double: its significant bits, the distance of its exponent from 0, and its
+/// sign; 0 for 0. Shrinking only lowers it, so it terminates.
 int complexity(double value);
 
 /// Simpler doubles to try in place of one, the simplest first: 0, 1, whole numbers, fewer bits.
@@ -18,8 +18,8 @@ std::vector<double> simpler(double value);
 /// default, a smaller image, one number simpler.
 std::vector<Case> simpler(const Case& the_case);
 
-/// Where steps of simpler() lead from a case, each the first for which `still` holds; at most so
-/// many cases are tried.
+/// Follows steps of simpler() from a case, each to the first case for which `still` holds; tries at
+/// most `tries` cases.
 Case smallest(Case from, int tries, const std::function<bool(const Case&)>& still);
 
 }  // namespace raycheck::properties

@@ -21,7 +21,7 @@ using scene::Scene;
 using scene::Sphere;
 using scene::Vector3;
 
-/// Positions and sizes on the image plane are the same where they differ by at most this share of a
+/// Positions and sizes on the image plane count as equal if they differ by at most this share of a
 /// pixel.
 constexpr double kSamePlace = 1e-3;
 /// Coordinates that are smaller than this share of a sphere's distance are rounding errors.
@@ -54,7 +54,7 @@ Point3 in_world(const Camera& camera, const Axes& axes, const Seen& at) {
   const auto coordinate = [&](double eye, double u, double v, double w) {
     const double x = u * at.u + v * at.v + w * at.w;
     const double distance = std::abs(at.u) + std::abs(at.v) + std::abs(at.w);
-    // The sum's own rounding is of no digit that counts.
+    // Below the digits that count, the sum is rounding error.
     return std::abs(x) < kNoLength * distance ? eye : rounded(eye + rounded(x));
   };
   return {coordinate(camera.eye.x, axes.u.x, axes.v.x, axes.w.x),
@@ -80,11 +80,11 @@ bool are_same(double a, double b, double pixel) {
   return std::abs(a - b) <= kSamePlace * std::abs(pixel);
 }
 
-/// A factor for each of the looks that a scene has.
+/// One set of factors for each distinct look in a scene.
 template <std::size_t Count>
 class Factors {
  public:
-  /// Those of the look that `is_it`, drawn where none is.
+  /// The factors of a look where `is_it` holds, else new ones.
   template <class IsIt>
   const std::array<double, Count>& of(const OnPlane& look, IsIt is_it, Random& random) {
     for (const auto& [known, factors] : all_) {
@@ -126,8 +126,8 @@ void vary_spheres(Random& random, const Axes& axes, Scene& scene) {
 void vary_border(Random& random, const Axes& axes, Scene& scene) {
   const Camera& c = *scene.camera;
   if (c.width < 3 || c.height < 3) return;
-  /// A border's positions, and the pixels, counted from either end, of those that are mirror
-  /// images.
+  /// Moves positions on a border to other pixels: mirror images to the same pixel, counted from
+  /// either end.
   struct Line {
     double low, high, pixel;
     std::int64_t count;
@@ -170,8 +170,8 @@ struct Shown {
   bool is_clear = true;       ///< Every ray is kClearOfEdges from every sphere's edge.
 };
 
-/// The distance from the eye at which a ray from the image plane, `plane` away, meets a sphere;
-/// infinite where it does not.
+/// The distance from the eye at which a ray from the image plane, at distance `plane`, meets a
+/// sphere; infinite if it does not.
 double met_at(double middle, double half_chord, double plane) {
   if (middle - half_chord >= plane) return middle - half_chord;
   if (middle + half_chord >= plane) return middle + half_chord;

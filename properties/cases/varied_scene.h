@@ -9,7 +9,7 @@
 
 namespace raycheck::properties {
 
-/// In what a scene that is given may differ from picture to picture, so that none can be stored.
+/// How a given scene may vary from picture to picture, so that stored pictures do not pass.
 enum class Variation {
   kScale,    ///< All lengths times a power of two: other numbers, the same picture.
   kSize,     ///< More pixels, as many across as down, an even number: a middle one stays.
@@ -19,29 +19,29 @@ enum class Variation {
 inline constexpr std::array<std::string_view, 4> kVariationNames = {"scale", "size", "spheres",
                                                                     "border"};
 
-/// Lengths times up to 2^kMostVariedExponent.
+/// Lengths grow at most by 2^kMostVariedExponent.
 inline constexpr int kMostVariedExponent = 6;
-/// Up to so many pixels more, across and down.
+/// At most this many pixels are added, across and down.
 inline constexpr std::int64_t kMostVariedPixels = 16;
 /// A sphere's distances from the middle, across and down, and its radius are multiplied by factors
-/// between these: what keeps away from a picture's border does so still, or nearly.
+/// between these: what is clear of the picture's border stays so, or nearly.
 inline constexpr double kLeastVariedFactor = 0.75;
 inline constexpr double kMostVariedFactor = 1.1;
-/// Centres and radii that vary have so many significant digits, before they are scaled.
+/// Significant digits of centres and radii that vary, before they are scaled.
 inline constexpr int kVariedDigits = 6;
-/// Of every ray and every sphere, (d/r)^2 is at least so far from 1 where that can be had: code in
+/// For every ray and every sphere (d/r)^2 is at least this far from 1, where possible: code in
 /// `float`s, and the lecture's formula on spheres some 10^5 radii away, decide such rays alike.
 inline constexpr double kClearOfEdges = 1e-3;
-/// Scenes are drawn so many times at most until they are so, and show the spheres that they showed.
+/// At most this many scenes are drawn until one is clear of edges and shows the same spheres.
 inline constexpr int kMostVariedDraws = 64;
 
-/// A scene of the same kind, which follows from the seed. Spheres that look like mirror images of
-/// one another in the camera's axes move alike, those that look equally large remain so, and what
-/// lies in the middle stays there: a picture that is the same when it is mirrored or turned upside
-/// down is so still. No sphere changes its depth, or its place in the file, so that what is behind
-/// the eye, before the image plane or in front of others still is, and those that are seen remain
-/// the same. On the border those in corners and in the middle of a side stay, and mirror images in
-/// the picture's own middle move alike; pixels are sampled as "edges" says, and rays start at them.
+/// A scene of the same kind, determined by the seed. Spheres that look like mirror images of one
+/// another in the camera's axes move alike, those that look equally large remain so, and those in
+/// the middle stay there: a symmetric picture stays symmetric. No sphere changes its depth, or its
+/// place in the file, so that what is behind the eye, before the image plane or in front of others
+/// still is, and the same spheres are seen. On the border, spheres in corners and in the middle of
+/// a side stay, and mirror images about the picture's middle move alike; pixels are sampled as
+/// "edges" says, and rays start at them.
 /// Domain: a valid scene with a camera.
 scene::Scene varied_scene(const scene::Scene& scene, std::span<const Variation> what,
                           std::uint64_t seed);

@@ -13,7 +13,7 @@ using reference::Enclosure3;
 using reference::ExactRay;
 using reference::Intersection;
 
-/// A ray and a sphere that meet by the candidate's answer, by the truth, or by both.
+/// A ray and a sphere that meet according to the candidate, the truth, or both.
 struct Encounter {
   std::size_t ray;
   std::size_t sphere;
@@ -21,8 +21,8 @@ struct Encounter {
   const Intersection* exact;  ///< Null: a miss.
 };
 
-/// Calls visit(encounter) for all that are judged, sphere by sphere; in every other pair neither
-/// the candidate nor the truth sees a hit.
+/// Calls visit(encounter) for all that are judged, sphere by sphere; in all other pairs both the
+/// candidate and the truth see a miss.
 template <class Visit>
 void for_each_encounter(Trial& trial, Visit visit) {
   const scene::Tangent tangent = trial.conventions().tangent;
@@ -53,12 +53,12 @@ bool is_at_other_root(Trial& trial, const Encounter& both) {
   const reference::ExactRay& ray = trial.exact_ray(both.ray);
   const scene::Sphere& sphere = trial.scene().spheres[both.sphere];
   const double s = both.answer->parameter;
-  // Roots may be closer to each other than numbers of the format: the best answer is at its own.
+  // Roots may be closer than numbers of the format: the best answer is the one at its own root.
   return reference::is_at_other_root(ray, sphere, *both.exact, s) &&
          s != ray.rounded_parameter(sphere, *both.exact, trial.precision());
 }
 
-/// Whether a hit is answered where the candidate's own interval excludes it.
+/// Whether the candidate reports a hit that its own interval excludes.
 bool is_excluded(Trial& trial, const Encounter& at) {
   if (at.answer == nullptr) return false;
   const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
@@ -89,7 +89,7 @@ void describe_parameters(Trial& trial, const Encounter& at, Discrepancy& d) {
   }
 }
 
-/// The backward error of an answer, for the very ray that the candidate was asked about.
+/// The backward error of an answer, for exactly the ray that the candidate was given.
 double backward_error(Trial& trial, const Encounter& at) {
   return reference::backward_error(trial.rays()[at.ray], trial.scene().spheres[at.sphere],
                                    at.answer->parameter);
@@ -160,7 +160,7 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
 
 void judge_backward_error(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
-    // It is a change of the inputs already: no condition number magnifies it.
+    // This is already a change of the inputs: no condition number magnifies it.
     trial.measure(
         verdict,
         {Quantity::kBackwardError, trial.place(at.ray, at.sphere), backward_error(trial, at)},
@@ -170,7 +170,7 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
 }
 
 /// How the candidate's point is off its sphere and its ray, in units of u of r and of s |D|. Both
-/// are differences of world coordinates, so their condition is the size of those over r and s |D|.
+/// are differences of world coordinates, so their condition is the size of these over r and s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
   const ExactRay& ray = trial.exact_ray(at.ray);
@@ -282,7 +282,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
     for (const RayHit& eye : all_eye_hits[sphere]) {
       const std::size_t k = eye.ray;
       const HitAnswer* const pixel_hit = find_hit(all_pixel_hits[sphere], k);
-      if (pixel_hit == nullptr) continue;  // for the class law
+      if (pixel_hit == nullptr) continue;  // the class law judges this
       const ExactRay pixel_ray(pixel_camera, trial.pixels()[k]);
       const ExactRay eye_ray(eye_camera, trial.pixels()[k]);
       const Intersection at = eye_ray.intersect(the_sphere, from_eye.root);

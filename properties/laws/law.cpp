@@ -69,15 +69,15 @@ LawJudgement judged_failure(const Law& law, const Trial& trial, Wrong wrong, con
   return {std::move(verdict), true};
 }
 
-/// Whether a law asks something of each ray, or of each with each sphere, alone.
+/// Whether a law judges each ray, or each pair of ray and sphere, on its own.
 bool asks_apart(const Law& law) {
   return law.judges_values && (law.per == Per::kRay || law.per == Per::kPair);
 }
 
 LawJudgement judge(const Law& law, Trial& trial);
 
-/// The halves, one after the other. Where the whole is known to fail and the first half does not,
-/// the second is to blame, and is halved at once.
+/// Judges the halves one by one. If the whole is known to fail and the first half does not, the
+/// second is to blame, and is halved at once.
 LawJudgement judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
   LawJudgement all{Verdict(law.name)};
@@ -95,8 +95,7 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   return all;
 }
 
-/// What was asked at once failed, at that line where it is known: the question to blame, or the
-/// halves.
+/// A batch failed, at this line if it is known: judges the question to blame, or the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
                          const std::optional<CodeLine>& line = {}) {
   FailureSearch* const search = trial.options().search;
@@ -124,7 +123,7 @@ LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
   return judged;
 }
 
-/// It would have failed whatever it was asked: a search says so once.
+/// It fails whatever it is asked: a search reports that once.
 LawJudgement judge_unavailable(const Law& law, Trial& trial, const char* message) {
   FailureSearch* const search = trial.options().search;
   if (search != nullptr && !search->whatever_asked.insert(message).second) {
@@ -140,7 +139,7 @@ LawJudgement judge(const Law& law, Trial& trial) {
     law.judge(trial, judged.verdict);
     return judged;
   } catch (const std::bad_alloc&) {
-    throw;  // no fault of the candidate
+    throw;  // not the candidate's fault
   } catch (const std::invalid_argument& error) {
     return judged_failure(law, trial, Wrong::kRefused, error.what());
   } catch (const CandidateUnavailable& error) {

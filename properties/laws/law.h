@@ -14,13 +14,12 @@
 
 namespace raycheck::properties {
 
-/// For each of which a law gives an answer of its own: a scene, a ray, a ray with a sphere, or an
-/// image.
+/// What a law judges one by one: a scene, a ray, a ray with a sphere, or an image.
 enum class Per { kScene, kRay, kPair, kImage };
 
 /// One law: a function from (case, candidate, truth), bundled as a Trial, to a verdict: it holds,
-/// it is left out because the scene or the candidate has nothing that it speaks of, or there are
-/// discrepancies. What callers ask about a law is here: none knows a law by its name.
+/// it does not apply to the scene or the candidate, or there are discrepancies. Callers find all
+/// they need to know about a law here: none knows a law by its name.
 struct Law {
   std::string_view name;
   std::string_view sentence;
@@ -31,21 +30,21 @@ struct Law {
   /// the others relate several answers to each other, an answer to the ray that its own candidate
   /// made, or a plan to what it leaves out.
   bool judges_values = false;
-  /// The stage that it judges, where it is about one alone.
+  /// The stage that it judges, if it is about only one.
   std::optional<Stage> stage = {};
-  /// Whether that stage is stable is told by it (and not by what follows from what others judge).
+  /// Whether it tells if that stage is stable (rather than what follows from other laws).
   bool tells_stability = false;
-  /// Asked where its needs are met only. It may leave the case out nevertheless, with a reason.
+  /// Called only where its needs are met. It may still leave the case out, with a reason.
   void (*judge)(Trial&, Verdict&) = nullptr;
 };
 
-/// Whether a law speaks of cameras, so that only scenes with one are worth making for it.
+/// Whether a law is about cameras, so that it needs scenes with one.
 constexpr bool speaks_of_cameras(const Law& law) { return needs_any(law.needs, kOfCameras); }
-/// Whether it speaks of rays that meet spheres.
+/// Whether it is about intersections of rays and spheres.
 constexpr bool speaks_of_intersections(const Law& law) {
   return needs_any(law.needs, kOfIntersections);
 }
-/// Whether its answers are right or wrong, one by one against the truth.
+/// Whether its answers are simply right or wrong, each compared with the truth.
 constexpr bool judges_decisions(const Law& law) {
   return law.judges_values && is_decision(law.quantity);
 }
@@ -67,9 +66,9 @@ std::vector<const Law*> laws_that(const Condition& holds) {
 const Law* find_law(std::string_view name);
 
 /// The law's verdict, left out with the reason where its needs are not met. A candidate that
-/// refuses the case, which is a problem, or fails in another way, is a discrepancy. Where the trial
-/// has a search, what failed at once is asked in halves: the questions to blame are discrepancies,
-/// at most kMostFailuresSought of them, and the answers to the others are judged.
+/// refuses the case, which is valid, or fails in another way, is a discrepancy. If the trial has a
+/// search, a failed batch is asked again in halves: the questions to blame are discrepancies, at
+/// most kMostFailuresSought of them, and the answers to the others are judged.
 Verdict apply(const Law& law, Trial& trial);
 
 /// A candidate's trial on a case. Laws about rays that it meets with spheres and does not make are

@@ -19,7 +19,7 @@ namespace {
 using reference::Enclosure;
 using scene::Scene;
 
-/// What there must be for hits to be compared, besides rays.
+/// What comparing hits needs, besides rays.
 constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 
 bool is_at_other_root(Trial& trial, std::size_t ray, std::size_t sphere, const HitAnswer& hit) {
@@ -28,8 +28,8 @@ bool is_at_other_root(Trial& trial, std::size_t ray, std::size_t sphere, const H
 }
 
 /// Compares the hits of a case and its transformed case; `factor` takes a parameter of the first to
-/// the second. The exact answers, of one class and root, serve to tell which of two that contradict
-/// each other is wrong, and how well-conditioned a pair is.
+/// the second. The exact answers, equal in class and root, tell which of two contradicting answers
+/// is wrong, and how well-conditioned a pair is.
 void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std::string& what,
                   double factor) {
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
@@ -57,7 +57,7 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
       };
       const bool is_hit = trial.exact_hit(k, sphere);
       const Expected expected = is_hit ? Expected::kHit : Expected::kMiss;
-      // Two answers that are wrong alike agree, but are not right.
+      // Two answers that are equally wrong agree, but are not right.
       if (!differ && !unjudged && (hit != nullptr) != is_hit) {
         verdict.not_right(Quantity::kClass, expected);
         continue;
@@ -82,7 +82,7 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
       }
       const double bound = 2 * trial.bound(Quantity::kParameter);
       if (is_hit) {
-        // Parameters at two roots are a chord apart, however accurate both are.
+        // Parameters at different roots are a chord apart, however accurate both are.
         const bool is_other_root =
             error > bound && is_at_other_root(trial, k, sphere, *hit) !=
                                  is_at_other_root(transformed, k, sphere, *other);
@@ -181,7 +181,7 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
   if (!is_tried) verdict.leave_out("no scaled scene stays in the method's stated domain");
 }
 
-/// A map of world axes to world axes: coordinates are moved, never rounded.
+/// A permutation of the world axes with signs: coordinates are never rounded.
 struct AxesMap {
   const char* what;
   bool is_mirror;  ///< It turns a right-handed frame into a left-handed one: not for cameras.

@@ -8,12 +8,12 @@ namespace {
 struct Need {
   Needs of;  ///< It is one of each of these.
   bool (*is_met)(const Trial&);
-  std::string_view reason;  ///< Why a law is left out where it is not met.
+  std::string_view reason;  ///< Why a law is left out if it is not met.
 };
 
 bool has_camera(const Trial& trial) { return trial.scene().camera.has_value(); }
 
-/// In the order in which they are asked for: no image has a size where there is no camera.
+/// In the order of checking: no image has a size where there is no camera.
 constexpr Need kNeeds[] = {
     {Needs::kImage, [](const Trial& trial) { return bool(trial.candidate().image); },
      "the candidate makes no images"},
@@ -31,13 +31,13 @@ constexpr Need kNeeds[] = {
     {Needs::kIntersect, [](const Trial& trial) { return bool(trial.candidate().intersect); },
      "the candidate intersects nothing"},
     {Needs::kNearest, [](const Trial& trial) { return bool(trial.candidate().nearest); },
-     "the candidate says of no ray which sphere it meets first"},
+     "the candidate does not tell which sphere a ray meets first"},
     {Needs::kVisible, [](const Trial& trial) { return bool(trial.candidate().visible); },
      "the candidate sees nothing"},
     {Needs::kPlan, [](const Trial& trial) { return bool(trial.candidate().plan); },
      "the candidate plans nothing"},
     {Needs::kRefusals, [](const Trial& trial) { return trial.candidate().refuses; },
-     "the candidate is never asked what is not a problem"},
+     "the candidate is never given invalid input"},
     {Needs::kImage,
      [](const Trial& trial) {
        const scene::Camera& camera = *trial.scene().camera;

@@ -6,7 +6,7 @@
 
 namespace raycheck::properties {
 
-/// What a law needs of a scene and a candidate before it can say anything: any of these together.
+/// What a law needs from a scene and a candidate to say anything: any combination of these.
 enum class Needs : unsigned {
   // Of a camera:
   kFrame = 1 << 0,
@@ -33,15 +33,15 @@ constexpr bool needs_any(Needs needs, Needs some) {
   return (static_cast<unsigned>(needs) & static_cast<unsigned>(some)) != 0;
 }
 
-/// The needs that only a scene with a camera meets, and those that only a candidate that meets
-/// rays with spheres does.
+/// The needs that only a scene with a camera meets, and those that only a candidate that intersects
+/// rays with spheres meets.
 inline constexpr Needs kOfCameras = Needs::kFrame | Needs::kPixelPoints | Needs::kMadeRays |
                                     Needs::kBothOrigins | Needs::kVisible | Needs::kImage |
                                     Needs::kPlan;
 inline constexpr Needs kOfIntersections =
     Needs::kIntersect | Needs::kNearest | Needs::kVisible | Needs::kImage | Needs::kPlan;
 
-/// Why a trial has not what is needed, as a sentence; empty when it has.
+/// Which need a trial does not meet, as a sentence; empty when it meets all.
 std::string_view what_is_missing(Needs needs, const Trial& trial);
 
 }  // namespace raycheck::properties

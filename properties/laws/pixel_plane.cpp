@@ -27,7 +27,7 @@ std::string name(const Pixel& pixel) {
   return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
 }
 
-/// Candidate points and the exact camera that they are held against.
+/// Candidate points and the exact camera that they are compared with.
 class PlaneAnswers {
  public:
   PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
@@ -56,7 +56,7 @@ class PlaneAnswers {
   Enclosure3 exact_position(std::size_t k) const {
     return camera_.plane_position(pixels_[k], kBits);
   }
-  /// A relation is no better determined than the points that it relates.
+  /// A relation is no better conditioned than the points that it relates.
   double worst_condition() const {
     double worst = 0;
     for (std::size_t k = 0; k < size(); ++k) {
@@ -80,8 +80,8 @@ double relative(const Enclosure& error, const Enclosure& size) {
   return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
 }
 
-/// Whether positions that far apart stay so when their points are as far off as they may be, by a
-/// margin that keeps errors of their ratios linear.
+/// Whether positions at this distance stay apart even with the largest allowed errors, by a margin
+/// that keeps errors of their ratios linear.
 bool is_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& distance) {
   const double allowed = trial.bound(Quantity::kPixelPoint) *
                          bound_growth(answers.worst_condition()) *
@@ -131,7 +131,7 @@ void judge_pixel_point(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// The axis k along which a vector points exactly, with its sign; 0 when it is along none.
+/// The axis k along which a vector points exactly, with its sign; 0 if along none.
 struct SignedAxis {
   int index = 0;
   int sign = 0;

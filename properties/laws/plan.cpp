@@ -109,7 +109,7 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
   if (verdict.compared() == 0) return verdict.leave_out("every rectangle is the whole image");
 }
 
-/// The rays from the eye through a pixel and away from it: their line meets what one of them meets.
+/// The rays from the eye through a pixel and away from it: one of them meets what their line meets.
 class BothWays {
  public:
   BothWays(const scene::Camera& camera, const scene::Conventions& conventions)

@@ -42,10 +42,10 @@ void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
       {static_cast<std::int64_t>(std::round(i)), static_cast<std::int64_t>(std::round(j))});
 }
 
-/// About where a silhouette has its least and largest column and row. In the plane (U, W) the
+/// Roughly where a silhouette has its least and largest column and row. In the plane (U, W) the
 /// tangents from the eye touch the disc of centre (u, z) and radius r at (u q -+ z r, z q +- u r)
-/// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2; the sphere is touched as far along V as
-/// its centre is. Likewise in (V, W).
+/// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2; along V, the sphere is touched level
+/// with its centre. Likewise in (V, W).
 std::vector<Pixel> touched(const PlanStatement& statement, const PixelRectangle& image) {
   const scene::EyeSphere& seen = statement.said().seen;
   const scene::EyeSpace& eye = statement.plan->eye;

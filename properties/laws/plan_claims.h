@@ -1,6 +1,6 @@
 #pragma once
 
-// What a candidate's plans say of a scene, and the pixels at which that is tried. Internal to
+// What a candidate's plans claim about a scene, and the pixels at which that is tested. Internal to
 // properties/.
 
 #include <array>
@@ -15,12 +15,12 @@ namespace raycheck::properties {
 inline constexpr std::array kEveryWanted = {scene::Wanted::kClass, scene::Wanted::kParameter,
                                             scene::Wanted::kPoint, scene::Wanted::kNearest};
 
-/// At most so many pixels along each border of a rectangle are tried.
+/// How many pixels along each border of a rectangle are tried, at most.
 inline constexpr std::int64_t kMostOfBorder = 64;
-/// At most so many rows, and columns, inside a rectangle.
+/// How many rows, and columns, inside a rectangle, at most.
 inline constexpr std::int64_t kMostInside = 5;
 
-/// What one plan says of one sphere, and what the plan was made for.
+/// What one plan says about one sphere, and what the plan was made for.
 struct PlanStatement {
   scene::Wanted wanted;
   const scene::ScenePlan* plan;
@@ -30,7 +30,7 @@ struct PlanStatement {
 };
 
 /// The plans of a candidate for one scene, whatever is wanted of it. They choose where the truth is
-/// asked, and have no part in it.
+/// computed, and do not influence it.
 /// Domain: a scene with a camera, a candidate that plans. Throws std::runtime_error when a plan
 ///         does not speak of every sphere.
 class PlanStatements {
@@ -39,15 +39,15 @@ class PlanStatements {
 
   scene::PixelRectangle image() const { return {0, camera_.width, 0, camera_.height}; }
 
-  /// What is said of a sphere, each only once.
+  /// The distinct statements about a sphere.
   std::vector<PlanStatement> of(std::size_t sphere) const;
 
-  /// Pixels where a sphere is or nearly is, as far as the plans tell: of its rectangle in any plan
-  /// that has one, otherwise of the image. And all of the case.
+  /// Pixels where a sphere is or nearly is, according to the plans: in its rectangle in any plan
+  /// that has one, otherwise in the image. Plus all pixels of the case.
   std::vector<scene::Pixel> inside(const PlanStatement& statement) const;
 
-  /// Pixels of the image just outside a sphere's rectangle, those next to where its silhouette
-  /// touches that among them. And those of the case that are outside.
+  /// Pixels of the image just outside a sphere's rectangle, including those next to where its
+  /// silhouette touches it. Plus those of the case that are outside.
   std::vector<scene::Pixel> outside(const PlanStatement& statement) const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// One way to spoil a camera, a sphere or a ray, by the name of what becomes wrong with it.
+/// One way to invalidate a camera, a sphere or a ray, named after what becomes wrong with it.
 template <class Thing>
 struct Spoiling {
   const char* what;
@@ -32,7 +32,7 @@ constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
      }},
 };
 
-/// What the frame does not see, but pixels do.
+/// Defects that do not affect the frame, but pixels.
 constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
     {"near is zero", [](scene::Camera& c) { c.near = 0; }},
     {"left is infinite", [](scene::Camera& c) { c.left = -kInfinite; }},

@@ -1,7 +1,7 @@
 #pragma once
 
-// How a candidate answers rays that has a choice of its own among roots, hits or spheres: what
-// mistakes and mutants are made of.
+// How a candidate answers rays when it makes its own choice among roots, hits or spheres: the basis
+// of mistakes and mutants.
 
 #include <functional>
 #include <optional>
@@ -18,14 +18,14 @@ using NearestSpheres = decltype(Candidate::nearest);
 /// s, and Q = L + s D.
 HitAnswer hit_at(const scene::Ray& ray, double s);
 
-/// One sphere at a time, an answer a ray.
+/// One sphere at a time; one answer per ray.
 using AskSphere = std::function<std::vector<Hit>(Candidate::Rays, const scene::Sphere&,
                                                  const scene::Conventions&)>;
 
 /// The answers of a candidate, one sphere at a time.
 AskSphere hits_of(const Candidate& candidate);
 
-/// The hits by `ask`, and the nearest sphere by these, as nearest_spheres() has it.
+/// Takes the hits from `ask`, and the nearest sphere from these, as nearest_spheres() does.
 void answer_by(Candidate& candidate, const AskSphere& ask);
 
 using MakeRoots = std::function<fast::Roots(const scene::Ray&, const scene::Sphere&)>;
@@ -35,30 +35,29 @@ using ChooseHit =
 /// Whether a ray's line meets the sphere under the tangent convention.
 bool meets(const fast::Roots& roots, const scene::Conventions& conventions);
 
-/// What a right method chooses.
+/// The choice of a correct method.
 Hit usual_choice(const scene::Ray& ray, const fast::Roots& roots,
                  const scene::Conventions& conventions);
 
-/// answer_by() a choice among two roots; input is not checked.
+/// answer_by() a choice between two roots; input is not checked.
 void answer_by_choice(Candidate& candidate, const MakeRoots& roots, const ChooseHit& choose);
 
-/// What a hit sphere is ranked by: its index in the file, the roots, and the s that was chosen.
+/// What a hit sphere is ranked by, given its index in the file, the roots and the chosen s.
 using RankSphere = std::function<double(std::size_t index, const scene::Ray&, const scene::Sphere&,
                                         const fast::Roots&, double s)>;
 
-/// The formulas by which the nearest sphere is found; one that is empty is as a right method has
-/// it, with the roots of `cross`.
+/// The formulas by which the nearest sphere is found; an empty one is a correct method's, with the
+/// roots of `cross`.
 struct HitFormulas {
   MakeRoots roots = {};
   ChooseHit choose = {};
   RankSphere rank = {};
 };
 
-/// The formulas of both, where there are no two for the same thing.
+/// The formulas of both; empty where both have one for the same thing.
 std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other);
 
-/// Of the spheres that are hit the one of the least rank is the nearest, the earlier in the file
-/// among equals.
+/// The nearest is the hit sphere of least rank, among equals the earlier in the file.
 NearestSpheres nearest_by(const HitFormulas& formulas);
 
 }  // namespace raycheck::properties

@@ -42,8 +42,7 @@ bool agree(const Answer& a, const Answer& b, double tolerance) {
 }
 
 StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
-  const auto found =
-      trial.intersect(asked.rays, asked.the_case.scene.spheres, trial.conventions());
+  const auto found = trial.intersect(asked.rays, asked.the_case.scene.spheres, trial.conventions());
   StepAnswers answers;
   for (const SphereHits& hits : found) {
     const std::size_t first = answers.size();
@@ -55,7 +54,7 @@ StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
   return answers;
 }
 
-/// Empty where the candidate has no such function.
+/// Empty where the candidate lacks the function.
 std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidate& candidate) {
   Trial trial(asked.the_case, candidate);
   const scene::Scene& scene = asked.the_case.scene;
@@ -89,7 +88,7 @@ std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidat
   return answers;
 }
 
-/// The same; empty too where the candidate refuses or fails.
+/// The same; also empty where the candidate refuses or fails.
 std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
                                       const Candidate& candidate) {
   scene::poll();
@@ -102,7 +101,7 @@ std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
   }
 }
 
-/// Whether an answer is not as expected, nor right in another way.
+/// Whether an answer is neither as expected nor right in another way.
 bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers& expected,
                   double tolerance) {
   const auto is_like = [&](const StepAnswers& other) {
@@ -113,7 +112,7 @@ bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers
          std::none_of(comparison.also_right.begin(), comparison.also_right.end(), is_like);
 }
 
-/// The answers that differ from those expected, but for those that are right in another way.
+/// How many answers differ from those expected, except those that are right in another way.
 std::uint64_t count_different(const Comparison& comparison, const StepAnswers& expected,
                               double tolerance) {
   std::uint64_t count = 0;
@@ -144,7 +143,7 @@ std::vector<bool> dropped(Step step, const Comparison& comparison) {
   return found;
 }
 
-/// The methods of fast/ beside direct/cross, but for those that are less precise than a candidate.
+/// The methods of fast/ besides direct/cross that are as precise as a candidate or more.
 std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
   std::vector<Candidate> others;
   const double coarsest = std::max(candidate.unit_roundoff, kDoubleRoundoff);
@@ -168,7 +167,7 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
   for (const Case& the_case : cases) {
     auto rounded = rounded_case(the_case, candidate.precision).the_case;
     if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
-    // Classic mistakes are those of who takes every root >= 0.
+    // Classic mistakes are those of code that takes every root >= 0.
     if (!candidate.declared.over(rounded->scene.conventions).valid.is_usual()) continue;
     asked_.push_back({*std::move(rounded), {}});
     AskedCase& asked = asked_.back();
@@ -186,8 +185,7 @@ const std::vector<Comparison>& Examination::at(Step step) {
   for (const AskedCase& asked : asked_) {
     std::optional<StepAnswers> answers = try_to_ask(step, asked, candidate_);
     if (!answers) continue;
-    Comparison comparison = {
-        &asked, std::move(*answers), ask(step, asked, right_).value(), {}};
+    Comparison comparison = {&asked, std::move(*answers), ask(step, asked, right_).value(), {}};
     if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
       comparison.also_right = ask_others(step, asked);
     }
@@ -209,8 +207,7 @@ std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step
   for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
     for (const Comparison& comparison : at(static_cast<Step>(step))) {
       if (count > most) return count;
-      const auto made =
-          try_to_ask(static_cast<Step>(step), *comparison.asked, mistake.candidate);
+      const auto made = try_to_ask(static_cast<Step>(step), *comparison.asked, mistake.candidate);
       count += count_different(comparison, made ? *made : comparison.right, tolerance);
     }
   }

@@ -14,14 +14,14 @@
 
 namespace raycheck::properties {
 
-/// Any step's answer: which sphere, or whether one, and what vectors there are.
+/// The answer at any step: which sphere, or whether one is hit, and any vectors.
 struct Answer {
   std::optional<std::size_t> choice;
   std::array<scene::Vector3, 3> vectors;
 };
 using StepAnswers = std::vector<Answer>;
 
-/// A case under the conventions by which the candidate is judged, and its right rays.
+/// A case under the conventions that the candidate is judged by, and its correct rays.
 struct AskedCase {
   Case the_case;
   std::vector<scene::Ray> rays;
@@ -35,7 +35,7 @@ struct Comparison {
   std::vector<StepAnswers> also_right;
 };
 
-/// A candidate's answers to cases, each step's worked out when first asked for.
+/// A candidate's answers to cases; each step is computed on demand.
 class Examination {
  public:
   Examination(std::span<const Case> cases, const Candidate& candidate);
@@ -44,12 +44,12 @@ class Examination {
 
   std::uint64_t errors(Step step, double tolerance);
 
-  /// The answers up to a step that are not as a mistake makes them; any number above `most` where
-  /// they are more.
+  /// How many answers up to a step are not as a mistake makes them; any number above `most` if
+  /// there are more.
   std::uint64_t contradicted(const Mistake& mistake, Step first, Step last, double tolerance,
                              std::uint64_t most);
 
-  /// How the roundings of a formula agree with the answers at kIntersect or kNearest.
+  /// How well the roundings of a formula agree with the answers at kIntersect or kNearest.
   DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance);
 
  private:

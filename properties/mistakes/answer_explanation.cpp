@@ -9,7 +9,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// What explains the answers of a part, which begins with a step, up to another step of it.
+/// The mistakes that best explain the answers of a part, from its first step up to another step.
 std::vector<const Mistake*> suspects_at(Examination& examination, Step first, Step step,
                                         std::uint64_t& fewest, double tolerance) {
   std::vector<const Mistake*> best;
@@ -26,13 +26,13 @@ std::vector<const Mistake*> suspects_at(Examination& examination, Step first, St
   return best;
 }
 
-/// A part of what a candidate is asked: no mistake in another shows in it.
+/// A part of the functions of a candidate: no mistake in another part shows in it.
 struct Part {
   Step first, last;
 };
 
-/// Of mistakes that explain a step equally well those that explain best what later steps of the
-/// part have wrong; all, where none does.
+/// Of mistakes that explain a step equally well, keeps those that best explain the errors at later
+/// steps of the part; all, if none does.
 void tell_apart(Examination& examination, Step step, Step last, double tolerance,
                 std::vector<const Mistake*>& suspects) {
   for (int at = static_cast<int>(step) + 1; at <= static_cast<int>(last); ++at) {
@@ -50,7 +50,7 @@ void tell_apart(Examination& examination, Step step, Step last, double tolerance
   }
 }
 
-/// The mistakes at the first step of a part that has errors, if any.
+/// The mistakes found at the first step of a part that has errors.
 struct FoundCause {
   AnswerCause cause;
   std::vector<const Mistake*> mistakes;
@@ -58,7 +58,7 @@ struct FoundCause {
   bool is_known() const { return !cause.alternatives.empty(); }
 };
 
-/// The roundings that explain the answers at a step, if they do.
+/// The roundings that explain the answers at a step, if any do.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
   for (const Arithmetic arithmetic : kArithmetics) {
     const DoubtTally tally = examination.tally(step, arithmetic, tolerance);
@@ -87,7 +87,7 @@ FoundCause find_cause(Examination& examination, const Part& part) {
         if (auto roundings = roundings_at(examination, step, tolerance)) {
           return {std::move(*roundings), {}, tolerance};
         }
-        // What roundings may have made, too, is not known.
+        // If roundings may have caused it, too, the cause is unknown.
         if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
       }
       for (const Mistake* mistake : found.mistakes) {
@@ -100,7 +100,7 @@ FoundCause find_cause(Examination& examination, const Part& part) {
   return {};
 }
 
-/// Whether what is wrong with one part explains what is wrong at a step of another.
+/// Whether the cause of one part's errors also explains those at a step of another part.
 bool explains(Examination& examination, const FoundCause& found, Step step) {
   const std::uint64_t errors = examination.errors(step, found.tolerance);
   const std::uint64_t most = most_unexplained(errors);
@@ -123,12 +123,12 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
         std::any_of(findings.begin(), findings.end(),
                     [&](const FoundCause& found) { return explains(examination, found, step); });
     if (is_known) continue;
-    // Where the hits are right, or not asked, they say what the nearest is not.
+    // Where hits have no errors they rule out mistakes that would change them.
     const bool hits_are_right =
         step == Step::kNearest &&
         examination.errors(Step::kIntersect, kAnswerTolerances.front()) == 0;
     findings.push_back(find_cause(examination, {hits_are_right ? Step::kIntersect : step, step}));
-    // Hits that nothing explains make the nearest sphere whatever they are.
+    // If nothing explains the hits, nearest spheres that follow from them say nothing.
     if (step == Step::kIntersect && !findings.back().is_known() &&
         examination.errors(step, kAnswerTolerances.front()) > 0) {
       break;

@@ -36,7 +36,7 @@ Vector3 vector(const UnitVector3& v) { return {v.x, v.y, v.z}; }
 /// An axis that may be none.
 UnitVector3 axis(const Vector3& v) { return {v.x, v.y, v.z}; }
 
-/// alpha and beta of many pixels, from those of the first and the last.
+/// alpha and beta of pixels, interpolated between those of the first and the last.
 class Positions {
  public:
   Positions(const Camera& camera, const Conventions& conventions)
@@ -59,7 +59,7 @@ class Positions {
   fast::PlanePosition first_, last_;
 };
 
-/// The formulas step by step; a mistake has one of its own.
+/// The formulas step by step; a mistake replaces one.
 struct Formulas {
   std::function<FrameAnswer(const Camera&)> frame = [](const Camera& camera) {
     const fast::CameraFrame right = fast::camera_frame(camera);
@@ -75,7 +75,7 @@ struct Formulas {
       [](const Camera&, const Point3&, const Vector3& g) { return normalised(g); };
 };
 
-/// tell(P, g) of each pixel.
+/// Calls tell(P, g) for each pixel.
 template <class Tell>
 void walk(const Formulas& formulas, const Camera& camera, const Conventions& conventions,
           Candidate::Pixels pixels, const Tell& tell) {
@@ -124,7 +124,7 @@ Mistake of_rays(std::string sentence, Step step, const Formulas& formulas) {
   return mistake;
 }
 
-/// Axes changed after the fact.
+/// Right axes, changed afterwards.
 Mistake frame(std::string sentence, std::function<void(const Camera&, FrameAnswer&)> change) {
   Formulas formulas;
   formulas.frame = [right = formulas.frame, change = std::move(change)](const Camera& camera) {
@@ -201,7 +201,7 @@ Mistake direction(std::string sentence,
 
 Vector3 from_world(const Point3& P) { return {P.x, P.y, P.z}; }
 
-/// The lecture's v and d as they are where |D| = 1, in multiples of D.
+/// The lecture's v and d, which assume |D| = 1, used as multiples of D.
 fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
   const Vector3 T = sphere.centre - ray.origin;
   const double v = dot(T, ray.direction);
@@ -210,13 +210,13 @@ fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
   return {v, half_chord_sq, v - half_chord, v + half_chord};
 }
 
-/// Between the eye and the image plane, s in multiples of the way from one to the other.
+/// Hits between the eye and the image plane only; s is in multiples of P - E.
 Hit before_the_plane(const Ray& ray, const fast::Roots& roots, const Conventions& conventions) {
   const Hit hit = usual_choice(ray, roots, conventions);
   return hit && hit->parameter <= 1 ? hit : Hit();
 }
 
-/// As where the image plane is taken for the far one.
+/// Takes the image plane for the far plane.
 Mistake near_for_far() {
   Mistake mistake =
       direction("only what lies between the eye and the image plane is seen: near is taken for far",

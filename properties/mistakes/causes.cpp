@@ -15,7 +15,7 @@ bool is_too_large(const scene::Scene& scene) {
   return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
 }
 
-/// What the candidate shows of the scenes that are not too large.
+/// The candidate's pictures of the scenes that are not too large.
 std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate& candidate) {
   std::vector<ShownPicture> pictures;
   for (const Case& one : cases) {
@@ -42,7 +42,7 @@ std::vector<Explanation> causes(const std::vector<Case>& cases, const Candidate&
     std::erase_if(found, [](const Explanation& one) { return one.errors < kFewestErrorsOfACause; });
     return found;
   } catch (const std::runtime_error&) {
-    return {};  // it gives no answer, as the verdict says
+    return {};  // the verdict says that it gives no answer
   } catch (const scene::Interrupted&) {
     return {};
   }

@@ -12,7 +12,7 @@ using scene::Conventions;
 using scene::Origin;
 using scene::Pixel;
 
-/// What a candidate is asked about a camera's pixels.
+/// The arguments of a question about a camera's pixels.
 struct Input {
   Camera camera;
   Conventions conventions;
@@ -30,7 +30,7 @@ Input changed(const Mistake& mistake, const Camera& camera, const Conventions& c
   return input;
 }
 
-/// The hits with other spheres, or under other conventions.
+/// Computes hits with other spheres, or under other conventions.
 void change_hits(Candidate& candidate, const Mistake& mistake) {
   if (!mistake.conventions && !mistake.sphere) return;
   const auto asked_of = [mistake](const auto& answer) {
@@ -48,8 +48,8 @@ void change_hits(Candidate& candidate, const Mistake& mistake) {
   candidate.nearest = asked_of(candidate.nearest);
 }
 
-/// Every question changed before it is answered. One about given rays has conventions and spheres
-/// only.
+/// Changes every question before it is answered; one about given rays only in its conventions and
+/// spheres.
 Mistake with_candidate(Mistake mistake) {
   const Candidate right = right_candidate();
   Candidate candidate = right;

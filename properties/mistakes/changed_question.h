@@ -1,6 +1,6 @@
 #pragma once
 
-// Mistakes that answer another question rightly, with the candidates that make them.
+// Mistakes that give the right answer to a different question, with candidates that make them.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace raycheck::properties {
 
-/// Another camera, and other spheres.
+/// Takes another camera, and other spheres.
 Mistake scene_mistake(std::string sentence, Step step, const ChangeCamera& camera,
                       const ChangeSphere& sphere);
 Mistake camera_mistake(std::string sentence, const ChangeCamera& change,

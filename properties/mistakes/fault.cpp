@@ -20,7 +20,7 @@ const Candidate& right() {
   return kRight;
 }
 
-/// One without a direction, or that is no numbers, meets nothing.
+/// Anything else, with a zero direction or a NaN, meets nothing.
 bool is_ray(const Ray& ray) {
   const auto& [x, y, z] = ray.direction;
   const double sum = ray.origin.x + ray.origin.y + ray.origin.z + x + y + z;
@@ -34,7 +34,7 @@ void add(const std::string& part, const char* between, std::string& text) {
   text += (text.empty() ? "" : between) + part;
 }
 
-/// The mistakes at each place of some faults, each once.
+/// The distinct mistakes at each place of several faults.
 std::vector<std::vector<const Mistake*>> all_at(const std::vector<Fault>& faults) {
   std::vector<std::vector<const Mistake*>> at(faults.front().size());
   for (const Fault& fault : faults) {
@@ -46,7 +46,7 @@ std::vector<std::vector<const Mistake*>> all_at(const std::vector<Fault>& faults
   return at;
 }
 
-/// Whether faults, which differ, are every one that has a mistake of each place.
+/// Whether faults, which differ, are all combinations of one mistake from each place.
 bool are_all_pairs(const std::vector<std::vector<const Mistake*>>& at,
                    const std::vector<Fault>& faults) {
   std::size_t pairs = 1;

@@ -11,39 +11,39 @@
 
 namespace raycheck::properties {
 
-/// The mistakes that a program makes at once, one or two; none: it is right.
+/// The mistakes that a program makes at the same time, one or two; none: it is right.
 using Fault = std::vector<const Mistake*>;
 
-/// Their sentences in one: "rows are upside down; and top is -bottom".
+/// Their sentences joined: "rows are upside down; and top is -bottom".
 std::string sentence_of(const Fault& fault);
 
-/// What a fault's mistake at a place may be: of alternatives that are all pairs of some mistakes
-/// with some others, all at that place; otherwise that of the first alternative.
+/// The candidates for a fault's mistake at a place: if the alternatives are all pairs of some
+/// mistakes with some others, all at that place; otherwise that of the first alternative.
 std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fault>& alternatives);
 
-/// The sentence of alternatives: "rows are upside down, or: V has the wrong sign"; of all pairs of
+/// The sentence of alternatives: "rows are upside down, or: V has the wrong sign"; for all pairs of
 /// some with others "A, or: B; and C, or: D".
 std::string sentence_of(const std::vector<Fault>& alternatives);
 /// The same in parts, "A, or: B" and "C, or: D"; one of alternatives that have none in common.
 std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives);
 
-/// Whether one program can make both: they have no two formulas for the same thing.
+/// Whether one program can make both: they do not replace the same formula.
 bool can_be_together(const Mistake& a, const Mistake& b);
 
-/// What a program with a fault shows of a scene, in doubles: the changes of the mistakes one after
-/// the other, rays by the formula of the one that makes them, hits by those of all.
-/// A camera that is left without a meaning shows nothing.
+/// What a program with a fault shows of a scene, in doubles: applies the changes of the mistakes in
+/// turn, makes rays by the formula of the mistake that has one, and hits by the formulas of all. A
+/// camera that becomes invalid shows nothing.
 /// Domain: a valid scene with a camera, which outlives it; mistakes that can be together.
 class FaultyView {
  public:
   FaultyView(const Fault& fault, const scene::Scene& scene);
 
-  /// The rays of these pixels; none where it has no meaning, or the pixel is black.
+  /// The rays of these pixels; empty where the camera is invalid, or the pixel is black.
   std::vector<std::optional<scene::Ray>> rays(std::span<const scene::Pixel> pixels) const;
-  /// The scene that is looked at.
+  /// The scene as the fault takes it.
   const scene::Scene& taken() const { return taken_; }
 
-  /// The sphere at each of these pixels. The radii grow by so much of a sphere's way from the eye.
+  /// The sphere at each of these pixels. Radii grow by this share of the distance from the eye.
   ImageAnswer seen(std::span<const scene::Pixel> pixels, double growth = 0) const;
 
  private:

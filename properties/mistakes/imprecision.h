@@ -1,6 +1,6 @@
 #pragma once
 
-// What right formulas may give where their roundings count: not one answer, but several.
+// What correct formulas may answer where their roundings count: not one answer, but several.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace raycheck::properties {
 
-/// How d^2 is computed, from the least roundings to the most.
+/// How d^2 is computed, from the smallest rounding errors to the largest.
 enum class Arithmetic {
   kDifference,       ///< In doubles, r^2 - (|T|^2 - v^2) or b^2 - 4ac.
   kSingle,           ///< In floats, r^2 - |T x D|^2 or another form that does not cancel.
@@ -21,8 +21,8 @@ enum class Arithmetic {
 inline constexpr std::array<Arithmetic, 3> kArithmetics = {
     Arithmetic::kDifference, Arithmetic::kSingle, Arithmetic::kSingleDifference};
 
-/// So many roundings, each of a share u of a term, are between the numbers of a scene and d^2: 5 in
-/// |T|^2, 15 in v^2 (T, D, their product and the square), and those of r^2 and the differences.
+/// The number of roundings, each of a share u of a term, between the numbers of a scene and d^2: 5
+/// in |T|^2, 15 in v^2 (T, D, their product and the square), and those of r^2 and the differences.
 inline constexpr double kRoundings = 24;
 
 /// Where a formula may see a ray meet a sphere: somewhere, nowhere or either.
@@ -40,21 +40,21 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
 
 /// What a formula may see along a ray.
 struct PossibleSight {
-  bool allows = false;       ///< What was shown.
-  bool is_doubtful = false;  ///< More than one answer.
-  double radii = 0;          ///< The way to the sphere, in radii, that is most in doubt.
+  bool allows = false;       ///< What was shown is possible.
+  bool is_doubtful = false;  ///< More than one answer is possible.
+  double radii = 0;          ///< The distance, in radii, of the most doubtful sphere.
 };
 PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
                              std::span<const scene::Sphere> spheres,
                              const scene::Conventions& conventions,
                              const std::optional<std::size_t>& shown);
 
-/// "computed in single precision", where d^2 is lost so many radii away.
+/// "computed in single precision", if d^2 is lost at this distance in radii.
 std::string imprecision_sentence(Arithmetic arithmetic, double radii);
 
-/// Roundings are named where they allow every wrong answer, of which there are some beside those of
-/// spheres that are not seen at all, where at most this share of all answers is in doubt, and at
-/// least that share of those in doubt is wrong.
+/// Roundings are named if they allow every wrong answer, if at least this many answers are wrong
+/// besides those about spheres that are not seen at all, if at most kMostInDoubt of all answers are
+/// in doubt, and at least kFewestWrongInDoubt of those are wrong.
 inline constexpr std::uint64_t kFewestWrongByRoundings = 3;
 inline constexpr double kMostInDoubt = 0.5;
 inline constexpr double kFewestWrongInDoubt = 0.05;
@@ -62,11 +62,11 @@ inline constexpr double kFewestWrongInDoubt = 0.05;
 /// Answers, and how the roundings of a formula agree with them.
 struct DoubtTally {
   std::uint64_t answers = 0, doubtful = 0, wrong = 0, not_allowed = 0;
-  std::uint64_t dropped = 0;  ///< Wrong ones of spheres that are not seen at all.
-  double radii = 0;  ///< The least way at which a wrong answer is allowed; 0: there is none.
+  std::uint64_t dropped = 0;  ///< Wrong ones, about spheres that are not seen at all.
+  double radii = 0;           ///< The least distance of an allowed wrong answer; 0: none.
 
   void add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful, double its_radii);
-  /// Whether nothing contradicts; and whether it is told from whatever else allows all.
+  /// Whether nothing contradicts them; tells(): and whether they may be named, as above.
   bool allows_all() const { return wrong > 0 && not_allowed == 0; }
   bool tells() const;
 };

@@ -1,4 +1,4 @@
-// Right answers to another question: another camera, other conventions or another pixel than given.
+// Right answers to a different question: another camera, other conventions or another pixel.
 
 #include <cmath>
 #include <string>
@@ -44,7 +44,7 @@ std::vector<Mistake> exchanged_loops() {
   return all;
 }
 
-/// i/(w-1) and j/(h-1) as integers: of the pixels all but the last are the first.
+/// i/(w-1) and j/(h-1) in integers: 0 for all pixels but the last.
 Mistake integer_division(bool from_bottom) {
   return pixel_mistake(
       std::string("i/(w-1) and j/(h-1) are integer divisions: all columns but the last lie at the "

@@ -20,7 +20,7 @@ Mistake choice(std::string sentence, const ChooseHit& choose) {
   return hit_mistake(std::move(sentence), {.choose = choose});
 }
 
-/// Hits changed after the fact; pictures show nothing of it.
+/// Right hits, changed afterwards; pictures do not show it.
 Mistake value(std::string sentence, const std::function<HitAnswer(const Ray&, HitAnswer)>& change) {
   Candidate candidate = right_candidate();
   answer_by(candidate,

@@ -13,9 +13,9 @@ namespace raycheck::properties {
 /// direct/cross
 Candidate right_candidate();
 
-/// Hits by formulas of its own.
+/// A mistake in the formulas for hits.
 Mistake hit_mistake(std::string sentence, const HitFormulas& formulas);
-/// The same of a candidate whose rays are made.
+/// The same for a candidate that makes rays.
 void find_hits_by(Mistake& mistake, const HitFormulas& formulas);
 
 std::vector<Mistake> input_mistakes();

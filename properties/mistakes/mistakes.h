@@ -25,8 +25,8 @@ using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene
 /// Another sphere than the one given.
 using ChangeSphere = std::function<void(scene::Sphere&)>;
 
-/// One classic mistake. With a change it is a right answer to that other question; without any it
-/// is a wrong formula.
+/// One classic mistake. With a change it answers a different question rightly; without one it is a
+/// wrong formula.
 struct Mistake {
   std::string sentence;  ///< "rows are upside down"
   Step step = Step::kFrame;
@@ -36,26 +36,26 @@ struct Mistake {
   ChangeSphere sphere = {};
   /// Pixels that `pixel` puts outside the image are black; otherwise they have rays, too.
   bool black_outside = false;
-  /// It makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
+  /// Makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
   /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.
   Candidate candidate = {};
-  /// Whether its rays come of a formula of its own.
+  /// Whether it makes rays by its own formula.
   bool makes_rays = false;
-  /// Its own formulas for what is hit and what is nearest; none where it answers as right methods.
+  /// Its own formulas for hits and the nearest sphere; empty where it follows correct methods.
   HitFormulas hits = {};
   /// Mistakes of one family differ in a size, and what one does the next does too, and more, or in
-  /// what single rays do not show: of several that explain the same the first is meant. Empty: it is
-  /// alone.
+  /// what single rays do not show: of several that explain the same the first is meant. Empty: it
+  /// is alone.
   std::string_view family = {};
 };
 
 /// Every mistake; their sentences differ.
 std::span<const Mistake> mistakes();
 
-/// The mistake of that sentence, or null.
+/// The mistake with this sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);
 
-/// The scene as the mistake takes it; it may be no valid one. Domain: a scene with a camera.
+/// The scene as the mistake takes it; may be invalid. Domain: a scene with a camera.
 scene::Scene mistaken(const Mistake& mistake, scene::Scene scene);
 
 }  // namespace raycheck::properties

@@ -24,7 +24,7 @@ constexpr std::array<double Camera::*, 4> kBounds = {&Camera::left, &Camera::rig
                                                      &Camera::top};
 constexpr std::array<const char*, 4> kBoundNames = {"left", "right", "bottom", "top"};
 
-/// A picture of no width or height is one of the least that there is: no formula divides by it.
+/// Keeps a picture without width or height minimally wide and high: no formula divides by 0.
 void keep_apart(Camera& camera) {
   const auto beyond = [](double x) {
     return std::nextafter(x, std::numeric_limits<double>::infinity());
@@ -40,7 +40,7 @@ Mistake bound_mistake(std::string sentence, const std::function<void(Camera&)>& 
   });
 }
 
-/// The bounds as they are taken from one another, in kBounds' order.
+/// Which bound is used for which, in kBounds' order.
 using Order = std::array<std::size_t, 4>;
 
 /// "top is taken from right and right from top"
@@ -83,7 +83,7 @@ std::vector<Mistake> negated_bounds() {
           negate("all four bounds are negated", true, true)};
 }
 
-/// What shows the same as "rows are upside down", "columns are mirrored", or both.
+/// Equivalent to "rows are upside down", "columns are mirrored", or both.
 bool mirrors(const Order& order) { return order[0] < 2 && order[1] < 2; }
 
 /// One bound taken from another, and the bounds in another order.
@@ -104,7 +104,7 @@ std::vector<Mistake> exchanged_bounds() {
   return all;
 }
 
-/// A factor for alpha or beta that the bounds have already.
+/// An aspect factor that the bounds contain already.
 std::vector<Mistake> aspect_mistakes() {
   const auto corrected = [](const std::string& what, bool across, bool by_aspect) {
     return bound_mistake("the aspect ratio is corrected twice: " + what, [=](Camera& its) {

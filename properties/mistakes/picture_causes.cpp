@@ -10,7 +10,7 @@ namespace {
 
 bool is_right(const Evidence& one) { return one.all_errors() == 0; }
 
-/// What all pictures of scenes with something to see are, whatever it is.
+/// The kind shared by all pictures of scenes with something to see.
 std::optional<CauseKind> kind_of_all(const Pictures& pictures) {
   const auto all = [&](const auto& is) {
     bool is_wrong = false;
@@ -39,7 +39,7 @@ bool may_be_imprecise(const Pictures& pictures) {
   return tally_of({}, pictures, kArithmetics.back()).allows_all();
 }
 
-/// The pictures of which the roundings leave most certain.
+/// The pictures of which roundings leave half or more certain.
 Pictures mostly_certain(const Pictures& pictures, Arithmetic arithmetic) {
   Pictures certain;
   for (const Evidence& one : pictures) {
@@ -49,8 +49,8 @@ Pictures mostly_certain(const Pictures& pictures, Arithmetic arithmetic) {
   return certain;
 }
 
-/// Roundings that explain what is wrong, alone or beside what explains the pictures that they leave
-/// certain: the fewest that do.
+/// Finds the fewest roundings that explain what is wrong, alone or beside an explanation of the
+/// pictures that they leave certain.
 bool find_imprecision(const Pictures& pictures, Causes& causes) {
   const auto is_found = [&](const Fault& fault, Arithmetic arithmetic) {
     const DoubtTally tally = tally_of(fault, pictures, arithmetic);
@@ -63,8 +63,7 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
     causes.kind = CauseKind::kImprecise;
     return true;
   }
-  // A formula with more roundings leaves fewer certain, or the same: then it is known what is
-  // found.
+  // More roundings leave as many certain pictures or fewer: if as many, what is found is the same.
   std::size_t known = pictures.size();
   std::vector<Suspect> found;
   for (const Arithmetic arithmetic : kArithmetics) {
@@ -80,8 +79,8 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
   return false;
 }
 
-/// Whether a fault makes these pictures without excuses, but for what kMostLeftOfAll allows. On
-/// pictures where excuses make everything right it need not.
+/// Whether a fault makes these pictures without excuses, except for what kMostLeftOfAll allows.
+/// Pictures that excuses make entirely right do not count.
 bool makes_nearly_all(const Fault& fault, const Pictures& pictures, std::uint64_t errors) {
   std::uint64_t left = 0;
   for (const Evidence& one : pictures) {
@@ -92,8 +91,8 @@ bool makes_nearly_all(const Fault& fault, const Pictures& pictures, std::uint64_
          static_cast<double>(errors) * kMostLeftOfAll + static_cast<double>(pictures.size());
 }
 
-/// Pixels of pictures with width and height exchanged, where all are so that can be: a right
-/// picture that is not square contradicts.
+/// Pixels of pictures with width and height exchanged, if all that are not square have that: a
+/// right one contradicts.
 std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
   std::uint64_t pixels = 0;
   for (const ShownPicture& one : shown) {
@@ -132,7 +131,7 @@ Causes picture_causes(std::span<const ShownPicture> shown) {
   if (all_errors == 0) return causes;
   causes.errors = causes.explained = errors > 0 ? errors : all_errors;
   if (const auto kind = kind_of_all(pictures)) {
-    // What roundings may have made, too, is not known.
+    // If roundings may have caused it, too, the cause is unknown.
     const bool is_known = *kind == CauseKind::kBlack || !may_be_imprecise(pictures);
     causes.kind = is_known ? *kind : CauseKind::kUnknown;
     return causes;

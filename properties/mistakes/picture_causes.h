@@ -17,63 +17,61 @@ enum class CauseKind {
   kNothingWrong,
   kBlack,       ///< All pictures with something to see show nothing, or all wrong ones do.
   kUniform,     ///< All pictures with something to see show the same sphere in every pixel.
-  kBackground,  ///< In none with something to see is a pixel black: behind the spheres is a colour.
+  kBackground,  ///< No picture with something to see has a black pixel: the background is a colour.
   kExplained,   ///< By `alternatives`, with or without roundings.
   kImprecise,   ///< By roundings alone.
-  kUnknown,     ///< Nothing explains all, or too much does.
+  kUnknown,     ///< Nothing explains everything, or too many things do.
 };
 
-/// Roundings that count: of which formula, and the least way, in radii, at which they do.
+/// Roundings that count: of which formula, and the least distance, in radii, at which they do.
 struct Imprecision {
   Arithmetic arithmetic = Arithmetic::kDifference;
   double radii = 0;
   std::string sentence() const { return imprecision_sentence(arithmetic, radii); }
 };
 
-/// Why the pictures of one renderer are wrong.
+/// Why one renderer's pictures are wrong.
 struct Causes {
-  /// Of those with the size that they should have.
+  /// Of the pictures that have the right size.
   CauseKind kind = CauseKind::kNothingWrong;
-  /// Each explains all that is wrong; where there are several they make the same of these scenes.
+  /// Each explains all that is wrong; several if they make the same pictures of these scenes.
   std::vector<Fault> alternatives = {};
   std::uint64_t errors = 0, explained = 0;  ///< Pixels.
-  /// Roundings of a formula that make, beside the first alternative, all that is wrong.
+  /// Roundings of a formula that, together with the first alternative, explain all that is wrong.
   std::optional<Imprecision> imprecision = {};
-  /// Pixels of pictures with width and height exchanged, where every one that is not square is so.
+  /// Pixels of pictures with width and height exchanged, if every one that is not square has that.
   std::uint64_t exchanged = 0;
 };
 
 inline constexpr const char* kSidesExchanged = "width and height of the picture are exchanged";
 
-/// At most so many mistakes that make the same pictures are named, of each of two at once; of more
-/// than these none is.
+/// How many mistakes that make the same pictures are named, at most, for each of two made at once;
+/// of more none is named.
 inline constexpr std::size_t kMostAlternatives = 3;
 
-/// Fewer wrong pixels, but of black pictures, name no mistake, and fewer than the second no two at
-/// once: there are 140 mistakes, and thousands of pairs.
+/// With fewer wrong pixels outside black pictures no mistake is named, and with fewer than the
+/// second no pair: there are 140 mistakes, and thousands of pairs.
 inline constexpr std::uint64_t kFewestWrongPixels = 3;
 inline constexpr std::uint64_t kFewestWrongPixelsOfTwo = 40;
 
-/// The share of the wrong pixels that what explains all may leave, beside a pixel a picture: what
-/// roundings, and the renderer's own edges, make of a mistake.
+/// The share of the wrong pixels that a full explanation may leave, besides one pixel per picture:
+/// the effect of roundings, and of the renderer's own edges.
 inline constexpr double kMostLeftOfAll = 0.02;
 
-/// What explains the wrong pixels of all pictures together and contradicts none: neither the right
-/// pictures nor any one of the wrong ones. One mistake that explains all, or else two that do, or
-/// else one that explains kExplainedShare; the best, and none where another that makes other
-/// pictures is about as good. Pixels that a relative change of the scene by kExcusedImageChange
-/// makes right are no errors, but where nothing else is wrong: then what makes exactly these
-/// pictures explains them. Pictures that are wrong and black are explained only by what explains
-/// all. Where nothing else explains all, roundings do that may have made every wrong pixel, alone
-/// or with what explains the pictures in which they count for little. Domain: valid scenes with
-/// cameras.
+/// What explains the wrong pixels of all pictures together and contradicts none of them, right or
+/// wrong. One mistake that explains all, or else two that do, or else one that explains
+/// kExplainedShare; the best, or none if another that makes other pictures is about as good. Pixels
+/// that a relative change of the scene by kExcusedImageChange makes right are not errors, unless
+/// nothing else is wrong: then what makes exactly these pictures explains them. Wrong pictures that
+/// are black are explained only by a full explanation. If nothing else explains all, roundings do
+/// that may have caused every wrong pixel, alone or with what explains the pictures in which they
+/// count for little. Domain: valid scenes with cameras.
 Causes picture_causes(std::span<const ShownPicture> pictures);
 
-/// The pixels of a picture that neither a fault nor, beside it, the roundings of a formula make.
+/// How many pixels of a picture neither a fault nor the roundings of a formula beside it explain.
 std::uint64_t pixels_left(const ShownPicture& picture, const Fault& fault, Arithmetic arithmetic);
 
-/// What there is to say of the causes: of every alternative its sentence, of pairs one, or the
-/// kind in words.
+/// The causes in words: a sentence for every alternative, one for pairs, or the kind.
 std::vector<Explanation> explanations(const Causes& causes);
 
 }  // namespace raycheck::properties

@@ -11,20 +11,20 @@ namespace {
 
 using scene::Pixel;
 
-/// Wrong pixels, and right ones, that are looked at before all.
+/// How many wrong pixels, and how many right ones, are looked at first.
 constexpr std::size_t kSampled = 24;
 constexpr std::size_t kSampleParts = 3;
 
-/// So many pixels are asked about at a time.
+/// How many pixels are asked about at a time.
 constexpr std::size_t kPixelsAtATime = std::size_t{1} << 8;
-/// So many of a picture tell what shows in it.
+/// How many pixels of a picture tell what shows in it.
 constexpr std::size_t kSomePixels = std::size_t{1} << 12;
 
 bool shows_nothing(const ImageAnswer& image) {
   return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
 }
 
-/// At most so many of the pixels, evenly over them.
+/// At most `most` of the pixels, evenly spread.
 std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t most) {
   std::vector<Pixel> some;
   const std::size_t count = std::min(pixels.size(), most);
@@ -34,7 +34,7 @@ std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t most) {
   return some;
 }
 
-/// Parts of these pixels, each with every so manieth of them.
+/// Splits these pixels into kSampleParts parts, dealt out in turn.
 void add_parts(const std::vector<Pixel>& pixels, std::vector<std::vector<Pixel>>& parts) {
   for (std::size_t first = 0; first < std::min(kSampleParts, pixels.size()); ++first) {
     std::vector<Pixel>& part = parts.emplace_back();
@@ -42,7 +42,7 @@ void add_parts(const std::vector<Pixel>& pixels, std::vector<std::vector<Pixel>>
   }
 }
 
-/// Of so many spheres, those that an image shows somewhere; some sphere is the one expected there.
+/// Which of the spheres an image shows somewhere; kSomeSphere counts as the one expected there.
 std::vector<bool> shown_of(std::size_t spheres, const ImageAnswer& image,
                            const ImageAnswer& expected) {
   std::vector<bool> shown(spheres);
@@ -134,7 +134,7 @@ void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& 
   }
   const auto doubtful = static_cast<std::size_t>(std::count_if(
       sights.begin(), sights.end(), [](const PossibleSight& one) { return one.is_doubtful; }));
-  // Where most is in doubt excuses would make everything right.
+  // If most pixels are in doubt, excuses would make everything right.
   const std::vector<bool> shown = shown_of(taken.spheres.size(), picture_->image, made);
   const bool excuses = 2 * doubtful <= pixels_.size();
   for (std::size_t k = 0; k < pixels_.size(); ++k) {
@@ -148,7 +148,7 @@ void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& 
 }
 
 std::optional<std::uint64_t> Evidence::left(const FaultyView& view, std::uint64_t most) const {
-  // What explains half of a picture only is not its cause; a right picture contradicts it.
+  // What explains only half of a picture is not its cause; a right picture contradicts it.
   most = std::min(most, std::max<std::uint64_t>(1, errors_ / 2));
   std::uint64_t count = 0;
   for (std::size_t first = 0; first < pixels_.size(); first += kPixelsAtATime) {

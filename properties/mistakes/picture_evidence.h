@@ -12,7 +12,7 @@
 
 namespace raycheck::properties {
 
-/// One picture and what is right.
+/// One picture and the right one.
 class Evidence {
  public:
   explicit Evidence(const ShownPicture& picture);
@@ -30,21 +30,21 @@ class Evidence {
   /// No pixel is black, and most show none of the spheres, or rightly some.
   bool has_background() const;
 
-  /// Pixels evenly over the picture, all of one that is not large.
+  /// Pixels spread evenly over the picture; all of them if it is small.
   std::vector<scene::Pixel> some_pixels() const;
 
-  /// Some of the pixels in parts, each over the whole picture, the wrong ones first; and those of a
-  /// part that are otherwise than by the fault.
+  /// Some of the pixels in parts, each spread over the whole picture, the wrong ones first;
+  /// left_of(): how many of a part differ from the fault's.
   std::span<const std::vector<scene::Pixel>> sample() const { return sample_; }
   std::uint64_t left_of(const std::vector<scene::Pixel>& part, const FaultyView& view) const;
 
-  /// How the roundings of a formula agree with the pixels, beside the fault; excuses count where
-  /// most pixels are certain.
+  /// How well the roundings of a formula, on top of the fault, agree with the pixels; excuses count
+  /// if most pixels are certain.
   void tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& all) const;
 
-  /// The pixels that are otherwise than by the fault, but for those of which a change of the scene
-  /// by kExcusedImageChange makes the same; empty where they are more than `most`, or more than
-  /// leave the fault possible.
+  /// How many pixels differ from the fault's, not counting those that a change of the scene by
+  /// kExcusedImageChange makes agree; empty if more than `most`, or too many for the fault to be
+  /// possible.
   std::optional<std::uint64_t> left(const FaultyView& view, std::uint64_t most) const;
 
  private:
@@ -63,7 +63,7 @@ class Evidence {
 /// Whether a pixel that shows `shown` is as expected.
 bool is_as(const std::optional<std::size_t>& shown, const std::optional<std::size_t>& expected);
 
-/// The pixels in which an image is not as expected.
+/// How many pixels of an image are not as expected.
 std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expected);
 
 }  // namespace raycheck::properties

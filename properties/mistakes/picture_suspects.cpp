@@ -10,7 +10,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// The best suspects so far. One that leaves half as much again is about as good.
+/// The best suspects so far. One that leaves half as many pixels again is about as good.
 class Suspects {
  public:
   explicit Suspects(std::uint64_t most_left) : best_(most_left), most_left_(most_left) {}
@@ -23,7 +23,7 @@ class Suspects {
     found_.push_back(std::move(suspect));
     std::erase_if(found_, [this](const Suspect& one) { return one.left > most_left_; });
   }
-  /// From the best on.
+  /// Best first.
   std::vector<Suspect> take() {
     std::stable_sort(found_.begin(), found_.end(),
                      [](const Suspect& a, const Suspect& b) { return a.left < b.left; });
@@ -35,8 +35,8 @@ class Suspects {
   std::vector<Suspect> found_;
 };
 
-/// So much more than a share of the pixels that are looked at first is not left by a cause: one
-/// that may leave a tenth of the wrong ones, or one that explains all.
+/// A cause leaves at most this many of the pixels that are looked at first, plus one in
+/// kShareOfOne, or in kShareOfTwo if it is two mistakes.
 constexpr std::uint64_t kMostLeftOfSample = 4;
 constexpr std::uint64_t kShareOfOne = 4, kShareOfTwo = 12;
 
@@ -62,7 +62,7 @@ std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
   return count;
 }
 
-/// Whether two faults make the same pictures, but for a pixel.
+/// Whether two faults make the same pictures, up to one pixel.
 bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
   std::uint64_t different = 0;
   for (const Evidence& one : pictures) {
@@ -73,7 +73,7 @@ bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
   return true;
 }
 
-/// Of suspects that differ in members of one family the first.
+/// Of suspects that differ only within a family, keeps the first.
 void keep_first_of_families(std::vector<Suspect>& suspects) {
   std::set<std::vector<std::string_view>> known;
   std::erase_if(suspects, [&](const Suspect& suspect) {
@@ -86,7 +86,7 @@ void keep_first_of_families(std::vector<Suspect>& suspects) {
   });
 }
 
-/// Where some make these very pictures, but for a pixel, those that need excuses are none.
+/// If some make exactly these pictures, up to one pixel, drops those that need excuses.
 void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
   const auto is_exact = [&](const Suspect& suspect) {
     std::uint64_t count = 0;
@@ -100,8 +100,8 @@ void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
   if (end != suspects.begin()) suspects.erase(end, suspects.end());
 }
 
-/// The suspects that are to be named: all, where they make the same; a description of what is seen,
-/// where they are too many.
+/// The suspects to name: all, if they make the same pictures; if they are too many, one that
+/// describes what is seen.
 std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures& pictures) {
   keep_first_of_families(suspects);
   prefer_exact(suspects, pictures);
@@ -125,7 +125,7 @@ std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t err
   return suspects.take();
 }
 
-/// The mistakes that show in the pictures, one of those that make the same.
+/// The mistakes that show in the pictures; of those that make the same pictures, one.
 std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
   std::set<std::vector<ImageAnswer>> known;
   const auto made = [&](const Fault& fault) {
@@ -143,8 +143,8 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
   return shown;
 }
 
-/// A mistake, and what makes the same pictures in its place beside another; where that is too much
-/// to name, a description of what is seen, if there is one.
+/// A mistake, and those that make the same pictures in its place, together with `other`; if they
+/// are too many to name, the one that describes what is seen, if any.
 std::vector<const Mistake*> alike_beside(const Mistake& other, const Mistake& mistake,
                                          const Pictures& pictures) {
   std::vector<const Mistake*> alike = {&mistake};
@@ -161,7 +161,7 @@ std::vector<const Mistake*> alike_beside(const Mistake& other, const Mistake& mi
   return alike.size() == 1 ? alike : std::vector<const Mistake*>();
 }
 
-/// The pairs of what either mistake of a pair may be.
+/// All pairs that make the same pictures as a pair of mistakes.
 std::vector<Suspect> with_ties(const Suspect& pair, const Pictures& pictures) {
   const Mistake& a = *pair.fault.front();
   const Mistake& b = *pair.fault.back();
@@ -176,7 +176,7 @@ std::vector<Suspect> with_ties(const Suspect& pair, const Pictures& pictures) {
   return ties;
 }
 
-/// So many pixels may be left by what explains all.
+/// How many pixels a full explanation may leave.
 std::uint64_t most_left_of_all(const Pictures& pictures, std::uint64_t errors) {
   return static_cast<std::uint64_t>(static_cast<double>(errors) * kMostLeftOfAll) +
          std::min<std::uint64_t>(pictures.size(), errors / 20);
@@ -195,7 +195,7 @@ std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t e
   return suspects.take();
 }
 
-/// What makes exactly these pictures, where all wrong pixels are on the edge of being right.
+/// The mistakes that make exactly these pictures, whose wrong pixels are all borderline.
 std::vector<Suspect> exact_suspects(const Pictures& pictures) {
   std::vector<Suspect> suspects;
   for (const Mistake& mistake : mistakes()) {
@@ -223,7 +223,7 @@ std::vector<Suspect> find_suspects(const Pictures& pictures) {
   std::vector<Suspect> singles = single_suspects(pictures, errors);
   const bool one_explains_all =
       !singles.empty() && singles.front().left <= most_left_of_all(pictures, errors);
-  // Of black pictures alone only what explains all is named.
+  // For black pictures alone only a full explanation is named.
   const std::uint64_t shown = errors - errors_of_black;
   if (shown < kFewestWrongPixels && !one_explains_all) return {};
   if (!one_explains_all && shown >= kFewestWrongPixelsOfTwo) {

@@ -11,14 +11,14 @@ namespace raycheck::properties {
 
 using Pictures = std::vector<Evidence>;
 
-/// A fault that is not refuted, and the pixels that are otherwise than it makes them.
+/// A fault that is not refuted, and how many pixels it does not explain.
 struct Suspect {
   Fault fault;
   std::uint64_t left = 0;
 };
 
 /// What explains pictures with errors, the best first, as picture_causes() has it; those with most
-/// errors come first. Of pictures that all are right but for excuses: what makes exactly these.
+/// errors come first. If all pictures are right except for excuses: what makes exactly these.
 std::vector<Suspect> find_suspects(const Pictures& pictures);
 
 }  // namespace raycheck::properties

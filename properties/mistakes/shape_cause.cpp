@@ -14,7 +14,7 @@ namespace {
 
 using scene::Scene;
 
-/// Whether some ray misses all that its line meets.
+/// Whether some ray meets nothing, but its line does.
 bool has_ray_with_all_behind(const Scene& scene) {
   const Candidate right = right_candidate();
   const auto rays = [&] {
@@ -62,7 +62,7 @@ bool has_fractions(const Scene& s) {
 struct Shape {
   const char* where;
   bool (*is)(const Scene&);
-  bool is_part = false;  ///< Of the last one before that is none: where that tells, it is meant.
+  bool is_part = false;  ///< A case of the last shape above that is none; that one wins.
 };
 
 bool is_uneven_across(const Scene& s) { return s.camera->left != -s.camera->right; }

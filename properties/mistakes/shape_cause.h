@@ -14,7 +14,7 @@ struct TriedScene {
   bool failed = false;
 };
 
-/// At least so many scenes on which it failed, and on which it did not.
+/// How many scenes it must fail on, and how many not, at least.
 inline constexpr std::size_t kFewestOfEachOutcome = 2;
 
 /// A property of scenes, and that a program fails only where they have it.
@@ -24,7 +24,7 @@ struct ShapeCause {
 };
 
 /// What is common to all scenes on which a program fails, and to none of the others: "it fails only
-/// where the picture is not square". Empty where nothing is, or more than one thing.
+/// where the picture is not square". Empty if there is no such property, or more than one.
 std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried);
 
 }  // namespace raycheck::properties

@@ -14,7 +14,7 @@ ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& con
 struct ShownPicture {
   scene::Scene scene;
   ImageAnswer image;
-  /// It is as wide as it should be high and as high as wide; then there are no answers.
+  /// The picture has width and height exchanged; then there are no answers.
   bool sides_exchanged = false;
 };
 

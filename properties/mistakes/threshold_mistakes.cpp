@@ -1,6 +1,6 @@
-// What is compared with a small number instead of zero, an epsilon that is too large, or with a
-// large one instead of none: a largest s. Of a family the first that makes the same answers is
-// named, which drops the fewest: the number itself may be beyond.
+// Comparisons with a number where there should be none: with an epsilon that is too large instead
+// of zero, or with a largest s. Of a family the first that makes the same answers, which drops the
+// fewest, is named: the actual number may be beyond.
 
 #include <array>
 #include <cstdlib>
@@ -16,7 +16,7 @@ using fast::Roots;
 using scene::Conventions;
 using scene::Ray;
 
-/// The sizes that are told apart, from what drops the fewest on.
+/// The sizes that are told apart, the one that drops the fewest first.
 constexpr std::array<const char*, 10> kSizes = {"1e-9", "1e-8",  "1e-7", "1e-6", "1e-5",
                                                 "1e-4", "0.001", "0.01", "0.1",  "1"};
 constexpr std::array<const char*, 8> kLargeSizes = {"1e9", "1e8", "1e7",  "1e6",

@@ -19,7 +19,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// What makes a case.
+/// Where a case comes from.
 struct Provenance {
   ChosenSource source;
   std::uint64_t seed = 0;
@@ -31,7 +31,7 @@ std::string replay_text(const Law& law, const Candidate& candidate, const Proven
   return std::string(law.name) + ":" + candidate.name + ":" + from.source.name() + ":" + digits;
 }
 
-/// How one source is asked.
+/// How one source is tried.
 struct Asking {
   ChosenSource source;
   int cases = 0;
@@ -46,7 +46,7 @@ struct CampaignAnswer {
   std::optional<Failure> failure;
 };
 
-/// What a law says of a case.
+/// A law's verdict on a case.
 struct CaseVerdict {
   bool inside_domain = true;
   bool given_rays = false;
@@ -66,8 +66,8 @@ bool fails_in_vain(const Verdict& verdict) {
   return !worst.empty() && worst.front().failed.blame == Blame::kAnything;
 }
 
-/// The question that a candidate fails on in a case that it failed on: asked in halves, since to
-/// ask simpler cases may take its time for a reply each time.
+/// The question within a failed case that a candidate fails on: found by halving, since each
+/// simpler case could run into the time limit for a reply.
 std::optional<Failure> failed_question(const Law& law, const Candidate& candidate,
                                        const Case& the_case, const Asking& asking,
                                        const Verdict& found) {
@@ -90,8 +90,8 @@ std::optional<Failure> failed_question(const Law& law, const Candidate& candidat
   return {};
 }
 
-/// Judges cases, whose seeds `choose` draws, until one breaks the law, and shrinks that where it is
-/// to be: to the first simpler one that fails, too; that again, until none does.
+/// Judges cases, whose seeds `choose` draws, until one breaks the law, and shrinks that one if
+/// wanted: to the first simpler one that fails, too, and so on until none does.
 template <class Choose>
 CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& asking,
                    const RunControl& control, Choose choose) {
@@ -100,7 +100,7 @@ CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& ask
   part.source = asking.source;
   const auto breaks = [&](const Case& the_case, const Provenance& from) {
     auto [judged, given, verdict] = verdict_on(law, candidate, the_case, asking.max_error);
-    if (!answer.failure) {  // what follows a failure is shrinking
+    if (!answer.failure) {  // after a failure come shrinking steps
       ++part.counts.cases;
       part.counts.given_rays += given ? 1 : 0;
       part.counts.not_judged += judged ? 0 : 1;
@@ -111,7 +111,7 @@ CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& ask
       part.verdict.merge(verdict);
     }
     if (verdict.holds(asking.strict)) return false;
-    // What fails whatever it is asked says nothing of a simpler case.
+    // Failing whatever is asked says nothing about a simpler case.
     if (answer.failure && fails_in_vain(verdict)) return false;
     if (!answer.failure) {
       part.replay = replay_text(law, candidate, from);
@@ -121,7 +121,7 @@ CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& ask
     answer.failure = Failure{the_case, std::move(verdict), part.replay};
     return true;
   };
-  // As RapidCheck draws them: a stream for each case, split off one for all.
+  // As RapidCheck draws them: one stream per case, split off a common one.
   rc::Random all(Random(asking.seed ^ asking.source.hash()).bits());
   try {
     for (int k = 0; k < asking.cases && !control.interrupted(); ++k) {
@@ -151,7 +151,7 @@ CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& ask
       break;
     }
   } catch (const scene::Interrupted&) {
-    // What was judged before counts.
+    // The cases judged before that count.
   }
   if (!asking.strict) part.undecided = part.verdict.undecided();
   return answer;
@@ -171,13 +171,13 @@ CampaignAnswer ask_again(const Replay& replay, const Candidate& candidate,
   return ask(*replay.law, candidate, once, {}, [seed = replay.seed](rc::Random&) { return seed; });
 }
 
-/// The k-th share of what is shared evenly, but for a remainder.
+/// The k-th share of `all`, split evenly up to a remainder.
 int share_of_all(int all, std::size_t shares, std::size_t k) {
   const int among = static_cast<int>(shares);
   return all / among + (static_cast<int>(k) < all % among ? 1 : 0);
 }
 
-/// The sources that a law is asked on, each with its share of the cases.
+/// The sources that a law is tried on, each with its share of the cases.
 std::vector<std::pair<ChosenSource, int>> shared_out(const Law& law,
                                                      const CampaignOptions& options) {
   std::vector<ChosenSource> sources = options.sources;

@@ -66,7 +66,7 @@ void StressResult::merge(StressResult other) {
 
 namespace {
 
-/// The candidates of one format among all.
+/// The candidates of one format.
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             scene::Precision precision, std::vector<StressResult>& results) {
   const auto first =
@@ -120,7 +120,7 @@ std::vector<StressResult> stress(const CaseSource& source, int severity, Stage s
       stress(source.make(severity, seeds.bits()), stage, candidates, results);
     }
   } catch (const scene::Interrupted&) {
-    // What was judged until then is the answer.
+    // The answer is what was judged so far.
   }
   return results;
 }

@@ -16,11 +16,10 @@ namespace raycheck::properties {
 /// The laws that tell whether a stage is stable.
 std::vector<const Law*> laws_of(Stage stage);
 
-/// The case that asks a stage alone: for intersections the rays that `rays` makes of the case's
-/// camera, taken exactly, in place of the camera. Empty where there is nothing to ask.
+/// The case for a stage alone: for intersections the camera is replaced by the rays that `rays`
+/// makes from it, taken as exact. Empty if nothing is left to ask.
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
-/// The same in a format: of the case rounded to it, and where `rays` made numbers that are none of
-/// it, those rounded, too.
+/// The same in a format: from the case rounded to it, with the numbers made by `rays` rounded, too.
 RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays,
                   scene::Precision precision);
 
@@ -30,7 +29,7 @@ struct Example {
   Discrepancy discrepancy;
 };
 
-/// What the same cases showed of one candidate, by whether they lie in its stated domain.
+/// What the same cases showed about one candidate, inside and outside its stated domain.
 struct StressResult {
   Verdict inside;
   Verdict outside;
@@ -46,13 +45,13 @@ struct StressOptions {
 };
 
 /// Judges candidates on the same random cases of a source at one severity (which a source without a
-/// dial ignores), rounded to the format of each, every error weighed by its condition number.
-/// Cameras' rays, where the stage is given rays, are made by the first candidate of a format, or
-/// the first of all where that makes none. The same options give the same result.
+/// dial ignores), rounded to the format of each, every error weighed by its condition number. If
+/// the stage needs given rays, the first candidate of a format makes them from cameras, or the
+/// first of all if that one makes none. The same options give the same result.
 std::vector<StressResult> stress(const CaseSource& source, int severity, Stage stage,
                                  std::span<const Candidate> candidates,
                                  const StressOptions& options, const RunControl& control = {});
-/// The same on given cases: what they show of each candidate is added to `results`, one each.
+/// The same for a given case: adds what it shows to `results`, one for each candidate.
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             std::vector<StressResult>& results);
 
@@ -64,10 +63,10 @@ std::optional<double> worst_ratio(const Verdict& verdict);
 bool is_stable(const Verdict& verdict);
 
 /// The slope of the line that fits log10(error) against log10(base^severity) best, while the error
-/// still grows: up to the first that is at least a tenth of the largest (it stops growing when no
-/// digit is right any more), or over all where none grows tenfold. Errors that are 0 or not finite
-/// are left out; empty for fewer than three others.
-/// Shape: one error a severity.
+/// still grows: up to the first that is at least a tenth of the largest (growth stops when no digit
+/// is right any more), or over all if none grows tenfold. Ignores errors that are 0 or not finite;
+/// empty if fewer than three remain.
+/// Shape: one error per severity.
 std::optional<double> error_slope(int base, std::span<const int> severities,
                                   std::span<const double> errors);
 

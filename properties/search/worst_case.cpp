@@ -15,7 +15,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// Random cases that are climbed from.
+/// How many random cases are climbed from.
 constexpr std::size_t kClimbs = 4;
 
 /// Measures one law's quantity on cases.
@@ -24,11 +24,11 @@ class Climber {
   Climber(const Candidate& candidate, const Law& law, const SearchOptions& options)
       : candidate_(candidate), law_(law), options_(options) {}
 
-  /// Empty where the case measures nothing in the candidate's domain, or no number, or where it is
-  /// interrupted.
+  /// Empty if the case measures nothing in the candidate's domain, or the measure is no number, or
+  /// on interrupt.
   std::optional<WorstCase> look(const Case& the_case) const try {
     if (!is_problem(the_case, candidate_.declared)) return std::nullopt;
-    // A bound of 0 makes every error a discrepancy, so that its place and numbers are kept.
+    // With a bound of 0 every error is a discrepancy, whose place and numbers are kept.
     Trial trial(the_case, candidate_, {.max_error = 0, .conditioning = true});
     if (!trial.inside_domain()) return std::nullopt;
     const Verdict verdict = apply(law_, trial);
@@ -67,7 +67,7 @@ class Climber {
   const SearchOptions& options_;
 };
 
-/// x with another significand, exponent or sign, in a format.
+/// x with a different significand, exponent or sign, in a format.
 double changed(double x, scene::Precision precision, Random& random) {
   const auto kind = random.integer(0, 9);
   if (kind == 0) return -x;
@@ -82,8 +82,8 @@ double changed(double x, scene::Precision precision, Random& random) {
   return x + ulps * ulp;
 }
 
-/// A case with one or two of its numbers changed; empty where it leaves the format's range, or is
-/// no problem any more.
+/// A case with one or two of its numbers changed; empty if it leaves the format's range, or becomes
+/// invalid.
 std::optional<Case> neighbour(const Case& the_case, scene::Precision precision, Random& random) {
   Case result = the_case;
   std::int64_t count = 0;
@@ -99,7 +99,7 @@ std::optional<Case> neighbour(const Case& the_case, scene::Precision precision, 
   return rounded_case(std::move(result), precision).the_case;
 }
 
-/// One ray and one sphere: the error, kappa and the outcome are then of one answer.
+/// Keeps one ray and one sphere: error, kappa and outcome then belong to one answer.
 void keep_first(Case& the_case) {
   const auto keep = [](auto& list) { list.resize(std::min<std::size_t>(list.size(), 1)); };
   keep(the_case.pixels);

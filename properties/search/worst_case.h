@@ -10,7 +10,7 @@
 
 namespace raycheck::properties {
 
-/// What a search climbs on: the error itself, the error over what the documented bound grows by
+/// What a search maximises: the error itself, the error over the growth of the documented bound
 /// (bound_growth() of the condition number), or the stability ratio rho.
 enum class Climb { kError, kOverGrowth, kRatio };
 inline constexpr std::array<std::string_view, 3> kClimbNames = {"error", "bound", "rho"};
@@ -19,20 +19,20 @@ struct SearchOptions {
   ChosenSource source;  ///< Where the search starts.
   Quantity quantity = Quantity::kParameter;
   Climb climb = Climb::kError;
-  int cases = 2000;  ///< Random ones, of which the worst few are climbed from.
+  int cases = 2000;  ///< Random ones; the search climbs from the worst few.
   int steps = 4000;  ///< Changes of one number tried, over all climbs.
   std::uint64_t seed = 1;
 };
 
-/// The worst input found, shrunk while its verdict stays what it is and half of its height remains.
+/// The worst input found, shrunk as long as its verdict stays and at least half of its height.
 struct WorstCase {
   Case the_case;
   double error = 0;
   Stability stability;
-  double height = 0;          ///< What was climbed on.
-  double height_random = 0;   ///< The same of the worst random case.
-  double height_climbed = 0;  ///< The same before it was shrunk.
-  Discrepancy shown;          ///< Its place, what the candidate answered and what is exact.
+  double height = 0;          ///< The value that was maximised.
+  double height_random = 0;   ///< That of the worst random case.
+  double height_climbed = 0;  ///< That before shrinking.
+  Discrepancy shown;          ///< The place, the candidate's answer and the exact one.
 };
 
 /// Searches for the input on which a stage's certified error is worst, within the candidate's

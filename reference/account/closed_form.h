@@ -18,7 +18,7 @@ struct ClosedForm {
   /// A positive integer.
   struct Natural {
     std::string digits = "1";  ///< In decimal.
-    /// Of odd * 2^twos where twos >= kFewestTwos and odd <= kLargestOdd; otherwise both are 0.
+    /// For odd * 2^twos with twos >= kFewestTwos and odd <= kLargestOdd; otherwise both are 0.
     unsigned odd = 0, twos = 0;
 
     bool is_one() const { return digits == "1"; }
@@ -41,14 +41,13 @@ struct ClosedForm {
   std::string text() const;
 };
 
-/// Which integers also say how they are a product of a short odd number and a power of two: those
-/// of ten digits and more.
+/// Integers of ten digits and more are also factored into a short odd number and a power of two.
 inline constexpr unsigned kFewestTwos = 32, kLargestOdd = 999;
 
 /// The coordinates of a point or vector, each as a closed form.
 using ClosedForm3 = std::array<ClosedForm, 3>;
 
-/// The text of each.
+/// The text of each form.
 std::vector<std::string> texts(std::span<const ClosedForm> forms);
 
 struct ClosedFormFrame {
@@ -73,7 +72,7 @@ class ClosedFormRay {
                 const scene::Pixel& pixel);
   explicit ClosedFormRay(const scene::Ray& ray);
 
-  ClosedForm alpha() const;  ///< Only of a camera's ray, like beta and pixel_point.
+  ClosedForm alpha() const;  ///< Only for a camera's ray, like beta and pixel_point.
   ClosedForm beta() const;
   ClosedForm3 pixel_point() const;
   ClosedForm3 origin() const;

@@ -7,11 +7,11 @@
 
 namespace raycheck::reference {
 
-// The condition number of a quantity q: sum over inputs x of |dq/dx| |x| / |q|, of a vector the sum
-// of |dq/dx|_2 |x| / |q|_2. It is the relative change of q, to first order, per relative change
-// given to every input at once, the signs chosen for the worst.
-// Inputs: a given ray's 6 doubles, or a camera's eye, look_at, up, near, left, right, bottom and
-//         top (14); and a sphere's 4. Indices and counts of pixels are no inputs.
+// The condition number of a quantity q: sum over inputs x of |dq/dx| |x| / |q|; for a vector the
+// sum of |dq/dx|_2 |x| / |q|_2. It is the relative change of q, to first order, per relative change
+// of all inputs at once, with the worst choice of signs. Inputs: a given ray's 6 doubles, or a
+// camera's eye, look_at, up, near, left, right, bottom and
+//         top (14); and a sphere's 4. Indices and counts of pixels are not inputs.
 // Units:  none.
 // Domain: as ExactRay. Infinite where q = 0 and not all |dq/dx| |x| are certainly 0, and beyond the
 //         doubles; 0 where q and all of them are 0 (a change of the inputs leaves q at 0).
@@ -21,20 +21,20 @@ namespace raycheck::reference {
 inline constexpr double kConditionWidth = 0x1p-10;
 inline constexpr double kNegligibleCondition = 0x1p-30;
 
-/// Which arithmetic encloses: intervals, then balls; or balls alone, which is how tests hold the
-/// intervals to account.
+/// Which arithmetic encloses: intervals, then balls; or balls alone, which tests use to check the
+/// intervals.
 enum class Arithmetic { kFiltered, kBallsOnly };
 
 double condition_of_frame(const ExactCamera& camera,
                           Arithmetic arithmetic = Arithmetic::kFiltered);  ///< The worst axis.
-/// Only of a camera's ray.
+/// Only for a camera's ray.
 double condition_of_pixel_point(const ExactRay& ray, Arithmetic arithmetic = Arithmetic::kFiltered);
 double condition_of_direction(const ExactRay& ray, Arithmetic arithmetic = Arithmetic::kFiltered);
 double condition_of_axial_distance(const ExactRay& ray, const scene::Sphere& sphere,
                                    Arithmetic arithmetic = Arithmetic::kFiltered);
 double condition_of_half_chord_sq(const ExactRay& ray, const scene::Sphere& sphere,
                                   Arithmetic arithmetic = Arithmetic::kFiltered);
-/// Of s and of Q. Both are infinite at an exact tangent, where a derivative of the root of d^2 is.
+/// Of s and of Q. Both are infinite at an exact tangent, as is the derivative of sqrt(d^2).
 /// Domain: `intersection` is what ray.intersect(sphere) found, a hit or a tangent.
 double condition_of_parameter(const ExactRay& ray, const scene::Sphere& sphere,
                               const Intersection& intersection,
@@ -43,13 +43,13 @@ double condition_of_point(const ExactRay& ray, const scene::Sphere& sphere,
                           const Intersection& intersection,
                           Arithmetic arithmetic = Arithmetic::kFiltered);
 
-// The condition numbers of single steps: of a step's result by the values that go into it directly,
-// each taken as an input of its own at its true value.
+// The condition numbers of single steps: of a step's result with respect to its direct operands,
+// each taken as an independent input at its true value.
 
 struct RayStageConditions {
-  /// P = E + n W + alpha U + beta V by E, n, alpha, beta, U, V, W; empty of a given ray.
+  /// P = E + n W + alpha U + beta V by E, n, alpha, beta, U, V, W; empty for a given ray.
   std::optional<double> pixel_point;
-  /// (P - E)/|P - E| by P and E; of a given ray its direction's normalisation.
+  /// (P - E)/|P - E| by P and E; for a given ray its direction's normalisation.
   double direction = 0;
 };
 RayStageConditions stage_conditions(const ExactRay& ray,
@@ -58,17 +58,17 @@ RayStageConditions stage_conditions(const ExactRay& ray,
 struct SphereStageConditions {
   double axial_distance = 0;  ///< v = T.D/|D| by T and D
   double half_chord_sq = 0;   ///< d^2 = r^2 - |T x D|^2/|D|^2 by r, T and D
-  /// v -+ sqrt(d^2) by v and d^2; empty of a miss. At a tangent 1: no relative change moves d^2
+  /// v -+ sqrt(d^2) by v and d^2; empty for a miss. At a tangent 1: no relative change moves d^2
   /// from 0.
   std::optional<double> root;
-  std::optional<double> point;  ///< L + s D by L, s and D; empty of a miss.
+  std::optional<double> point;  ///< L + s D by L, s and D; empty for a miss.
 };
 SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere& sphere,
                                        const Intersection& intersection,
                                        Arithmetic arithmetic = Arithmetic::kFiltered);
 
-/// Of Q where it is computed as L + s D, which is a step of every method and loses |L|/|Q| of its
-/// own: the condition number of Q and that of the step.
+/// For Q computed as L + s D, a step of every method that itself magnifies errors by |L|/|Q|: the
+/// condition number of Q plus that of the step.
 /// Domain: as condition_of_point.
 double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,
                                    const Intersection& intersection,

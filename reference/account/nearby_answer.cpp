@@ -15,17 +15,17 @@
 namespace raycheck::reference {
 namespace {
 
-/// How far inside a condition a discriminant is whose root is to be small, as a share of how far it
-/// can be left.
+/// How far inside a condition the discriminant is put when its root must be small, as a share of
+/// its reach.
 constexpr double kJustInside = 0x1p-44;
 
-/// How often a point is moved to where conditions are met to first order.
+/// How many times a point is projected to where conditions hold to first order.
 constexpr int kProjections = 32;
-/// And how far past where an inequality is an equation, as a share of the way.
+/// How far past an inequality's zero a projection goes, times the distance to it.
 constexpr double kBeyond = 1 + 0x1p-10;
 
-/// How finely a line through the neighbourhood is looked along: steps to each side of its middle,
-/// and bisections of a step over which something changes its sign.
+/// How finely a line through the neighbourhood is searched: steps to each side of its middle, and
+/// bisections of a step over which a decider changes sign.
 constexpr int kLineSteps = 8;
 constexpr int kBisections = 60;
 
@@ -65,7 +65,7 @@ class AnswerSearch {
 
  private:
   /// The same by lengths of vectors, where the neighbourhood is so wide that their squares are not
-  /// nearly linear. A witness may be found on the way.
+  /// nearly linear. It may find a witness on the way.
   bool are_refuted_by_length(const std::vector<Condition>& all,
                              std::optional<InputChange>& witness) {
     const Condition& first = all.front();
@@ -96,7 +96,7 @@ class AnswerSearch {
     });
   }
 
-  /// Where the line just touches the sphere, as close to the answer as may be.
+  /// Where the line just touches the sphere, as close to the answer as possible.
   std::optional<InputChange> search_near_double_root(std::vector<double> t) const {
     for (int step = 0; step < kPrograms; ++step) {
       if (auto change = box_.change_at(t); box_.is_right(change)) return change;
@@ -113,7 +113,7 @@ class AnswerSearch {
     return std::nullopt;
   }
 
-  /// What is not negative where the answer is near a double root.
+  /// The function that is not negative if the answer is near a double root.
   template <class VariationOf>
   std::vector<Variation> near_double_root(const VariationOf& variation_of) {
     const Variation discriminant = variation_of(Decider::kDiscriminant);
@@ -123,8 +123,8 @@ class AnswerSearch {
             shifted(discriminant, -1, most * most)};
   }
 
-  /// Where inputs are ill-conditioned, so that what decides is not linear over the neighbourhood:
-  /// by linear programs about the point that the one before found.
+  /// For ill-conditioned inputs, where the deciders are not linear over the neighbourhood: by
+  /// successive linear programs, each about the point that the last one found.
   std::optional<InputChange> search_step_by_step(const std::vector<Condition>& all) const {
     std::vector<double> t = box_.middle();
     for (int step = 0; step < kPrograms; ++step) {
@@ -139,9 +139,9 @@ class AnswerSearch {
     return std::nullopt;
   }
 
-  /// Where the neighbourhood is so wide that its ends are far from what decides: from its middle to
-  /// the nearest point where a condition is met to first order, and on from there. What is nearest
-  /// depends on how changes of different inputs compare: by shares, or as they are.
+  /// For neighbourhoods so wide that their ends are far from where answers change: from the middle
+  /// to the nearest point where a condition holds to first order, and on from there. Distances
+  /// count relative or absolute changes of the inputs.
   std::optional<InputChange> search_by_projections(const std::vector<Condition>& all,
                                                    const std::vector<double>& start) const {
     std::vector<double> sizes = box_.sizes();
@@ -157,7 +157,7 @@ class AnswerSearch {
       const LinearForm f = linear_form(box_.variation_at(decider, t));
       const double value = f.at(t) * (sign == 0 ? 1 : kBeyond);
       if (sign * value > 0) return;
-      // Along the gradient, but for what is at an end already.
+      // Along the gradient, except for inputs already at an end.
       std::vector<double> along(t.size());
       double rise = 0;
       for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -186,8 +186,8 @@ class AnswerSearch {
     return std::nullopt;
   }
 
-  /// And where it is not nearly so: along lines through the middle, on which all inputs change as a
-  /// decider rises most, or one of them.
+  /// And if it is far from linear: along lines through the middle, on which all inputs change so
+  /// that a decider rises most, or only one does.
   std::optional<InputChange> search_along_lines(const std::vector<Condition>& all) const {
     const Decider decider = all.front().zero.value_or(all.front().what);
     const std::vector<double> rising =
@@ -232,7 +232,7 @@ class AnswerSearch {
   AnswerBox box_;
 };
 
-/// A function of its own, so that no operation moves to where doubles round as the caller has them.
+/// A separate function, so that no operation moves to where doubles round as the caller set them.
 [[gnu::noinline]] NearbyAnswer search(const ExactRay& ray, const scene::Sphere& sphere,
                                       const Neighbourhood& around,
                                       const std::optional<double>& answer) {

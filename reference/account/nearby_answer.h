@@ -15,7 +15,7 @@ namespace raycheck::reference {
 /// centre and the radius of each sphere.
 using InputChange = std::vector<double>;
 
-/// Whether an answer that is wrong is right for inputs close by.
+/// Whether a wrong answer is right for inputs close by.
 enum class Nearby { kWitness, kRefuted, kUndecided };
 
 struct NearbyAnswer {
@@ -23,29 +23,29 @@ struct NearbyAnswer {
   InputChange witness;  ///< Of kWitness alone: inputs for which the answer is right.
 };
 
-/// What is asked about inputs close by: under which conventions, and how close.
+/// A question about inputs close by: under which conventions, and how close.
 struct Neighbourhood {
   scene::Root root = scene::Root::kNearest;
   scene::Tangent tangent = scene::Tangent::kHit;
   double relative_change = 0;    ///< Of each input, at most.
-  scene::ValidRoots valid = {};  ///< Which roots count: no inputs, and taken exactly.
+  scene::ValidRoots valid = {};  ///< Which roots count: not inputs; taken exactly.
 };
 
 /// Whether a ray and a sphere of the neighbourhood meet as an answer says: not at all (empty), or
 /// at s, the root s' that the conventions ask for. s itself may be off, but not negative: by the
-/// same share of s and of the way from the origin to the centre (its largest coordinate over the
-/// direction's); or, near a double root, as far as a (|s - s'| + |s' - s''|)^2 <= R, a = |g|^2, s''
-/// the other root, R what the neighbourhood changes |T - s g|^2 - r^2 by, to first order.
+/// same share of s and of the distance from the origin to the centre (its largest coordinate over
+/// the direction's); or, near a double root, as far as a (|s - s'| + |s' - s''|)^2 <= R, where a =
+/// |g|^2, s'' is the other root, and R is the change of |T - s g|^2 - r^2 over the neighbourhood,
+/// to first order.
 /// Shape:  a ray, a sphere and an answer -> a witness, a refutation, or neither.
 /// Units:  s in multiples of a given ray's direction, as a length of a camera's.
-/// Domain: as ExactRay; an s that is negative or no number is refuted.
-/// Error:  a witness is verified and a refutation proven, both by balls, but for what is so far
-/// from
-///         right that intervals refute it. Both are looked for where what decides is linear in the
-///         inputs, which over a small neighbourhood it nearly is; over wide ones by lengths of
-///         vectors, witnesses also by projections and along lines. Undecided is the rest: roots
-///         about as far from right as the neighbourhood is wide, and what only an exact tangent
-///         would make right. Where not every root >= 0 counts, see
+/// Domain: as ExactRay; an s that is negative or NaN is refuted.
+/// Error:  witnesses are verified and refutations proven, both by balls, or by intervals where an
+///         answer is far from right. Both are searched for where the deciders are linear in the
+///         inputs, as they nearly are over a small neighbourhood; over wide ones by lengths of
+///         vectors, witnesses also by projections and along lines. The rest is undecided: roots
+///         about as far from right as the neighbourhood is wide, and answers that only an exact
+///         tangent would make right. Where not every root >= 0 counts, see
 ///         reference/account/nearby_valid.h.
 /// Source: mixed forward-backward error (N. J. Higham, Accuracy and Stability of Numerical
 ///         Algorithms, 1.5); mean-value forms (R. E. Moore, Interval Analysis); linear programs of

@@ -20,10 +20,10 @@ namespace {
 using Conditions = std::vector<ChoiceCondition>;
 using What = ChoiceCondition::What;
 
-/// The spheres whose inputs change, and the ways of meeting them that are looked into, at most.
+/// How many spheres may change their inputs, and how many ways of meeting them are tried, at most.
 constexpr std::size_t kMostSpheres = 12;
 constexpr int kMostWays = 64;
-/// The parts into which a neighbourhood is divided at most.
+/// How many parts a neighbourhood is divided into, at most.
 constexpr std::size_t kMostParts = 64;
 
 class ChoiceSearch {
@@ -41,7 +41,7 @@ class ChoiceSearch {
     if (as_it_is.is_right) return {Nearby::kWitness, {}};
     if (question_.claim.what == FirstMet::What::kSomething) return meet_some();
     if (question_.claim.what == FirstMet::What::kSphere) slots_.push_back(question_.claim.sphere);
-    // A sphere that makes witnesses wrong is taken in, until none does.
+    // Adds spheres that make witnesses wrong, until none does.
     for (std::optional<std::size_t> next = as_it_is.offender; slots_.size() <= kMostSpheres;) {
       if (next && !is_slot(*next)) slots_.push_back(*next);
       if (slots_.empty()) return {};
@@ -81,7 +81,7 @@ class ChoiceSearch {
     } else {
       for (const int root : hit_roots()) take(hit(0, root), 1, root, {});
     }
-    // Another sphere in the way is taken in before this costs more.
+    // If another sphere is in the way, adds it before spending more.
     if (offender_ && !open_.empty()) is_refuted_ = false;
     for (const Conditions& all : open_) {
       if (!witness_ && is_refuted_) search_parts(all);
@@ -116,7 +116,7 @@ class ChoiceSearch {
     return result;
   }
 
-  /// The ways in which a sphere does not make the claim wrong, the favourite being met at a root.
+  /// The ways in which a sphere does not make the claim wrong, with the favourite met at this root.
   std::vector<Conditions> ways_past(std::size_t slot, int favourite_root) const {
     std::vector<Conditions> result = misses(slot);
     if (question_.claim.what != FirstMet::What::kSphere) return result;
@@ -135,7 +135,7 @@ class ChoiceSearch {
     }
   }
 
-  /// Adds conditions, unless they cannot be met, or are whatever changes, and goes on to the rest.
+  /// Adds conditions, except those that always hold, and goes on; ends if one cannot hold.
   void take(const Conditions& more, std::size_t next, int favourite_root, Conditions all) {
     if (witness_) return;
     for (const ChoiceCondition& condition : more) {
@@ -144,7 +144,7 @@ class ChoiceSearch {
       if (is_certain(varied)) continue;
       all.push_back(condition);
       if (condition.what != What::kAfter || varied.is_finite()) continue;
-      // Where a root may be double, what is known of it without its derivative.
+      // Where a root may be double: conditions that do not need its derivative.
       all.back().what = What::kOutside;
       if (is_impossible(whole_->of(all.back()), all.back())) return;
       if (condition.root > 0) continue;
@@ -179,7 +179,7 @@ class ChoiceSearch {
     return result;
   }
 
-  /// By linear programs, each about the point that the one before found.
+  /// By linear programs, each about the point that the last one found.
   void find_witness(const Conditions& all) {
     const std::size_t n = inputs_->dimension();
     std::vector<double> t = best_place(variations(*whole_, all), n).t;
@@ -189,8 +189,8 @@ class ChoiceSearch {
     if (!witness_) open_.push_back(all);
   }
 
-  /// Where what decides is not linear enough over the neighbourhood: in halves of it, each halved
-  /// again along the input that matters most.
+  /// Where the conditions are not linear enough over the neighbourhood: in halves of it, each
+  /// halved again along the input that matters most.
   void search_parts(const Conditions& all) {
     const std::size_t n = inputs_->dimension();
     std::vector<Part> parts = {{std::vector<double>(n), std::vector<double>(n, 1.0)}};
@@ -263,12 +263,12 @@ class ChoiceSearch {
   std::optional<ChoiceForms> whole_;
   std::optional<InputChange> witness_;
   std::optional<std::size_t> offender_;
-  std::vector<Conditions> open_;  ///< Ways for which there is neither a witness nor a refutation.
+  std::vector<Conditions> open_;  ///< Ways with neither a witness nor a refutation so far.
   bool is_refuted_ = true;
   int ways_ = 0;
 };
 
-/// A function of its own, so that no operation moves to where doubles round as the caller has them.
+/// A separate function, so that no operation moves to where doubles round as the caller set them.
 [[gnu::noinline]] NearbyAnswer search(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                                       const Neighbourhood& around, const FirstMet& claim) {
   return ChoiceSearch(ray, spheres, around, claim).run();

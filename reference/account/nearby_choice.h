@@ -7,7 +7,7 @@
 
 namespace raycheck::reference {
 
-/// What a ray is said to meet before anything else.
+/// A claim about what a ray meets first.
 struct FirstMet {
   enum class What {
     kNothing,
@@ -15,7 +15,7 @@ struct FirstMet {
     kSphere,
   };
   What what = What::kNothing;
-  std::size_t sphere = 0;  ///< Of kSphere alone: its index.
+  std::size_t sphere = 0;  ///< For kSphere only: its index.
 };
 
 /// Whether a ray of the neighbourhood meets first what it is said to: no sphere; some sphere; or

@@ -94,7 +94,7 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
   if (here.meets == Meets::kUnknown) return {};
   if (!answer) return refuted_if(here.meets == Meets::kAtOneRoot);
   if (here.meets == Meets::kNowhere || !std::isfinite(*answer)) return refuted_if(true);
-  // At the other root, as is_at_other_root() has it, everywhere.
+  // At the other root everywhere, as in is_at_other_root().
   const Enclosure from_other = abs(Enclosure(*answer, kBits) - here.other_s);
   return refuted_if(
       is_certainly_less(Enclosure(kOtherRootShare) * from_other, abs(here.s - here.other_s)));
@@ -125,7 +125,7 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> 
 }
 
 bool is_outside(const scene::ValidRoots& valid, double radius, double s) {
-  // The product of two doubles has no more than 106 bits, so that a ball of kBits has no width.
+  // The product of two doubles has at most 106 bits, so a ball of kBits is exact.
   const auto above = [&](double t) {
     if (valid.unit == scene::TUnit::kAbsolute) return s < t ? -1 : s > t ? 1 : 0;
     return (Enclosure(s, kBits) - Enclosure(t, kBits) * Enclosure(radius, kBits))

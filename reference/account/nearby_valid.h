@@ -9,17 +9,17 @@
 namespace raycheck::reference {
 
 // What right_nearby() says of wrong answers where not every root >= 0 counts (scene::ValidRoots):
-// t_min and t_max are no inputs, and are taken exactly. A refutation is proven, by balls that hold
-// the roots for all inputs within the relative change; witnesses are not looked for, so that the
-// rest is undecided: roots about as far from an end, from a tangent or from each other as the
-// change is wide. An answered s outside the interval is refuted: no inputs make it count. Domain:
-// as ExactRay; conventions without defects (scene/validate.h).
+// t_min and t_max are not inputs, and are taken exactly. A refutation is proven, by balls that hold
+// the roots for all inputs within the relative change; witnesses are not searched for, so the rest
+// is undecided: roots about as far from an end, from a tangent or from each other as the change is
+// wide. An answered s outside the interval is refuted: no inputs make it count. Domain: as
+// ExactRay; conventions without defects (scene/validate.h).
 
-/// Of an answer that a ray misses (empty), or meets a sphere at s.
+/// For the answer that a ray misses (empty), or meets a sphere at s.
 NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                             const Neighbourhood& around, const std::optional<double>& answer);
 
-/// Of what is said to be met first.
+/// For a claim about what is met first.
 NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                             const Neighbourhood& around, const FirstMet& claim);
 

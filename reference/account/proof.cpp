@@ -18,7 +18,7 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-/// Bits of the numbers that are stated where the computed ones are no dyadic rationals.
+/// Bits of the stated numbers where the computed ones are not dyadic rationals.
 constexpr int kStatedBits = 64;
 /// How narrow a vector's intervals are made, relative to its length.
 constexpr int kVectorBits = 64;
@@ -36,7 +36,7 @@ bool is_dyadic(const Rational& x) {
   return mp::lsb(denominator) == mp::msb(denominator);
 }
 
-/// Of ends that are dyadic.
+/// For dyadic ends.
 Bracket exact_bracket(const RationalInterval& x) {
   const Dyadic low = dyadic_of(x.low());
   const Dyadic high = dyadic_of(x.high());
@@ -47,15 +47,15 @@ Bracket exact_bracket(const RationalInterval& x) {
   return {Rational(x.low() * scale).str(), Rational(x.high() * scale).str(), exponent};
 }
 
-/// A dyadic rational below x, nearly as close as kStatedBits let it be.
+/// A dyadic rational below x, as close as kStatedBits allow, nearly.
 Rational below(const Rational& x) {
   if (x == 0) return x;
   const std::int64_t shift = kStatedBits - exponent_of(x);
   return Rational(Integer(floor_of(x * power_of_two(shift)) - 1)) * power_of_two(-shift);
 }
 
-/// The number itself where it is dyadic; otherwise wider, so that whoever follows the formulas in
-/// another order of operations arrives inside.
+/// The number itself where it is dyadic; otherwise a wider bracket, so that a checker that orders
+/// operations differently ends up inside.
 Bracket stated(const RationalInterval& x) {
   if (x.is_exact() && is_dyadic(x.low())) return exact_bracket(x);
   return exact_bracket({below(x.low()), -below(-x.high()), x.bits()});
@@ -286,7 +286,7 @@ std::optional<Proof> Prover::prove(const Proposition& proposition) const {
   for (int bits = kFirstProofBits; bits <= kMostProofBits; bits *= 2) {
     const int value_bits = ExactRay::kValueBits * (bits / kFirstProofBits);
     if (!Attempt{*this, proposition, RationalLift{bits}, value_bits}.run()) continue;
-    // Twice the bits that were enough: whoever computes in another order has them to spare.
+    // Twice the bits that were enough: other orders of operations have bits to spare.
     return Attempt{*this, proposition, RationalLift{2 * bits}, value_bits}.run();
   }
   return std::nullopt;

@@ -31,18 +31,18 @@ struct Bracket {
 Bracket bracket(const Enclosure& x);
 
 /// How a ray meets a sphere, and the numbers whose signs prove it (reference/internal/formulas.h):
-/// the discriminant, and c and b where the ones before them leave the answer open.
+/// the discriminant, then c and b if those before leave the answer open.
 struct ProvenMeeting {
-  bool met = false;  ///< Under the conventions; which root and parameter speak only of this.
+  bool met = false;  ///< Under the conventions; root and parameter are valid only then.
   Intersection intersection;
   Bracket discriminant;
   std::optional<Bracket> c;
   std::optional<Bracket> b;
   std::optional<Bracket> s;
-  std::optional<Bracket> other_s;  ///< The other root, where it was wanted and is another.
+  std::optional<Bracket> other_s;  ///< The other root, if wanted and different.
 };
 
-/// Square roots between dyadic rationals, as narrow as the rest needs: a camera's alone.
+/// Square roots between dyadic rationals, as narrow as the rest needs: only for a camera.
 struct ProvenRoots {
   Bracket w;                      ///< |E - A|
   Bracket u;                      ///< |up x (E - A)|
@@ -54,11 +54,11 @@ struct Proof {
   std::vector<ProvenMeeting> meetings;  ///< One for each sphere.
 };
 
-/// What a proof must show; intervals that its brackets give to a vector are then narrower than
+/// What a proof must show; a vector's intervals that follow from its brackets are narrower than
 /// 2^-ExactRay::kValueBits of its length.
 struct Proposition {
-  std::span<const scene::Sphere> spheres;  ///< How each is met.
-  bool other_roots = false;                ///< Of those that are met, the other root too.
+  std::span<const scene::Sphere> spheres;  ///< Shows how each is met.
+  bool other_roots = false;                ///< For those that are met, shows the other root too.
   bool axes = false;                       ///< U, V, W.
   bool pixel_point = false;                ///< P, of a camera's ray
   bool origin = false;
@@ -70,13 +70,12 @@ struct Proposition {
   bool order = false;
 };
 
-/// Proofs that rational intervals can follow: every interval in them is computed from the doubles
-/// of the input and from the brackets given, by +, -, *, / alone.
+/// Proofs that rational intervals can follow: every interval in them is computed from the input's
+/// doubles and the given brackets, by +, -, *, / alone.
 /// Domain: as ExactRay.
-/// Error:  what is returned has been followed that way. Empty where brackets of up to
-/// kMostProofBits
-///         bits show nothing: at a value that is 0, or at two that are equal, only by virtue of
-///         square roots.
+/// Error:  every returned proof has been followed that way. Empty if brackets of up to
+///         kMostProofBits bits show nothing: at a value that is 0, or at two that are equal, only
+///         by virtue of square roots.
 /// Source: docs/certificates.md
 class Prover {
  public:

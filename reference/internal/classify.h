@@ -29,8 +29,8 @@ std::optional<int> sign_of(Coefficient coefficient, const LineAndSphere<K>& pair
 }
 
 /// The intersection from the signs of three coefficients, each asked for only when it matters;
-/// empty when one that matters is not certain. With c < 0 the roots lie on both sides of the
-/// origin; with c > 0 on one side, b's; c = 0 makes one of them 0.
+/// empty when one that matters is not certain. With c < 0 the roots have opposite signs; with c > 0
+/// both have b's sign; with c = 0 one of them is 0.
 template <class Sign>
 std::optional<Intersection> classify(Sign sign, scene::Root convention) {
   const Intersection miss{};

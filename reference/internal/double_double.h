@@ -9,14 +9,14 @@
 namespace raycheck::reference {
 
 /// A closed interval that certainly holds one real number x: |x - (high + low)| <= radius, with
-/// high the double nearest to high + low. About 104 bits, without memory or unlimited exponents:
-/// what over- or underflows gets a radius that says so (infinite or NaN where nothing is known).
-/// Valid only while doubles round to nearest.
+/// high the double nearest to high + low. About 104 bits, without heap memory or unlimited
+/// exponents: results that over- or underflow get a radius that says so (infinite or NaN if nothing
+/// is known). Valid only while doubles round to nearest.
 /// Error:  each operation encloses the exact result. With u = 2^-53, what it adds to the radius of
 ///         its operands is at most kDoubleDoubleError of the result, or of the larger operand of a
 ///         sum, and kDoubleDoubleUnderflow.
-/// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971;
-///         M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
+/// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971; M.
+///         Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
 ///         blocks of double-word arithmetic, 2017. The bounds here are simpler, and proved below.
 class DoubleDouble {
  public:
@@ -30,7 +30,7 @@ class DoubleDouble {
   double radius() const { return radius_; }
   Enclosure enclosure() const;
 
-  /// True when radius <= 2^-relative_bits |every number within|, and where the number is exact.
+  /// True when radius <= 2^-relative_bits |x| for every x within, or the number is exact.
   bool is_within(int relative_bits) const {
     return std::isfinite(high_) &&
            (radius_ == 0 || radius_ < std::ldexp(std::abs(high_) / 2, -relative_bits));
@@ -43,9 +43,9 @@ class DoubleDouble {
     return high_ > 0 ? 1 : -1;
   }
   bool is_exact_zero() const { return high_ == 0 && radius_ == 0; }
-  /// Doubles above and below every number within, the next ones at most; infinite or NaN where
-  /// nothing is known. (The end is high + low + radius. Where it cancels, sum.low and so rest.low
-  /// are 0; else rest.low is far below the last bit of end.high, which end.low is half of at most.)
+  /// Doubles above and below every number within, at most one step away; infinite or NaN if nothing
+  /// is known. (The end is high + low + radius. Where it cancels, sum.low and so rest.low are 0;
+  /// else rest.low is far below the last bit of end.high, which end.low is half of at most.)
   double upper() const {
     const Sum tail = two_sum(low_, radius_);
     const Sum sum = two_sum(high_, tail.high);
@@ -82,11 +82,11 @@ class DoubleDouble {
     const double of_b = sum - a;
     return {sum, (a - (sum - of_b)) + (b - of_b)};
   }
-  /// More than what underflow takes from an operation on x, or with the result x.
+  /// Exceeds what underflow takes from an operation on x, or with the result x.
   static double underflow_of(double x);
-  /// More than what underflow takes from the product or the quotient of a radius.
+  /// Exceeds what underflow takes from the product or the quotient of a radius.
   static double underflow_of_radius(double radius);
-  /// An upper bound of a radius of numbers >= 0 that is too small by at most 14 u relatively.
+  /// An upper bound, given a radius that is too small by at most 14 u relatively.
   static double up(double radius) { return radius * (1 + 0x1p-49); }
 
   double high_ = 0;
@@ -96,8 +96,8 @@ class DoubleDouble {
 
 /// 16 u^2
 inline constexpr double kDoubleDoubleError = 0x1p-102;
-/// More than what underflow takes from one operation (a few times 2^-1075). Nothing underflows
-/// where operands and result are no smaller: their last bits are at most 2^-107 of them.
+/// Exceeds what underflow takes from one operation (a few times 2^-1075). Nothing underflows where
+/// operands and result are no smaller: their last bits are at most 2^-107 of them.
 inline constexpr double kDoubleDoubleUnderflow = 0x1p-900;
 
 inline double DoubleDouble::underflow_of(double x) {
@@ -147,7 +147,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const bool is_exact = a.low_ == 0 && b.low_ == 0 && remainder == 0;
   const double rounding = is_exact ? 0 : kDoubleDoubleError * std::abs(q);
   const double size = std::abs(b.high_);
-  // Nothing is known of a quotient by what may be 0.
+  // Nothing is known if the divisor may be 0.
   const double distance = b.radius_ < size / 4 ? size - b.radius_ : 0;
   if (a.is_exact_zero() && distance > 0) return {{q, 0}, 0};
   const double of_radius = DoubleDouble::underflow_of_radius(a.radius_ + b.radius_);
@@ -162,7 +162,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
 /// so is the root of a double that leaves none. Else, in units of u^2 h: the rounding of its sum
 /// with a.low, below 3u h^2, is 1.5; of the quotient 1.5; and dividing by 2h for sqrt(a) + h, 1.2.
 /// The operand carries |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a); the root of a negative centre is
-/// NaN, and knows nothing.
+/// NaN.
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.is_exact_zero()) return a;
   const double h = std::sqrt(a.high_);

@@ -47,12 +47,11 @@ Triple<DoubleDouble> in_double_doubles(const Given& given) {
   return {DoubleDouble(given.x), DoubleDouble(given.y), DoubleDouble(given.z)};
 }
 
-/// An error by double-doubles is reported where its enclosure is that narrow, relatively: the
-/// bound is too large by at most twice that.
+/// An error by double-doubles is reported if the relative width of its enclosure is at most this:
+/// the bound is too large by at most twice as much.
 inline constexpr double kErrorWidth = 0x1p-30;
 
-/// An upper bound of an error >= 0 that counts multiples of 2^exponent; empty where double-doubles
-/// leave it too wide.
+/// An upper bound of an error >= 0, in multiples of 2^exponent; empty if its enclosure is too wide.
 inline std::optional<double> narrow_error(const DoubleDouble& error, int exponent) {
   const double upper = error.upper();
   const double bound = std::ldexp(upper, -exponent);

@@ -1,14 +1,14 @@
 #pragma once
 
-// A value that is computed when first asked for. Internal to reference/.
+// A value that is computed on demand. Internal to reference/.
 
 #include <atomic>
 
 namespace raycheck::reference {
 
 /// Keeps what the first caller computes. `compute` must give the same value every time: threads
-/// that ask while the first still writes compute their own instead of waiting. Thread safety: get()
-/// and copying from may run in several threads at once.
+/// that ask while the first is still writing compute their own instead of waiting. Thread safety:
+/// get() and copying from may run in several threads at once.
 template <class T>
 class Kept {
  public:

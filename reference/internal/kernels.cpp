@@ -5,7 +5,7 @@ namespace {
 
 int exact_sign(const Rational& value) { return value.sign(); }
 
-/// The sign of a0 + a1 sqrt(x): where the two terms pull apart, the larger square wins.
+/// The sign of a0 + a1 sqrt(x): if the terms have opposite signs, the larger square wins.
 template <class Number, class Radicand>
 int sign_of_sum(const Number& a0, const Number& a1, const Radicand& x);
 
@@ -23,7 +23,7 @@ int sign_of_sum(const Number& a0, const Number& a1, const Radicand& x) {
   return sign0 * exact_sign(Number(a0 * a0 - a1 * a1 * Number(x)));
 }
 
-/// The rational behind a number in which no square root occurs.
+/// The rational value of a number without square roots.
 const Rational& as_rational(const ExactNumber& value) { return value.a0().a0(); }
 
 std::optional<Rational> rational_square_root(const Rational& value) {

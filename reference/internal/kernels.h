@@ -43,7 +43,7 @@ using FirstExtension = CGAL::Sqrt_extension<Rational, Rational>;
 using ExactNumber = CGAL::Sqrt_extension<FirstExtension, Rational>;
 using ExactKernel = CGAL::Simple_cartesian<ExactNumber>;
 
-// How a double becomes a number of each kind, exactly: an input, and a constant of a formula.
+// How a double, an input or a constant of a formula, becomes a number of each kind, exactly.
 struct IntervalLift {
   Interval operator()(double value) const { return Interval(value); }
   Interval constant(double value) const { return Interval(value); }
@@ -54,7 +54,7 @@ struct DoubleDoubleLift {
 };
 struct EnclosureLift {
   int bits;
-  double relative_change = 0;  ///< Each input is known only to within this relative change.
+  double relative_change = 0;  ///< Each input is known only up to this relative change.
   Enclosure operator()(double value) const {
     return Enclosure::within(value, relative_change, bits);
   }
@@ -73,8 +73,8 @@ auto lift_count(const Lift& lift, std::int64_t count) {
   return lift.constant(static_cast<double>(count));
 }
 
-// The two square roots that a camera adjoins. Where numbers approximate, they are evaluated; in the
-// exact field they are the generators (or rationals, where the radicand is a perfect square).
+// The two square roots that a camera adjoins. Approximate number types evaluate them; in the exact
+// field they are the generators (or rationals, where the radicand is a perfect square).
 inline Interval first_root(const Interval& radicand) { return CGAL::sqrt(radicand); }
 inline Interval second_root(const Interval& radicand) { return CGAL::sqrt(radicand); }
 inline Enclosure first_root(const Enclosure& radicand) { return sqrt(radicand); }

@@ -48,7 +48,7 @@ inline Line<DoubleDoubleKernel> line_of(const DoubleDoubleLift& lift,
   return line_of(lift, source.camera->double_doubles, source);
 }
 
-/// The same, as the ray keeps it.
+/// The same, as the ray caches it.
 inline Line<DoubleDoubleKernel> line_in_double_doubles(const ExactRay& ray) {
   const ExactRay::Source& source = ray.source();
   const auto [g, a] = ray.direction_in_double_doubles();

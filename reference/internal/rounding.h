@@ -16,8 +16,8 @@ namespace raycheck::reference {
 inline constexpr int kFirstBits = 128;
 
 /// Narrows `enclosure`, a first one, about as narrow as enclose(kFirstBits), to relative width
-/// 2^-relative_bits. Refining an enclosure of 0 would never end, so zero is asked of `compare`, the
-/// exact sign of x - rational.
+/// 2^-relative_bits. Refining an enclosure of 0 would never end, so zero is decided by `compare`,
+/// the exact sign of x - rational.
 template <class Enclose, class Compare>
 Enclosure narrow(Enclosure enclosure, int relative_bits, Enclose enclose, Compare compare) {
   bool known_nonzero = false;
@@ -65,8 +65,8 @@ double round_to_nearest(Enclosure enclosure, Enclose enclose, Compare compare) {
   }
 }
 
-/// The float nearest to x, ties to even, from the double nearest to x. Where that is no midpoint of
-/// two floats, x is on its side of every midpoint, for these are doubles; else `compare` tells.
+/// The float nearest to x, ties to even, from the double nearest to x. If that is not a midpoint of
+/// two floats, x is on the same side of all midpoints, as these are doubles; else `compare` tells.
 template <class Compare>
 double round_to_single(double nearest, Compare compare) {
   constexpr auto kSingle = scene::Precision::kSingle;

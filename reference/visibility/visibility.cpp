@@ -89,7 +89,7 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
     rectangles.push_back(plan.spheres[k].pixels);
     spheres.back().exact = spheres.back().exact || !scales_fit || !answers_fit ||
                            !plan.items.filter ||
-                           !plan.conventions.valid.is_usual();  // the filter knows every root >= 0
+                           !plan.conventions.valid.is_usual();  // the filter takes every root >= 0
     positions[k] = spheres.size() - 1;
   }
   std::uint64_t parts = 0;
@@ -206,7 +206,7 @@ DecidedBy nearest_in_parallel(const Visibility& visibility, std::int64_t j_begin
                            {part(rows.sphere), part(rows.parameter), part(rows.point_x),
                             part(rows.point_y), part(rows.point_z)});
   };
-  // More threads than cores would only make oneTBB warn.
+  // With more threads than cores oneTBB would only warn.
   tbb::task_arena arena(std::min(threads, tbb::this_task_arena::max_concurrency()));
   arena.execute([&] { tbb::parallel_for(std::int64_t{0}, bands, band_rows); });
   return std::accumulate(decided_by.begin(), decided_by.end(), DecidedBy{},

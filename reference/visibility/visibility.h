@@ -14,21 +14,21 @@
 
 namespace raycheck::reference {
 
-/// The sphere of a pixel whose ray meets none, its parameter and its coordinates of Q.
+/// In place of a sphere, of s and of Q's coordinates: the pixel's ray meets none.
 inline constexpr std::int32_t kNoSphere = -1;
 inline constexpr double kNoParameter = std::numeric_limits<double>::infinity();
 
-/// Rows of what is seen, row by row; arrays that are empty are not wanted.
+/// What pixels see, row by row; empty arrays are not filled.
 struct SeenRows {
   std::span<std::int32_t> sphere;  ///< The nearest sphere; the first in the file among equals.
   std::span<double> parameter;     ///< s
   std::span<double> point_x, point_y, point_z;  ///< Q, all or none of them.
 };
 
-/// How many pixels were decided how.
+/// How many pixels were decided by what.
 struct DecidedBy {
   std::uint64_t filter = 0;  ///< Doubles, within bounds on their errors.
-  /// ExactRay, by the highest rung that a pixel's decisions took (index: Rung).
+  /// ExactRay, by the highest rung that a pixel's decisions needed (index: Rung).
   std::array<std::uint64_t, 4> rungs{};
 
   std::uint64_t fallback() const { return rungs[0] + rungs[1] + rungs[2] + rungs[3]; }
@@ -38,16 +38,16 @@ struct DecidedBy {
 
 /// What the pixels of an image see, with every decision right: hit or miss, in front or behind,
 /// which sphere is nearer.
-/// Shape:  rows j_begin <= j < j_end of a camera's image -> one answer a pixel, in (j, i) order.
+/// Shape:  rows j_begin <= j < j_end of a camera's image -> one answer per pixel, in (j, i) order.
 /// Units:  scene lengths.
-/// Domain: what its plan was made for: fewer than 2^31 spheres; a plan of another scene is an error
-///         that is not noticed. Arrays that do not fit throw std::invalid_argument, and so do, with
+/// Domain: what its plan was made for: fewer than 2^31 spheres; a plan of another scene is an
+///         undetected error. Arrays of the wrong size throw std::invalid_argument, as do, naming
 ///         the camera's field, more than kMostVisibleSide columns or rows.
-/// Memory: some 100 bytes a column and a row, and kMostVisibleParts places.
+/// Memory: some 100 bytes per column and row, and up to kMostVisibleParts list entries.
 /// Error:  no decision is wrong. A tangent counts as a hit unless the convention is `miss`. s is
-///         within kVisibleParameterError |Q - E|, far from silhouettes within some u of it, and
-///         correctly rounded where the filter did not decide; Q is within kVisibleParameterError
-///         |Q - E| + 4u |Q| a coordinate.
+///         within kVisibleParameterError |Q - E|, within a few u of it far from silhouettes, and
+///         correctly rounded where the filter did not decide; Q is within kVisibleParameterError |Q
+///         - E| + 4u |Q| per coordinate.
 /// Thread safety: const functions may be called from several threads.
 /// Source: reference/internal/formulas.h; the filter's bound is proved in
 /// reference/visibility/visibility_kernel.h.
@@ -64,14 +64,14 @@ class Visibility {
 
   /// The nearest sphere of every pixel.
   DecidedBy nearest(std::int64_t j_begin, std::int64_t j_end, const SeenRows& rows) const;
-  /// The same without any certificate: the filter's doubles, right or wrong. What certainty costs
-  /// is measured against it.
+  /// The same without certificates: the filter's doubles, right or wrong. The baseline for the cost
+  /// of certainty.
   void nearest_uncertified(std::int64_t j_begin, std::int64_t j_end, const SeenRows& rows) const;
   /// The class of every pixel against one sphere.
   DecidedBy classes(std::size_t sphere, std::int64_t j_begin, std::int64_t j_end,
                     std::span<HitClass> classes) const;
 
-  /// Rows that are decided together: a whole number of them at a time costs least.
+  /// Rows that are decided together: multiples of it cost least.
   static constexpr std::int64_t kBandRows = 16;
 
  private:
@@ -82,7 +82,7 @@ class Visibility {
 /// least double, where that is larger.
 inline constexpr double kVisibleParameterError = 0x1p-20;
 
-/// So many columns, or rows, are the most: they are 100 MiB.
+/// The most columns, or rows: they take 100 MiB.
 inline constexpr std::int64_t kMostVisibleSide = std::int64_t{1} << 22;
 /// Spheres are listed in every band of kBandRows rows that they reach; this is the largest number
 /// of places.

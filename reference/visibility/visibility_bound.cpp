@@ -12,7 +12,7 @@ using scene::Bounds;
 double magnitude(const Bounds& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
 constexpr double kUnitRoundoff = 0x1p-53;
-/// What computing bounds in doubles may lose.
+/// Covers what computing bounds in doubles loses.
 constexpr double kSlack = 1.01;
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
-// The numbers that the bound of reference/visibility/visibility_kernel.h is made of. Internal to
-// reference/.
+// The terms of the bound of reference/visibility/visibility_kernel.h. Internal to reference/.
 
 #include <algorithm>
 #include <cstddef>
@@ -19,8 +18,7 @@ inline double half_width(const scene::Bounds& x) {
   return std::max(x.high - middle(x), middle(x) - x.low);
 }
 
-/// What the bound of the filter takes from the image plane; the names are those of
-/// visibility_kernel.h.
+/// The sizes of the image plane in the filter's bound; the names are those of visibility_kernel.h.
 struct PlaneSizes {
   double N = 0, X = 0, Y = 0;
   double delta = 0;
@@ -30,7 +28,7 @@ struct PlaneSizes {
 PlaneSizes plane_sizes(const std::vector<scene::Bounds>& alpha,
                        const std::vector<scene::Bounds>& beta, const scene::Bounds& near);
 
-/// A planned sphere as the filter takes it; `exact` where the bound is out of the range of doubles.
+/// A planned sphere for the filter; `exact` if the bound leaves the range of doubles.
 FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const PlaneSizes& sizes);
 
 }  // namespace raycheck::reference

@@ -1,6 +1,6 @@
 #pragma once
 
-// What Visibility keeps of a scene, and the walk over bands and tiles that its questions share.
+// What Visibility stores of a scene, and the walk over bands and tiles that its functions share.
 // Internal to reference/.
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void distribute(std::size_t count, std::size_t lists, const Places& places, List
   }
 }
 
-/// The first, and one past the last, of the blocks of that size that begin to end touch.
+/// The first, and one past the last, of the blocks of this size that [begin, end) touches.
 inline std::pair<std::size_t, std::size_t> blocks(std::int64_t begin, std::int64_t end, int size) {
   return {static_cast<std::size_t>(begin / size), static_cast<std::size_t>((end - 1) / size + 1)};
 }
@@ -65,23 +65,23 @@ struct Visibility::Impl {
   double near;
   double start_factor;
   TileScale scale;
-  double axis_doubt = 0;  ///< The largest half of a width of U, V, W along the world's axes.
-  /// By nearest distance; their rectangles; those of each band.
+  double axis_doubt = 0;  ///< The largest half width of U, V, W in world coordinates.
+  /// Spheres by nearest distance; their rectangles; those of each band.
   std::vector<FilteredSphere> spheres;
   std::vector<scene::PixelRectangle> rectangles;
   Lists bands;
-  /// Where a sphere of the scene is among them; empty: nothing of it is seen.
+  /// The index of a scene's sphere among them; empty: no part of it is seen.
   std::vector<std::optional<std::size_t>> positions;
 };
 
 /// Some rows of the image, as bands of kBandRows rows and tiles of their columns.
 class RowsInTiles {
  public:
-  /// Throws std::invalid_argument where the image has no such rows.
+  /// Throws std::invalid_argument if the image lacks these rows.
   RowsInTiles(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end);
 
   std::size_t pixels() const { return static_cast<std::size_t>((j_end_ - j_begin_) * impl_.width); }
-  /// Throws std::invalid_argument unless an array of that size is empty or has a place for each
+  /// Throws std::invalid_argument unless an array of this size is empty or has an element for each
   /// pixel.
   void require_fit(std::size_t size) const;
 
@@ -109,7 +109,7 @@ class RowsInTiles {
                                     first_column(tile));
   }
 
-  /// Rows of the band at hand, counted from its first.
+  /// The wanted rows of the current band, counted from its first.
   int row_begin() const { return row_begin_; }
   int row_end() const { return row_end_; }
 
@@ -124,7 +124,7 @@ class RowsInTiles {
   int row_begin_ = 0, row_end_ = 0;
 };
 
-// The questions of Visibility.
+// The functions of Visibility.
 DecidedBy nearest_of_rows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end,
                           const SeenRows& rows, Certified certified);
 DecidedBy classes_of_rows(const Visibility::Impl& impl, std::size_t sphere, std::int64_t j_begin,

@@ -26,7 +26,7 @@ HWY_INLINE void mark_undecided(D d, M undecided, int row, int column, Tile& tile
   tile.undecided[static_cast<std::size_t>(row)] |= std::uint64_t{bits[0]} << column;
 }
 
-/// The roots' numerators where the sphere is met for certain, in front for certain.
+/// The roots' numerators; whether the sphere is certainly met, and certainly in front.
 struct Met {
   V numerator;
   M hit;
@@ -141,7 +141,7 @@ double largest_numerator(const Tile& tile) {
   return hn::GetLane(hn::MaxOfLanes(d, most));
 }
 
-/// Between looks at whether the rest of the spheres is hidden.
+/// How many spheres pass between tests whether the rest is hidden.
 constexpr std::size_t kLookEvery = 8;
 
 template <Certified kCertified>
@@ -150,7 +150,7 @@ void sweep_all(std::span<const SphereInTile> spheres, const TileRays& rays, Tile
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     const FilteredSphere& sphere = *spheres[k].sphere;
     if (k % kLookEvery == kLookEvery - 1) {
-      // t l > m of all pixels, for this sphere and all that follow: 2^-40 is for these roundings.
+      // t l > m of all pixels, for this sphere and all that follow: 2^-40 covers these roundings.
       const double farthest = largest_numerator(tile) + 2 * margin_so_far;
       if (sphere.nearest_distance * rays.least_length * (1 - 0x1p-40) > farthest) return;
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-// The filter of certified visibility: a tile of pixels against spheres, front to back, in doubles
-// of whatever width the machine has, every decision within a bound on its error. Internal to
+// The filter of certified visibility: a tile of pixels against spheres, front to back, in vectors
+// of doubles as wide as the machine has, every decision within a bound on its error. Internal to
 // reference/; it shares no code with what is under test.
 //
 // From the eye, g = n W + alpha U + beta V, a = |g|^2 = n^2 + alpha^2 + beta^2 and, with f = C - E
@@ -10,7 +10,7 @@
 // c a. The numerators m = b -+ q order the spheres of one pixel; m = t l, where t = |Q - E|, l =
 // sqrt(a).
 //
-// The bound, for all pixels of an image at once. ^ marks what is computed, u0 = 2^-53 is the unit
+// The bound, for all pixels of an image at once. ^ marks computed values, u0 = 2^-53 is the unit
 // roundoff; n, alpha, beta are known to within delta, u, v, w to within rho, c to within rho_c
 // (halves of the widths of scene::EyeSpace's bounds); N, X, Y, |u|, |v|, |w| bound their
 // magnitudes.
@@ -29,9 +29,9 @@
 //   |m^ - m| <= E_m = E_b + 0.52 sqrt(E / kDecidedBeyond) + 4 u0 (B + sqrt(B^2 + |c^| A)).
 // Two numerators of one pixel are in order where they differ by more than the sum of their E_m, and
 // a root is in front of or behind the origin (lambda = 1, or 0 of focal rays) where m^ differs from
-// a^ (or 0) by more than E_m + 2 E_a. What underflows adds less than 2^-1000, which is nothing
-// beside E where E is at least kLeastBound; all these hold while nothing overflows, as where E is
-// at most kLargestBound. The bounds are themselves computed in doubles, with 1% to spare.
+// a^ (or 0) by more than E_m + 2 E_a. Underflow adds less than 2^-1000, which is negligible if E is
+// at least kLeastBound; all this holds while nothing overflows, as it does if E is at most
+// kLargestBound. The bounds are themselves computed in doubles, with 1% to spare.
 
 #include <array>
 #include <cstddef>
@@ -44,7 +44,7 @@ inline constexpr double kDecidedBeyond = 0x1p16;
 inline constexpr double kLeastBound = 0x1p-900;
 inline constexpr double kLargestBound = 0x1p900;
 
-/// A sphere as the filter has it: the names of the comment above.
+/// A sphere in the filter, with the names of the comment above.
 struct FilteredSphere {
   double u = 0, v = 0, w = 0;
   double power = 0;             ///< c
@@ -52,8 +52,8 @@ struct FilteredSphere {
   double root_margin = 0;       ///< E_m
   double nearest_distance = 0;  ///< No ray meets it at a smaller t.
   std::int32_t index = 0;       ///< In the scene.
-  bool roots_matter = true;     ///< Not every line that meets it does so in front, at b - q.
-  bool exact = false;           ///< No bound holds: its pixels are not for the filter.
+  bool roots_matter = true;     ///< Some line may meet it other than in front, at b - q.
+  bool exact = false;           ///< No bound holds: the filter skips its pixels.
 };
 
 /// Part of a tile: rows and columns counted from the tile's first.
@@ -73,15 +73,15 @@ struct Tile {
 
   alignas(64) std::array<double, kPixels> numerator;  ///< m^ of the nearest so far, or infinity.
   alignas(64) std::array<double, kPixels> sphere;     ///< Its index in the scene, or -1.
-  std::array<std::uint64_t, kHeight> undecided;       ///< A bit a column.
+  std::array<std::uint64_t, kHeight> undecided;       ///< One bit per column.
 };
 
-/// What the rays of a tile are, beside the columns' alpha (kWidth of them).
+/// What the rays of a tile share, besides the columns' alpha (kWidth of them).
 struct TileRays {
   const double* alpha = nullptr;
   std::array<double, Tile::kHeight> beta{};
   double near = 0;          ///< n^
-  double start_factor = 0;  ///< A root is in front where m >= start_factor a; 0 of focal rays.
+  double start_factor = 0;  ///< A root is in front where m >= start_factor a; 0 for focal rays.
   double start_margin = 0;  ///< 2 start_factor E_a
   double least_length = 0;  ///< No ray of the tile has a smaller l.
   bool larger_counts = true;
@@ -89,29 +89,29 @@ struct TileRays {
 
 enum class Certified { kNo, kYes };
 
-/// Nothing seen, everything decided; pixels outside these rows and columns will not be asked for,
-/// and see what is nearer than any sphere.
+/// Resets to nothing seen, everything decided; pixels outside these rows and columns are not
+/// wanted, and see what is nearer than any sphere.
 void clear(Tile& tile, int row_begin, int row_end, int columns);
 
-/// Sweeps the spheres, which come by nearest_distance, over the tile. Afterwards the pixels that
-/// are not undecided have the nearest sphere.
+/// Sweeps the spheres, sorted by nearest_distance, over the tile. All pixels but the undecided ones
+/// then have the nearest sphere.
 void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certified certified,
            Tile& tile);
-/// The same of one sphere's class alone; numerators stay as they are.
+/// The same for the class of one sphere alone; numerators do not change.
 void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile);
 
-/// Where a tile's answers go, from its first pixel on; null: not wanted.
+/// Where a tile's answers are written, from its first pixel on; null: not wanted.
 struct TileOutput {
   std::int32_t* sphere = nullptr;
   double* parameter = nullptr;
   std::array<double*, 3> point{};
-  std::ptrdiff_t stride = 0;  ///< From a row to the next, which is this far on.
+  std::ptrdiff_t stride = 0;  ///< The distance from one row to the next.
 };
-/// What makes lengths of numerators: t = m/l 2^lengths, s = t - l 2^plane (t of focal rays), Q = E
-/// + (t/l) g.
+/// Turns numerators into lengths: t = m/l 2^lengths, s = t - l 2^plane (t for focal rays), Q = E +
+/// (t/l) g.
 struct TileScale {
   double lengths = 1;
-  double plane = 1;  ///< 0 of focal rays.
+  double plane = 1;  ///< 0 for focal rays.
   std::array<double, 3> eye{}, U{}, V{}, W{};
 };
 /// Writes rows row_begin <= row < row_end of the first `columns` columns. Returns the least

@@ -13,7 +13,7 @@ namespace {
 
 using scene::PixelRectangle;
 
-/// One call for some rows, which keeps what tiles share.
+/// One call for some rows: what tiles share is computed once.
 class NearestOfRows {
  public:
   NearestOfRows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end)
@@ -84,7 +84,7 @@ class NearestOfRows {
     }
   }
 
-  /// The constants of a sphere, as if they were not kept.
+  /// A sphere's constants, computed as if they were not stored.
   FilteredSphere computed_anew(const FilteredSphere& kept) const {
     const auto index = static_cast<std::size_t>(kept.index);
     scene::SpherePlan plan = impl_.plan.spheres[index];
@@ -94,7 +94,7 @@ class NearestOfRows {
     return sphere;
   }
 
-  /// Writes the tile; what the filter left goes to the exact ray.
+  /// Writes the tile; the exact ray decides what the filter left undecided.
   void finish(std::size_t band, std::size_t tile, const TileRays& rays, Certified certified,
               DecidedBy& decided_by) {
     const int columns = at_.columns_of(tile);
@@ -123,7 +123,7 @@ class NearestOfRows {
     }
   }
 
-  /// s and Q of the tile though nobody asked.
+  /// Computes s and Q of the tile, wanted or not.
   void compute_all(const TileRays& rays, int columns) {
     double* const scratch = all_quantities_.data();
     finish_tile(tile_, at_.row_begin(), at_.row_end(), columns, rays, impl_.scale,
@@ -140,7 +140,7 @@ class NearestOfRows {
   // a coordinate by less than 1.6 kShare t; the sum with E is rounded.
   static constexpr double kShare = kVisibleParameterError / 2;
 
-  /// Leaves the others to the exact ray.
+  /// Leaves imprecise pixels to the exact ray.
   void require_precise(const TileRays& rays, double least, int columns) {
     const bool with_points = !rows_.point_x.empty();
     if (!(2 * impl_.sizes.delta <= kShare / 8 * rays.least_length) ||
@@ -179,7 +179,7 @@ class NearestOfRows {
       const auto index = static_cast<std::size_t>(entry.sphere->index);
       if (impl_.plan.spheres[index].pixels.contains(pixel)) candidates_.push_back(index);
     }
-    std::sort(candidates_.begin(), candidates_.end());  // the first in the file among equals
+    std::sort(candidates_.begin(), candidates_.end());  // among equals the first in the file
     spheres_.clear();
     for (const std::size_t index : candidates_) spheres_.push_back(impl_.scene.spheres[index]);
     const ExactRay ray(impl_.camera, pixel);

@@ -7,7 +7,7 @@
 
 namespace raycheck::scene {
 
-/// One line of a driver file that says something: a keyword and the words after it.
+/// One meaningful line of a driver file: a keyword and the words after it.
 struct DriverEntry {
   std::string keyword;
   std::vector<std::string> words;
@@ -17,8 +17,8 @@ struct DriverEntry {
   std::string joined() const;
 };
 
-/// The entries of a driver file, without its comments (from # to the end of a line), with line ends
-/// of any system.
+/// The entries of a driver file, without its comments (from # to the end of a line), whatever its
+/// line endings.
 std::vector<DriverEntry> driver_entries(std::string_view text);
 
 }  // namespace raycheck::scene

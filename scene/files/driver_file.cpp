@@ -76,7 +76,7 @@ class DriverReader {
     }
   }
 
-  /// What follows a sphere's place and size: numbers are its material.
+  /// Reads what follows a sphere's place and size: numbers are its material.
   void take_material(const Entry& entry) {
     if (entry.words.size() <= kSphereNumbers) return;
     const bool are_numbers =
@@ -266,11 +266,11 @@ class DriverReader {
 
   inline static const std::set<std::string> kOnce = {"eye",    "look", "up",    "d",
                                                      "bounds", "res",  "camera"};
-  /// What the course's scenes say of light and of meshes.
+  /// Keywords for lights and meshes in the course's scenes.
   inline static const std::set<std::string> kOfShading = {"ambient", "light", "model",
                                                           "recursionLevel", "recursionlevel"};
   static constexpr std::size_t kSphereNumbers = 4;
-  /// Of a file of other words, most lines begin with one that is not known.
+  /// In files of another kind most lines begin with an unknown word.
   static constexpr std::size_t kMostWarnings = 20;
 
   LocatedFields located_;

@@ -13,12 +13,12 @@ namespace raycheck::scene {
 namespace {
 
 constexpr std::size_t kMaxShown = 120;
-constexpr std::size_t kMostListed = 20;  ///< Problems of one scene.
+constexpr std::size_t kMostListed = 20;  ///< Problems listed per scene.
 
 std::string on_one_line(std::string_view text) {
   if (text.size() <= kMaxShown) return visible_line(text);
   std::size_t end = kMaxShown;
-  // Not in the middle of a character.
+  // Do not cut within a character.
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   return visible_line(text.substr(0, end)) + "...";
 }

@@ -11,9 +11,9 @@
 
 namespace raycheck::scene {
 
-/// What errors say of a file: every one names its line. Lines count from 1.
-/// Errors have the form `FILE:LINE: FIELD = VALUE: what is wrong`, with control characters spelled
-/// (scene/text.h) and long values cut, so that each stays on one line.
+/// Makes a file's errors, each of which names its line. Lines count from 1. Errors have the form
+/// `FILE:LINE: FIELD = VALUE: what is wrong`, with control characters escaped (scene/text.h) and
+/// long values truncated, so that each fits on one line.
 class LocatedFields {
  public:
   explicit LocatedFields(std::string_view file) : file_(file) {}
@@ -21,13 +21,12 @@ class LocatedFields {
   /// Throws SceneFileError.
   [[noreturn]] void fail(std::size_t line, std::string_view field, std::string_view value,
                          std::string_view what) const;
-  /// Throws SceneFileError about something that has no value.
+  /// Throws SceneFileError about something without a value.
   [[noreturn]] void fail(std::size_t line, std::string_view field, std::string_view what) const;
 
-  /// The line on which a field, as scene/validate.h spells it, was given; empty where it was not.
+  /// The line that sets a field, named as in scene/validate.h; empty if it is not set.
   using LineOf = std::function<std::optional<std::size_t>(const std::string& field)>;
-  /// Throws SceneFileError listing the first problems of the scene, one a line, unless there is
-  /// none.
+  /// Throws SceneFileError listing the first problems of the scene, one per line, if there are any.
   void require_valid(const Scene& scene, const LineOf& line_of) const;
 
   /// "FILE:LINE: FIELD: what"

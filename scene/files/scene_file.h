@@ -30,18 +30,18 @@ class SceneFileError : public std::runtime_error {
   explicit SceneFileError(const std::string& what) : std::runtime_error(visible(what)) {}
 };
 
-/// A scene, and what was odd in its file but did not keep it from being read.
+/// A scene, and warnings about its file that did not prevent reading it.
 struct LoadedScene {
   Scene scene;
   std::vector<std::string> warnings;
-  std::optional<Dialect> dialect = {};  ///< Of a driver file.
-  /// What a driver file says that only shading needs, which is nothing odd: "ambient", "2 lights".
+  std::optional<Dialect> dialect = {};  ///< For a driver file.
+  /// What a driver file contains for shading alone, which is not a problem: "ambient", "2 lights".
   std::vector<std::string> not_needed = {};
 };
 
 /// Reads a scene file: TOML when the name ends in ".toml", otherwise a driver file.
-/// Domain: the scene is valid (scene/validate.h); otherwise throws SceneFileError.
-/// `dialect` settles the dialect of a driver file that does not itself decide it.
+/// Domain: the scene is valid (scene/validate.h); otherwise throws SceneFileError. `dialect` is
+/// used for a driver file that does not itself determine its dialect.
 LoadedScene load_scene(const std::filesystem::path& path, std::optional<Dialect> dialect = {});
 
 /// The same for text already in memory; `file` is the name that errors and warnings use.

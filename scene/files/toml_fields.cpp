@@ -103,7 +103,7 @@ std::int64_t TomlFields::integer(const Field& field, std::string_view meaning) c
 std::string TomlFields::text(const Field& field) const {
   const auto* const text = field.node.as_string();
   if (text == nullptr) fail(field, "must be a text in quotes");
-  // It would end there as a path, as a word of a command and in an error.
+  // Paths, command-line words and errors end at a NUL.
   if (text->get().find('\0') != std::string::npos) fail(field, "must be without NUL");
   return text->get();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the readers of TOML files share; only they see toml++.
+// Shared by the readers of TOML files; only they see toml++.
 
 #include <toml++/toml.h>
 
@@ -32,7 +32,7 @@ class TomlFields {
     std::size_t line;
   };
 
-  /// A table in the file: `prefix` comes before its keys' names in errors.
+  /// A table in the file: errors put `prefix` before its keys.
   struct Table {
     const toml::table& keys;
     std::string name;
@@ -102,8 +102,8 @@ class TomlFields {
   LocatedFields located_;
 };
 
-/// t_min, t_max, interval, t_unit and culling of a table; those of a scene, or declared ones, which
-/// are declared where one of them is.
+/// t_min, t_max, interval, t_unit and culling of a table: a scene's, or declared ones, which all
+/// count as declared if one is given.
 inline void read_valid_roots(const TomlFields& fields, const TomlFields::Table& from,
                              ValidRoots& valid) {
   if (const auto field = fields.optional(from, "t_min")) valid.t_min = fields.number(*field);
@@ -121,7 +121,7 @@ inline void read_valid_roots(const TomlFields& fields, const TomlFields::Table& 
   if (is_declared) read_valid_roots(fields, from, valid.emplace());
 }
 
-/// The conventions that a table sets; a reader of scenes or of what else has them.
+/// The conventions that a table sets; for scenes and other files that have them.
 template <typename Conventions>
 void read_conventions(TomlFields& fields, const TomlFields::Table& from, Conventions& conventions) {
   fields.require_known(from, {"rows", "samples", "origin", "root", "tangent", "t_min", "t_max",

@@ -28,7 +28,7 @@ class SceneReader {
       scene.rays.push_back(ray(each));
     }
     fields_.located().require_valid(scene, [&](const std::string& field) {
-      // What is wrong with the scene is that it has rays beside a camera.
+      // Its defect is that it has rays as well as a camera.
       const auto given = root.at_path(field == "scene" ? "ray[0]" : field);
       return given ? std::optional<std::size_t>(given.node()->source().begin.line) : std::nullopt;
     });

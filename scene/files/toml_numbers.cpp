@@ -76,7 +76,7 @@ class Quoter {
     }
   }
 
-  /// The dots since what last ended a key or a value: a key has no more parts than that and one.
+  /// Counts dots since the last end of a key or a value: a key has at most one part more.
   void count(char c) {
     constexpr std::string_view kEnds = "\n=,[]{}";
     if (kEnds.find(c) != std::string_view::npos) dots_ = 0;

@@ -7,7 +7,7 @@
 namespace raycheck::scene {
 namespace {
 
-// Up to here every whole double is written in digits that any TOML reader takes for that integer.
+// Up to here whole doubles are written as digits that any TOML reader reads as that integer.
 constexpr double kMaxWholeNumber = 1e15;
 
 std::string toml_number(double value) {

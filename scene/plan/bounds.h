@@ -7,9 +7,8 @@
 namespace raycheck::scene {
 
 /// All reals from low to high; infinite where nothing is known.
-/// Error:  the result of an operation holds what the operation gives for all reals in its operands;
-///         where that is neither tiny nor past the largest double, each end is at most
-///         kBoundsMaxUlp ulp farther out than it need be.
+/// Error:  an operation's result encloses its values for all reals in the operands; unless these
+///         are tiny or past the largest double, each end is at most kBoundsMaxUlp ulp too far out.
 /// Domain: doubles that round to nearest; low <= high, neither NaN.
 struct Bounds {
   double low = 0;
@@ -22,8 +21,8 @@ struct Bounds {
   bool contains(double value) const { return low <= value && value <= high; }
 };
 
-// How far the real is from x, what it was rounded to: half an ulp, or where the least doubles are
-// too coarse, half of those (sums never need the latter). Beyond the largest double, anywhere.
+// How far a real may be from the double x it was rounded to: half an ulp, or half the least double
+// (sums never need the latter). Beyond the largest double, any distance.
 inline constexpr double kBoundsWiden = 0x1p-52;
 inline constexpr double kBoundsTiny = 0x1p-960;
 inline constexpr int kBoundsMaxUlp = 3;
@@ -44,7 +43,7 @@ inline Bounds operator+(const Bounds& x, const Bounds& y) {
 }
 inline Bounds operator-(const Bounds& x, const Bounds& y) { return x + -y; }
 
-/// Of two reals: nothing times anything is nothing, and what underflows is not.
+/// A product of reals: 0 times anything, even infinity, is 0; an underflow is not.
 struct RoundedProduct {
   double low, high;
 };
@@ -75,14 +74,14 @@ inline Bounds square(const Bounds& x) {
   return {std::max(0.0, bounded_product(least, least).low), bounded_product(most, most).high};
 }
 
-/// Everything where the divisor may be 0.
+/// All reals if the divisor may be 0.
 inline Bounds operator/(const Bounds& x, const Bounds& y) {
   if (y.contains(0)) return Bounds::everything();
   const double quotients[] = {x.low / y.low, x.low / y.high, x.high / y.low, x.high / y.high};
   Bounds result{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const double quotient : quotients) {
     if (std::isnan(quotient)) return Bounds::everything();
-    // A quotient of 0 may have underflowed, to either side of the real one.
+    // A computed 0 may be an underflow from either side.
     const double least = quotient == 0 ? std::numeric_limits<double>::denorm_min() : 0;
     result = {std::min(result.low, bound_below(quotient) - least),
               std::max(result.high, bound_above(quotient) + least)};
@@ -104,7 +103,7 @@ inline Bounds scaled(const Bounds& x, int exponent) {
           high.high + (x.high != 0 && high.high == 0 ? least : 0)};
 }
 
-/// Of what in x is not negative.
+/// Of the part of x that is not negative.
 inline Bounds sqrt(const Bounds& x) {
   return {std::max(0.0, bound_below(std::sqrt(std::max(0.0, x.low)))),
           bound_above(std::sqrt(std::max(0.0, x.high)))};

@@ -34,7 +34,7 @@ Axis difference(const Point3& to, const Point3& from) {
 
 bool is_zero(const Bounds& x) { return x.low == 0 && x.high == 0; }
 
-/// The world axis, or its opposite, that a vector has the direction of; false where it has none.
+/// Whether a vector points along a world axis or its opposite, and which.
 bool along_world_axis(const Axis& v, Axis& axis) {
   if (std::count_if(v.begin(), v.end(), is_zero) != 2) return false;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -44,7 +44,7 @@ bool along_world_axis(const Axis& v, Axis& axis) {
   return true;
 }
 
-/// Coordinates as large as these would overflow when squared, as small ones vanish.
+/// Huge coordinates would overflow when squared, tiny ones vanish.
 int exponent_of(const Axis& v) {
   double most = 0;
   for (const Bounds& x : v) most = std::max({most, std::abs(x.low), std::abs(x.high)});

@@ -9,16 +9,16 @@
 
 namespace raycheck::scene {
 
-/// Powers of two by which lengths are divided: positions on the image plane and its distance from
-/// the eye, and what spheres are measured by. 0: they are as given.
+/// Exponents of the powers of two that lengths are divided by: positions on the image plane and its
+/// distance from the eye; and lengths of spheres. 0: unscaled.
 struct Scaling {
   int plane = 0;
   int lengths = 0;
   bool operator==(const Scaling&) const = default;
 };
 
-/// A sphere as the eye has it, within bounds: what all rays through the eye have in common. Lengths
-/// are divided by 2^Scaling::lengths.
+/// A sphere relative to the eye, within bounds: what all rays through the eye share. Lengths are
+/// divided by 2^Scaling::lengths.
 struct EyeSphere {
   Bounds u, v, w;      ///< (C - E).U, (C - E).V, (C - E).W
   Bounds distance_sq;  ///< |C - E|^2
@@ -35,7 +35,7 @@ class EyeSpace {
  public:
   using Axis = std::array<Bounds, 3>;
 
-  /// `general` keeps even the world's axes as bounds, computed as any others.
+  /// `general` treats the world's axes like any others, as computed bounds.
   EyeSpace(const Camera& camera, const Conventions& conventions, const Scaling& scaling,
            bool general = false);
 
@@ -52,7 +52,7 @@ class EyeSpace {
   Bounds near() const;
   Bounds alpha(double column) const;
   Bounds beta(double row) const;
-  /// Where among the columns (or rows) a position on the image plane is; `alpha` undone.
+  /// The column (or row) of a position on the image plane: the inverse of `alpha`.
   Bounds column(const Bounds& alpha) const;
   Bounds row(const Bounds& beta) const;
 

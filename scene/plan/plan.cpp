@@ -29,7 +29,7 @@ std::optional<Bounds> slopes_of_disc(const Bounds& x, const Bounds& z, const Bou
   return slopes;
 }
 
-/// The whole numbers of [0, count) in a range.
+/// The integers of [0, count) within a range.
 std::pair<std::int64_t, std::int64_t> indices(const Bounds& range, std::int64_t count) {
   const auto most = static_cast<double>(count);
   return {static_cast<std::int64_t>(std::ceil(std::clamp(range.low, 0.0, most))),
@@ -98,7 +98,7 @@ class Planner {
     return {i_begin, i_end, j_begin, j_end};
   }
 
-  /// From a centre to the part of the image plane that has pixels.
+  /// The squared distance of a centre from the image plane's pixels.
   Bounds distance_sq_to_plane(const EyeSphere& seen) const {
     const auto beyond = [](const Bounds& x, const Bounds& range) {
       const Bounds below = Bounds::exactly(range.low) - x;
@@ -116,9 +116,9 @@ class Planner {
   Bounds near_, across_, along_;
 };
 
-/// Every ray from the eye that meets `sphere` meets `by` before it: its cone is inside the other's
-/// and all of it beyond where that touches `by`. With t^2 = |C - E|^2 - r^2, the cosine of the
-/// difference of the cones' half angles is (t t_by + r r_by) / (|C - E| |C_by - E|).
+/// Whether every ray from the eye that meets `sphere` meets `by` before it: its cone is inside the
+/// other's and all of it beyond where that touches `by`. With t^2 = |C - E|^2 - r^2, the cosine of
+/// the difference of the cones' half angles is (t t_by + r r_by) / (|C - E| |C_by - E|).
 bool covers(const EyeSphere& by, const EyeSphere& sphere) {
   if (!(sphere.power.low > 0)) return false;
   const Bounds touch = sqrt(by.power);
@@ -155,7 +155,7 @@ void leave_out_hidden(const std::vector<Sphere>& spheres, std::vector<SpherePlan
     const auto [found, is_new] = first.emplace(Key(centre.x, centre.y, centre.z, radius), k);
     if (!is_new) leave_out(k, found->second);
   }
-  // Those that every ray meets at their near root, which look largest.
+  // Spheres that every ray meets at the near root, those that look largest.
   std::vector<std::size_t> occluders;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     if (!plans[k].left_out && !plans[k].reaches_behind && plans[k].seen.power.low > 0) {
@@ -182,7 +182,7 @@ void leave_out_hidden(const std::vector<Sphere>& spheres, std::vector<SpherePlan
   }
 }
 
-/// The least and the largest magnitude that is not 0; {0, 0} of none.
+/// The least and the largest nonzero magnitude; {0, 0} if there is none.
 struct Magnitudes {
   double smallest = 0, largest = 0;
 
@@ -192,7 +192,7 @@ struct Magnitudes {
     smallest = smallest == 0 ? size : std::min(smallest, size);
     largest = std::max(largest, size);
   }
-  /// Of the largest, or 0 where all are within the plain range.
+  /// The exponent of the largest; 0 if all are in the plain range.
   int exponent(bool only_if_needed) const {
     if (largest == 0) return 0;
     const bool plain =

@@ -12,24 +12,24 @@
 
 namespace raycheck::scene {
 
-/// What is asked of a scene.
+/// What is wanted of a scene.
 enum class Wanted { kClass, kParameter, kPoint, kNearest };
 inline constexpr std::array<std::string_view, 4> kWantedNames = {"class", "parameter", "point",
                                                                  "nearest"};
 
-/// What a plan may do, each of which it can be told to leave alone.
+/// The things that a plan may do; each can be switched off.
 struct PlanItems {
   bool view = true;    ///< Leave out spheres outside the view volume.
   bool behind = true;  ///< Leave out spheres behind every origin.
   bool hidden = true;  ///< Leave out spheres hidden by a nearer one, where the nearest is wanted.
-  bool rectangles = true;  ///< Ask only the pixels of a sphere's rectangle about it.
-  bool constants = true;   ///< Compute once what a sphere has in common with all rays from the eye.
-  bool far_root = true;    ///< The far root only where an origin may be inside.
+  bool rectangles = true;   ///< Test a sphere only at the pixels of its rectangle.
+  bool constants = true;    ///< Compute once what all rays from the eye share about a sphere.
+  bool far_root = true;     ///< Use the far root only where an origin may be inside.
   bool behind_test = true;  ///< Compare roots with the origin only where a sphere may reach behind.
-  bool scaling = true;      ///< Scale by powers of two only where magnitudes call for it.
-  bool filter = true;       ///< The exact fallback only where the filter of doubles fails.
-  bool basis = true;  ///< Exchange coordinates instead of products where the axes are the world's.
-  bool quantities = true;  ///< Only what is wanted.
+  bool scaling = true;      ///< Scale by powers of two only if magnitudes require it.
+  bool filter = true;       ///< Decide exactly only where the filter in doubles fails.
+  bool basis = true;        ///< Permute coordinates, not multiply, where the axes are the world's.
+  bool quantities = true;   ///< Compute only what is wanted.
 };
 
 /// Pixels i_begin <= i < i_end, j_begin <= j < j_end.
@@ -53,25 +53,25 @@ enum class LeftOut { kOutsideView, kBehind, kHidden };
 inline constexpr std::array<std::string_view, 3> kLeftOutNames = {"outside the view",
                                                                   "behind the rays", "hidden"};
 
-/// What a sphere needs.
+/// What must be done for a sphere.
 struct SpherePlan {
   std::optional<LeftOut> left_out;
   std::optional<std::size_t> hidden_by;
-  PixelRectangle pixels;        ///< Every pixel whose ray meets it; empty where it is left out.
+  PixelRectangle pixels;        ///< All pixels whose rays meet it; empty if left out.
   bool origin_inside = true;    ///< A ray may start inside: its far root may count.
   bool reaches_behind = true;   ///< A ray's line may meet it behind the origin.
-  double nearest_distance = 0;  ///< No ray meets it nearer to the eye; scaled as `seen`.
+  double nearest_distance = 0;  ///< No ray meets it nearer to the eye; scaled like `seen`.
   EyeSphere seen;
 };
 
-/// What a scene needs, decided once from its camera and spheres, outward-rounded, so that leaving
-/// out the rest changes no answer. Scenes of given rays have no plan: each ray is on its own.
-/// Shape:  a scene -> one SpherePlan a sphere, in their order.
+/// What a scene needs, decided once from its camera and spheres, rounded outward so that skipping
+/// the rest changes no answer. Scenes of given rays have no plan: their rays share nothing.
+/// Shape:  a scene -> one SpherePlan per sphere, in their order.
 /// Units:  rectangles in pixels (i, j) as the conventions count them; scene lengths.
 /// Domain: a valid scene with a camera; otherwise throws std::invalid_argument naming the field.
-/// Error:  a pixel outside a sphere's rectangle certainly misses it; the rectangle is at most
-///         kRectangleSlack pixels a side larger than the pixels inside the sphere's silhouette
-///         bounds call for, while those bounds are well conditioned.
+/// Error:  a pixel outside a sphere's rectangle certainly misses it; the rectangle exceeds what its
+///         silhouette bounds call for by at most kRectangleSlack pixels on each side, if these
+///         bounds are well conditioned.
 /// Source: silhouette bounds of the cone from the eye over the sphere, in the planes (U, W) and (V,
 ///         W): its two tangent directions are the direction of the centre turned by asin(r/rho).
 struct ScenePlan {
@@ -82,10 +82,10 @@ struct ScenePlan {
   std::vector<SpherePlan> spheres;
 };
 
-/// By how many pixels a side a rectangle may be too large.
+/// By how many pixels on each side a rectangle may be too large.
 inline constexpr std::int64_t kRectangleSlack = 1;
 
-/// How many of the spheres that look largest each sphere is compared with.
+/// How many of the largest-looking spheres each sphere is compared with.
 inline constexpr std::size_t kMostOccluders = 64;
 
 /// Magnitudes within 2^-kPlainExponent and 2^kPlainExponent need no scaling: products of four of

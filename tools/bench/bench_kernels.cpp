@@ -42,7 +42,7 @@ struct Kernel {
   std::string name;
   std::size_t items;
   std::function<void()> work;
-  std::function<bool()> is_right;  ///< Whether the answers of the last work are.
+  std::function<bool()> is_right;  ///< Whether the last work's answers are right.
 };
 
 constexpr std::int64_t kSide = 512;
@@ -224,7 +224,7 @@ std::vector<Kernel> kernels() {
   return result;
 }
 
-/// What a count depends on beside the code; counts.py compares it with the baseline's.
+/// What a count depends on besides the code; counts.py compares it with the baseline's.
 std::string built_by() {
 #ifndef RAYCHECK_HAS_CALLGRIND
   return "built without valgrind/callgrind.h";
@@ -237,7 +237,7 @@ std::string built_by() {
   return compiler + ", " RAYCHECK_BUILD_TYPE ", glibc " + gnu_get_libc_version();
 }
 
-/// Counts the second run: the first one makes room for the answers.
+/// Counts the second run: the first one allocates room for the answers.
 void count([[maybe_unused]] const Kernel& kernel) {
 #ifdef RAYCHECK_HAS_CALLGRIND
   kernel.work();

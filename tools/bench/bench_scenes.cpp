@@ -55,8 +55,8 @@ scene::Scene in_view(std::int64_t spheres, std::int64_t size) {
 }
 
 scene::Scene unrelated_rays() {
-  // Not a multiple of 512: loads of one array would wait for stores to another, whose addresses
-  // are the same modulo 4096.
+  // Not a multiple of 512: loads from one array would wait for stores to another at equal addresses
+  // modulo 4096.
   constexpr int kRays = 4000;
   scene::Scene scene;
   scene.spheres = {kBenchSphere};
@@ -139,7 +139,7 @@ std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::Intersec
   properties::Trial trial(the_case, candidate);
   for (const properties::Law& law : properties::laws()) {
     if (!law.judges_values || !law.tells_stability) continue;
-    // Among many rays some graze: there the less stable methods keep no bound.
+    // Some of many rays graze: there less stable methods keep no bound.
     if (law.quantity == properties::Quantity::kParameter && !intersect.not_kept.empty()) continue;
     if (!apply(law, trial).holds()) {
       return candidate.name + " breaks the law " + std::string(law.name);

@@ -11,11 +11,11 @@
 #include "scene/geometry.h"
 #include "scene/scene.h"
 
-// What the benchmarks and the counts of instructions ask; the same at every run.
+// The inputs of the benchmarks and of the instruction counts; the same in every run.
 
 namespace raycheck::tools {
 
-/// A sphere that about a tenth of the image of camera_of() sees.
+/// A sphere that covers about a tenth of camera_of()'s image.
 inline constexpr scene::Sphere kBenchSphere = {{0.1, 0.3, 0.2}, 2.5};
 
 /// The camera, alone in its scene.
@@ -24,12 +24,12 @@ scene::Scene camera_of(std::int64_t width, std::int64_t height);
 scene::Scene scene_in_view();
 /// Spheres of radius 0.2 to 1, 5 to 60 from the eye, centres in view.
 scene::Scene in_view(std::int64_t spheres, std::int64_t size = 1024);
-/// Rays from anywhere, as good as unrelated, aimed about a sphere so that a third miss it.
+/// Practically unrelated rays from anywhere, aimed near a sphere so that a third miss it.
 scene::Scene unrelated_rays();
 /// The rays of a scene: of every pixel of its camera (by `direct`), or its own.
 fast::Rays rays_of(const scene::Scene& scene);
 
-/// Pixels all over an image, in an order that no predictor learns.
+/// Pixels all over an image, in an order that defeats branch prediction.
 std::vector<scene::Pixel> scattered_pixels(std::int64_t side);
 
 /// A given ray that hits, and an answer that is off by a few ulps.

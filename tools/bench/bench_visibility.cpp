@@ -52,8 +52,8 @@ std::vector<Shipped> shipped() {
   return result;
 }
 
-/// A share of the pixels, by columns, looks exactly at a point (a sphere of radius 0): tangents
-/// all, which no filter decides. The numbers are dyadic, so that the points are on the rays.
+/// A share of the pixels, column by column, looks exactly at a point (a sphere of radius 0): all
+/// tangents, which no filter decides. The numbers are dyadic, so that the points are on the rays.
 scene::Scene grazing(double share) {
   constexpr std::int64_t kSize = 128;
   scene::Scene scene;
@@ -79,7 +79,7 @@ struct Frame {
   reference::SeenRows rows() { return {sphere, parameter, {}, {}, {}}; }
 };
 
-/// A scene, its plan made and its exact answer checked.
+/// A scene with its plan made and its exact answer checked.
 struct Prepared {
   scene::Scene scene;
   double plan_ms = 0, build_ms = 0;
@@ -98,7 +98,7 @@ struct Prepared {
     check();
   }
 
-  /// Pixels compared with the exact ray, which asks every sphere: a budget of pairs.
+  /// Pixels compared with the exact ray, which tests every sphere: limited by a budget of pairs.
   void check() {
     const scene::Camera& camera = *scene.camera;
     const std::size_t pixels = truth.sphere.size();
@@ -165,7 +165,7 @@ void visibility(benchmark::State& state, What what,
   state.counters["wrong"] = static_cast<double>(wrong);
 }
 
-/// What nothing in view is measured against.
+/// The baseline for images with nothing in view.
 void fill(benchmark::State& state) {
   Frame frame(*camera_of(1024, 1024).camera);
   for (auto _ : state) {

@@ -20,7 +20,7 @@ import tempfile
 MOST_MORE = 0.05
 SKIPPED = 77
 ACCEPT = "./run bench --counts --accept"
-# What the C library chooses by the processor, at its plainest; and nothing of the user's environment.
+# The C library's plainest variants for the processor; nothing from the user's environment.
 ENVIRONMENT = {
     "PATH": os.environ.get("PATH", ""),
     "LC_ALL": "C",

@@ -43,12 +43,12 @@ Draft prepare(const Implementation& implementation, const ScenesOfFormats& scene
   return draft;
 }
 
-/// The mistake that explains the errors of someone else's: of a picture, which is asked for again
-/// and was kept, or of the answers about some rays.
+/// The mistakes that explain the errors of an external implementation: in a picture, which was kept
+/// and is asked for again, or in the answers about some rays.
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
   if (report.implementation.methods || report.verdict.holds()) return {};
-  if (!report.conventions.valid.is_usual()) return {};  // mistakes are those of who takes all roots
+  if (!report.conventions.valid.is_usual()) return {};  // mistakes assume every root >= 0
   const Candidate candidate = report.implementation.make();
   try {
     if (candidate.image) {
@@ -60,7 +60,7 @@ std::vector<properties::Explanation> explained(const CandidateReport& report,
     const Case rays = some.from(0, std::min<std::uint64_t>(kChunk, some.rays_judged()));
     return properties::explanations(properties::answer_causes(std::span(&rays, 1), candidate));
   } catch (const std::runtime_error&) {
-    return {};  // it gives no answer, as the verdict says
+    return {};  // the verdict says that it gives no answer
   } catch (const scene::Interrupted&) {
     return {};
   }
@@ -90,7 +90,7 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
     lines.emplace_back("camera.far: no quantity depends on it");
   }
   lines.emplace_back("laws that relate several answers: raycheck properties tries them");
-  /// The laws that were left out for one reason, of all candidates or of one, in their order.
+  /// The laws left out for one reason, for all candidates or for one, in order.
   struct Group {
     std::string whose, reason;
     std::vector<std::string> laws;
@@ -193,7 +193,7 @@ std::vector<Implementation> without_equals(const std::vector<Implementation>& im
   return result;
 }
 
-/// Times every candidate on the first rays, before any other thread runs.
+/// Times every candidate on the first rays, before other threads run.
 void time_all(const SceneCases& cases, std::vector<Draft>& drafts) {
   const Case chunk = cases.from(0, std::min<std::uint64_t>(kChunk, cases.rays_judged()));
   for (Draft& draft : drafts) {
@@ -241,7 +241,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
           fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
     });
   } catch (const scene::Interrupted&) {
-    // What was judged until then is the answer.
+    // The answer is what was judged so far.
   }
   const bool has_single = std::any_of(drafts.begin(), drafts.end(), [](const Draft& draft) {
     return draft.report.precision == scene::Precision::kSingle;

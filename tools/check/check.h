@@ -25,18 +25,18 @@
 
 namespace raycheck::tools {
 
-/// A hit that an interval of parameters, or culling, leaves out.
+/// A hit that an interval of parameters, or culling, excludes.
 struct SwallowedHit {
   properties::Place place;
-  double s = 0;         ///< Of the root that counts where every one >= 0 does; correctly rounded.
-  double in_radii = 0;  ///< s over the sphere's radius, about; infinite where that is 0.
+  double s = 0;         ///< Of the root that counts if all >= 0 do; correctly rounded.
+  double in_radii = 0;  ///< s over the sphere's radius, roughly; infinite for radius 0.
 };
 
-/// What becomes of the hits of a sphere.
+/// What happens to the hits of a sphere.
 struct SwallowedOfSphere {
-  std::uint64_t hits = 0;       ///< Where every root >= 0 counts.
-  std::uint64_t swallowed = 0;  ///< Of these, misses.
-  std::uint64_t moved = 0;      ///< Hits still, but at the other root.
+  std::uint64_t hits = 0;       ///< If every root >= 0 counts.
+  std::uint64_t swallowed = 0;  ///< Those that become misses.
+  std::uint64_t moved = 0;      ///< Those that remain hits, but at the other root.
 };
 
 /// What an interval or culling costs: the exact hits of a scene without it, and with it.
@@ -62,9 +62,9 @@ struct CheckOptions {
   bool keeps_forms = false;
   std::vector<Implementation> implementations;
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
-  std::size_t top = 10;                ///< How many of the worst discrepancies are shown.
-  std::optional<double> max_error;     ///< A bound in place of the documented ones.
-  bool strict = false;                 ///< What is excused or undecided fails, too.
+  std::size_t top = 10;                ///< How many of the worst discrepancies to show.
+  std::optional<double> max_error;     ///< A bound that replaces the documented ones.
+  bool strict = false;                 ///< Excused or undecided answers fail, too.
 };
 
 /// Nanoseconds per ray, the best of several repetitions on batches of the scene's rays.
@@ -85,32 +85,32 @@ struct CandidateReport {
   std::string lasting_name;  ///< By which a baseline knows it (lasting_names).
   Implementation implementation;
   scene::Conventions conventions;  ///< Under which it was judged.
-  /// The format that it was asked and judged in.
+  /// The format that it was judged in.
   scene::Precision precision = scene::Precision::kDouble;
-  /// How many numbers of the scene were rounded for it to be of that format.
+  /// How many numbers of the scene had to be rounded to that format.
   std::size_t rounded_numbers = 0;
-  std::string not_asked;  ///< Why it was asked nothing: the format cannot hold the scene; or empty.
+  std::string not_asked;  ///< Why it was not judged: the format cannot hold the scene; or empty.
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
-  bool given_rays = false;    ///< It makes no rays: what it says of raycheck's own is judged.
+  bool given_rays = false;    ///< It makes no rays: its answers about raycheck's own are judged.
   properties::Verdict verdict;
-  Swallowed swallowed;  ///< What its t_min, t_max and culling cost; nothing where it has none.
+  Swallowed swallowed;  ///< What its t_min, t_max and culling cost; empty if it has none.
   std::vector<LeftOut> left_out;
-  std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
-  Timing timing;                                      ///< Of raycheck's methods.
+  std::vector<properties::Explanation> explanations;  ///< For external ones only.
+  Timing timing;                                      ///< For raycheck's methods.
   properties::FailureSearch search;                   ///< For the questions that it fails on.
 
-  /// Of a candidate without a defect, and of which nothing is undecided, the first kind of question
-  /// to which no answer was right without an excuse, though asked.
+  /// For a candidate without defects or undecided answers, the first kind of question that was
+  /// asked but never answered right without an excuse.
   std::optional<std::pair<properties::Quantity, properties::Expected>> too_few_judged() const {
     const bool is_asked = inside_domain && verdict.holds() && !is_undecided();
     return is_asked ? verdict.too_few_right(1, swallows()) : std::nullopt;
   }
   bool is_undecided() const { return verdict.count(properties::Standing::kUndecided) > 0; }
-  /// Whether its t_min, t_max or culling leave out a hit of the scene: then others must be left.
+  /// Whether its t_min, t_max or culling exclude a hit of the scene: then other hits must remain.
   bool swallows() const { return !conventions.valid.is_usual() && swallowed.all().swallowed > 0; }
-  /// Whether enough was judged to say that there is no defect, but for what is undecided,
+  /// Whether enough was judged to say that there is no defect, undecided answers aside,
   bool is_judged() const { return inside_domain && verdict.compared() > 0 && !too_few_judged(); }
-  /// and whether nothing is.
+  /// and whether nothing is undecided.
   bool is_enough_judged() const { return is_judged() && !is_undecided(); }
 };
 
@@ -119,29 +119,29 @@ struct CheckReport {
   scene::Scene scene;
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< Of what it says.
-  /// The scene in single precision, where a candidate was asked about it.
+  std::vector<std::string> not_needed;    ///< For shading alone.
+  /// The scene in single precision, if a candidate was asked about it.
   std::optional<scene::Scene> single_scene;
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;
-  std::vector<std::string> left_out;  ///< What was asked of no candidate, one line each.
+  std::vector<std::string> left_out;  ///< What no candidate was asked, one line each.
   std::size_t top = 0;
   bool interrupted = false;
   bool strict = false;
-  std::optional<double> max_error;  ///< A bound in place of the documented ones.
-  std::optional<Ratchet> ratchet;   ///< Where it is held against a baseline.
+  std::optional<double> max_error;  ///< A bound that replaces the documented ones.
+  std::optional<Ratchet> ratchet;   ///< If it is compared with a baseline.
 
-  /// The scene that a candidate was asked about, and by which it was judged.
+  /// The scene that a candidate was asked about, and judged by.
   const scene::Scene& scene_of(const CandidateReport& candidate) const {
     return candidate.precision == scene::Precision::kSingle && single_scene ? *single_scene : scene;
   }
   std::uint64_t discrepancies() const;
   std::uint64_t count(properties::Standing standing) const;
   std::uint64_t compared() const;
-  /// Whether no candidate has a defect; of a strict report, nothing excused or undecided either.
+  /// Whether no candidate has a defect or, in a strict report, anything excused or undecided.
   bool holds() const;
-  /// Whether enough was judged, and decided or known to the baseline as undecided.
+  /// Whether enough was judged, and either decided or known to the baseline as undecided.
   bool is_enough_judged() const;
 };
 
@@ -169,24 +169,24 @@ inline constexpr View<CheckReport> kCheckViews[] = {
 };
 
 using NamedPlace = std::function<std::string(const properties::Place&)>;
-/// What was compared of a candidate, a row a quantity; `named` says where it was worst.
+/// What was compared of a candidate, a row per quantity; `named` says where it was worst.
 std::string quantities_table(const CandidateReport& candidate,
                              const NamedPlace& named = place_text);
 /// Why too little was judged to say anything; empty if enough was.
 std::string too_few_text(const CandidateReport& candidate);
 Json candidate_json(const CandidateReport& candidate, std::size_t top);
 
-/// Certificates of the worst discrepancies of each candidate, those of check_json: a line each.
+/// Certificates of each candidate's worst discrepancies, as in check_json: one per line.
 std::string check_certificates(const CheckReport& report);
 
-/// What is asked of a page besides what a report has found.
+/// What a page is to show besides the findings of a report.
 struct CheckPageOptions {
   std::vector<Selection> wanted;  ///< Shown first.
-  bool is_of_methods = false;     ///< Methods were asked for: panels show the steps of no others.
+  bool is_of_methods = false;     ///< Methods were chosen: panels show their steps only.
 };
 
 /// The scene of a report as a page, with its worst discrepancies and largest errors beside it: one
-/// view of it for raycheck's methods, and one for each implementation of someone else's.
+/// view for raycheck's methods, and one for each of the other implementations.
 ViewDocument check_document(const CheckReport& report, const CheckPageOptions& options,
                             const properties::RunControl& control);
 

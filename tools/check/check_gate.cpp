@@ -31,7 +31,7 @@ Identity identity_of(const Discrepancy& discrepancy, const CheckReport& report,
           candidate.lasting_name};
 }
 
-/// What is held against a candidate, the worst first; or what is left undecided beside.
+/// The discrepancies that count against a candidate, the worst first; or the undecided ones.
 std::vector<Discrepancy> found_of(const CheckReport& report, const CandidateReport& candidate,
                                   bool is_held) {
   std::vector<Discrepancy> found = candidate.verdict.worst(properties::kKeptDiscrepancies);
@@ -105,7 +105,7 @@ void add_checks(Gate& gate, const CheckReport& report, const CandidateReport& ca
                            {},
                            {}});
   }
-  // Of more discrepancies than are kept, those that are not there may have been dropped.
+  // If there are more discrepancies than are kept, missing ones may have been dropped.
   const bool has_all = candidate.verdict.discrepancies() < properties::kKeptDiscrepancies;
   if (report.interrupted || !has_all || !candidate.is_judged()) return;
   for (const properties::Law& law : properties::laws()) {

@@ -90,7 +90,7 @@ namespace {
 
 using properties::Discrepancy;
 
-/// What was asked about: the scene, or the ray that was given in a pixel's place.
+/// What was asked about: the scene, or the ray given in place of a pixel.
 struct Asked {
   scene::Scene scene;
   Discrepancy discrepancy;

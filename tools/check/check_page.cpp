@@ -14,8 +14,8 @@ namespace {
 
 using properties::Quantity;
 
-/// Findings of one candidate, one for each ray and sphere: the worst discrepancies of its answers,
-/// or where it has none its largest errors.
+/// Findings per candidate, one for each ray and sphere: its worst discrepancies or, without any,
+/// its largest errors.
 constexpr std::size_t kMostFindings = 8;
 constexpr std::size_t kMostDiscrepancies = 64;
 
@@ -25,7 +25,7 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   return candidate.implementation.name_in(is_of_rays ? Stage::kRays : Stage::kIntersection);
 }
 
-/// What makes a candidate's wrong answers right, in a sentence; or nothing.
+/// What would make a candidate's wrong answers right, in a sentence; or empty.
 std::string looks_like(const std::vector<properties::Explanation>& explanations) {
   std::string text;
   for (const properties::Explanation& one : explanations) {
@@ -36,7 +36,7 @@ std::string looks_like(const std::vector<properties::Explanation>& explanations)
   return text.empty() ? text : text + ".";
 }
 
-/// Where a discrepancy is looked at that has no place of its own: of the camera, or a failure.
+/// Where to show a discrepancy without a place of its own: one of the camera, or a failure.
 Selection anywhere_in(const scene::Scene& scene) {
   if (!scene.camera) return {{}, std::size_t{0}, {}};
   return {scene::Pixel{scene.camera->width / 2, scene.camera->height / 2}, {}, {}};
@@ -78,7 +78,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
                      unit_name(quantity, candidate.precision), place_text(tally.worst_place)),
          candidate.name, method_of(candidate, quantity), std::nullopt, scene_index, selection});
   }
-  // Of a picture that is right no error is told.
+  // A right picture has no errors to show.
   if (findings.empty() && candidate.verdict.compared() > 0) {
     findings.push_back({"no discrepancy", candidate.name, candidate.name, std::nullopt, scene_index,
                         anywhere_in(scene)});
@@ -86,7 +86,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
   return findings;
 }
 
-/// Candidates that one view shows: raycheck's together, of others each alone.
+/// Candidates shown in one view: raycheck's together, each of the others alone.
 using Group = std::vector<const CandidateReport*>;
 
 std::vector<Group> groups_of(const CheckReport& report) {
@@ -110,7 +110,7 @@ std::string worst_of(std::uint64_t listed, std::uint64_t all) {
                      listed == 1 ? "one place is" : fmt::format("{} places are", listed));
 }
 
-/// How many places with discrepancies are listed, of how many discrepancies, and largest errors.
+/// How many places are listed, of how many discrepancies, and how many largest errors.
 std::string found_text(std::uint64_t listed, std::uint64_t all, std::uint64_t errors) {
   std::string text;
   if (all > 0) {
@@ -144,7 +144,7 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
       const auto found = findings_of(*candidate, report.scene, document.scenes.size());
       document.findings.insert(document.findings.end(), found.begin(), found.end());
     }
-    // Defects before what else there is, in the order of the report.
+    // Defects first, then in the order of the report.
     std::stable_sort(document.findings.begin(), document.findings.end(),
                      [](const FindingView& a, const FindingView& b) {
                        const auto rank = [](const FindingView& one) {

@@ -11,7 +11,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// The longer side of the picture, whatever the image has.
+/// The longer side of the picture, whatever the image's size.
 constexpr std::int64_t kLongerSide = 320;
 
 constexpr Colour kUnseen = {244, 244, 246};
@@ -52,7 +52,7 @@ std::int64_t position(std::int64_t index, std::int64_t count, std::int64_t side,
   return count == 1 ? 0 : index * (side - 1) / (count - 1);
 }
 
-/// A square around a place, of half of what a pixel of the image takes.
+/// A square around a place, half as wide as a pixel of the image.
 void mark(Canvas& canvas, const scene::Scene& scene, const scene::Pixel& pixel,
           const Colour& colour) {
   const scene::Camera& camera = *scene.camera;

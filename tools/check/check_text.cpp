@@ -55,7 +55,7 @@ std::string class_error_text(const Tally& tally) {
   return text.empty() ? "0" : text;
 }
 
-/// The worst place of a quantity, where anything was off.
+/// Where a quantity is worst, if it has errors.
 std::string worst_text(const Tally& tally, Quantity quantity, const NamedPlace& named) {
   std::string text;
   if (tally.worst > 0 && has_place(quantity)) {
@@ -121,7 +121,7 @@ std::string precision_text(const CandidateReport& candidate) {
 std::string failures_text(const properties::FailureSearch& search) {
   if (search.batches == 0) return "";
   std::string text =
-      fmt::format("  failed on {}, asked in halves: {} found to blame (at most {} are sought)",
+      fmt::format("  failed on {}, retried in halves: {} to blame found (at most {} are sought)",
                   count_text(static_cast<std::uint64_t>(search.batches),
                              search.batches == 1 ? "batch" : "batche"),
                   count_text(static_cast<std::uint64_t>(search.found), "question"),
@@ -131,7 +131,7 @@ std::string failures_text(const properties::FailureSearch& search) {
   return text + "\n";
 }
 
-/// How to ask that question again: a line, where there is a command for it.
+/// A line that tells how to ask that question again, if a command can.
 std::string replay_text(const CheckReport& report, const CandidateReport& candidate,
                         const properties::Discrepancy& discrepancy) {
   const scene::Scene& scene = *discrepancy.failed.scene;
@@ -201,7 +201,7 @@ std::string candidate_text(const CheckReport& report, const CandidateReport& can
                                      ? timing_text(candidate.timing, report.scene.spheres.size())
                                      : "isolated by: " + implementation.isolated_by);
   if (!implementation.bounds_of.empty() && !report.max_error) {
-    text += fmt::format("  documents no bounds: held to those of {} (--bounds)\n",
+    text += fmt::format("  documents no bounds: judged by those of {} (--bounds)\n",
                         implementation.bounds_of);
   }
   if (!(candidate.conventions == report.scene.conventions)) {
@@ -223,7 +223,7 @@ struct RankedDiscrepancy {
   properties::Discrepancy discrepancy;
 };
 
-/// Defects first; the candidates' worst before their second worst.
+/// Defects first; each candidate's worst before any second worst.
 std::vector<RankedDiscrepancy> worst_of_all(const CheckReport& report) {
   std::vector<RankedDiscrepancy> ranked;
   for (const CandidateReport& candidate : report.candidates) {

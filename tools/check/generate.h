@@ -9,9 +9,9 @@
 
 namespace raycheck::tools {
 
-// Questions and answers one a line, for programs between `raycheck generate` and `raycheck verify`:
-// docs/candidates.md has the format. A question is a ray and a sphere; its id, CASE:RAY:SPHERE,
-// names the case, so that verify makes it again.
+// Questions and answers, one per line, for programs between `raycheck generate` and `raycheck
+// verify`: docs/candidates.md defines the format. A question is a ray and a sphere; its id,
+// CASE:RAY:SPHERE, names the case, so that verify can make it again.
 
 /// "SOURCE@SEVERITY:SEED"
 std::string case_id(const properties::ChosenSource& source, std::uint64_t seed);
@@ -23,7 +23,7 @@ std::string question_id(const std::string& the_case, std::size_t ray, std::size_
 /// cameras.
 properties::ChosenSource source_of_questions(const std::string& family);
 
-/// The case of a seed in a format; empty where that cannot hold it.
+/// The case of a seed, rounded to a format; empty if the format cannot hold it.
 std::optional<properties::Case> case_asked(const properties::ChosenSource& source,
                                            std::uint64_t seed, scene::Precision precision);
 

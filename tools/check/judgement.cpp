@@ -40,7 +40,7 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, const Candidate
   ChunkVerdict found;
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
-    // Of others than renderers it need not be said that they make no images.
+    // That others than renderers make no images goes without saying.
     if (law.per == Per::kImage && !candidate.image) continue;
     Verdict verdict = trials.apply(law);
     if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
@@ -89,7 +89,7 @@ void Judgement::run(const RunControl& control, std::uint64_t& rays_judged,
       });
 }
 
-/// Adds what a chunk, whose first ray is given, says of each draft.
+/// Adds a chunk's verdict on each draft; `first` is its first ray.
 void Judgement::merge(std::vector<ChunkVerdict>& verdicts, std::uint64_t first) {
   for (std::size_t k = 0; k < drafts_.size(); ++k) {
     if (verdicts[k].has_failed()) seek_failures(k, first, verdicts[k]);
@@ -101,9 +101,8 @@ void Judgement::merge(std::vector<ChunkVerdict>& verdicts, std::uint64_t first) 
   }
 }
 
-/// Judges a chunk on which a candidate failed again, in parts: by a candidate of its own, chunk
-/// after chunk, so that what is sought does not depend on the threads. Where it does not fail
-/// now, the verdict stays what it was.
+/// Judges a failed chunk again, in parts: with a separate candidate, one chunk after the other, so
+/// that the search does not depend on threads. If it does not fail this time, the verdict stays.
 void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& failed) {
   CandidateReport& report = drafts_[k].report;
   if (report.search.is_over()) {

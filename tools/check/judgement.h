@@ -23,14 +23,14 @@
 
 namespace raycheck::tools {
 
-/// Rays judged at a time: between chunks progress is shown and an interrupt is heeded. Methods are
-/// timed, and mistakes looked for, on the first chunk.
+/// Rays judged at a time: between chunks progress is shown and interrupts are handled. Methods are
+/// timed, and mistakes searched for, on the first chunk.
 inline constexpr std::size_t kChunk = 512;
 
 /// Reasons by law.
 using ReasonsLeftOut = std::map<std::string_view, std::string>;
 
-/// A candidate's report in the making.
+/// A candidate's report while it is being made.
 struct Draft {
   CandidateReport report;
   ReasonsLeftOut left_out;
@@ -43,7 +43,7 @@ struct ScenesOfFormats {
     single = properties::rounded_case({given, {}}, scene::Precision::kSingle);
     if (single.the_case) cases[1].emplace(single.the_case->scene, pixels);
   }
-  /// Empty where the format cannot hold the scene.
+  /// Empty if the format cannot hold the scene.
   const std::optional<properties::SceneCases>& of(scene::Precision precision) const {
     return cases[static_cast<std::size_t>(precision)];
   }
@@ -52,18 +52,18 @@ struct ScenesOfFormats {
   std::array<std::optional<properties::SceneCases>, 2> cases;
 };
 
-/// What is found out about one candidate on a chunk of the rays.
+/// The verdict on one candidate on a chunk of the rays.
 struct ChunkVerdict;
 
-/// Judges the rays of drafts chunk by chunk. Every thread has candidates of its own; chunks share
-/// nothing but the plans, and their verdicts are merged in the order of the rays.
+/// Judges the rays of drafts chunk by chunk. Every thread has its own candidates; chunks share only
+/// the plans, and their verdicts are merged in the order of the rays.
 class Judgement {
  public:
-  /// What is given has to outlive it.
+  /// The arguments must outlive it.
   Judgement(std::optional<double> max_error, const ScenesOfFormats& scenes,
             std::vector<Draft>& drafts);
 
-  /// Counts the rays judged, and tells after each chunk.
+  /// Counts the rays judged, and reports progress after each chunk.
   void run(const properties::RunControl& control, std::uint64_t& rays_judged,
            const std::function<void()>& tell);
 
@@ -77,7 +77,7 @@ class Judgement {
   std::vector<Draft>& drafts_;
   std::array<std::vector<scene::ScenePlan>, 2> plans_;  ///< By format.
   tbb::enumerable_thread_specific<std::vector<properties::Candidate>> candidates_;
-  std::vector<std::optional<properties::Candidate>> searchers_;  ///< Where they have failed.
+  std::vector<std::optional<properties::Candidate>> searchers_;  ///< For those that have failed.
 };
 
 /// Times a candidate's methods through fast/'s batch interface on the scene's own rays.

@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Enough rays that a batch's fixed costs do not show, few enough to stay in the cache.
+/// Enough rays to hide a batch's fixed costs, few enough to stay in the cache.
 constexpr std::size_t kBatch = 2048;
 constexpr int kRepetitions = 7;
 /// Spheres timed; a ray against more costs in proportion.
@@ -28,7 +28,7 @@ double best_ns(Work work) {
   return best;
 }
 
-/// Rays that overflowed on their way are judged, not timed.
+/// Rays that overflowed are judged, but not timed.
 bool all_valid(const fast::Rays& rays) {
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const scene::Ray ray = {{rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},

@@ -31,7 +31,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
   }
 }
 
-/// Of a line, in an error.
+/// Quotes a line in an error.
 std::string quoted(std::string_view text) { return fmt::format("'{}'", scene::visible_line(text)); }
 
 /// A number in a format: the decimals of a float name it, not a double.
@@ -57,7 +57,7 @@ std::optional<HitAnswer> answer_of(std::string_view line, const std::string& id,
   return HitAnswer{at(1), {at(2), at(3), at(4)}};
 }
 
-/// Lines of what is read in parts.
+/// The lines of a text that is read in blocks.
 class Lines {
  public:
   explicit Lines(const ReadMore& more) : more_(more) {}

@@ -21,7 +21,7 @@ struct VerifyOptions {
   std::uint64_t seed = 0;
   scene::Precision precision = scene::Precision::kDouble;
   std::optional<double> max_error;
-  bool strict = false;  ///< What is excused or undecided fails, too.
+  bool strict = false;  ///< Excused or undecided answers fail, too.
   std::size_t top = 10;
 };
 
@@ -34,7 +34,7 @@ inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
 struct VerifyReport {
   std::uint64_t answers = 0, cases = 0;
   std::uint64_t cases_asked = 0;
-  std::uint64_t cases_left_out = 0;  ///< That floats cannot hold: they ask nothing.
+  std::uint64_t cases_left_out = 0;  ///< Floats cannot hold them: nothing is asked.
   std::string ends_before;          ///< The first question without an answer; empty: there is none.
   properties::ChosenSource source;  ///< As in the options.
   std::uint64_t seed = 0;
@@ -45,12 +45,12 @@ struct VerifyReport {
   bool interrupted = false;
 
   std::size_t ray_in_case(std::size_t ray) const { return ray % kMostRays; }
-  /// "SOURCE:SEED:RAY", which begins the ids of the questions about it.
+  /// "SOURCE:SEED:RAY", the start of the ids of the questions about it.
   std::string ray_id(std::size_t ray) const;
   bool holds() const { return candidate.verdict.holds(strict) && ends_before.empty(); }
 };
 
-/// The next part of what is read; empty at the end.
+/// Reads the next block; empty at the end.
 using ReadMore = std::function<std::string()>;
 
 /// Judges the answers to questions (generate.h), in their order, by the laws of

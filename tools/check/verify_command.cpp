@@ -35,7 +35,7 @@ CommandRun add_verify(CLI::App& command) {
   VerifyOptions& options = given->options;
   command
       .add_option("--family", given->family,
-                  "as generate was given it: its questions are what is to be answered, no others")
+                  "as given to generate: exactly its questions must be answered")
       ->required();
   add_exchanged(command, options.cases, options.seed, options.precision);
   command.add_option("--top", options.top, "how many of the worst discrepancies are shown")

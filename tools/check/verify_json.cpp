@@ -18,7 +18,7 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   json.update(candidate_json(report.candidate, report.top));
   for (const char* key :
        {"rays", "intersect", "isolated_by", "bounds_of", "ns_per_ray", "explanations"}) {
-    json.erase(key);  // of methods, of processes and of renderers
+    json.erase(key);  // for methods, processes and renderers only
   }
   const auto name = [&](Json& place) {
     const auto ray = place["ray"].get<std::size_t>();

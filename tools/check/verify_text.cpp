@@ -14,7 +14,7 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
   });
   text += too_few_text(report.candidate);
   if (report.interrupted) {
-    text += "\nINTERRUPTED: what was not read until then is not judged\n";
+    text += "\nINTERRUPTED: only what was read before is judged\n";
   } else if (!report.ends_before.empty()) {
     text += fmt::format("\n{} of {} answered: the answers end before {}\n", report.cases,
                         count_text(report.cases_asked, "case"), report.ends_before);

@@ -26,8 +26,8 @@ using reference::ExactRay;
 
 std::vector<ClosedForm> coordinates(const ClosedForm3& form) { return {form.begin(), form.end()}; }
 
-/// The double nearest to a number that is enclosed at any precision; 0 where its closed form says
-/// so, since no enclosure of 0 narrows to it.
+/// The double nearest to a number that can be enclosed at any precision; 0 if its closed form is 0,
+/// which no enclosure can show.
 double rounded(const std::function<Enclosure(int)>& enclose, const ClosedForm& closed_form) {
   if (closed_form.is_zero()) return 0;
   constexpr int kMostBits = 1 << 14;
@@ -172,7 +172,7 @@ scene::Scene asked_scene(const ExplainOptions& options, const std::optional<Cand
                          std::size_t& rounded_numbers) {
   scene::Scene scene = options.scene;
   scene::require_valid(scene);
-  // As check does: rays that a method makes from the eye only are judged from the eye.
+  // As in check: if a method makes rays from the eye only, they are judged from the eye.
   if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
   if (!other) return scene;
   scene.conventions = other->declared.over(scene.conventions);

@@ -19,10 +19,10 @@ namespace raycheck::tools {
 /// What is explained: one ray of a scene (a camera's pixel or a given one) and one sphere, if any.
 struct ExplainOptions {
   scene::Scene scene;
-  std::optional<scene::Pixel> pixel;  ///< Where the scene has a camera.
+  std::optional<scene::Pixel> pixel;  ///< If the scene has a camera.
   std::optional<std::size_t> sphere;  ///< Empty: the one met first, or else the first.
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Whose rays the intersections get.
-  /// Someone else's implementation, by whose conventions all is explained; null: there is none.
+  /// An external implementation, whose conventions all explanations use; null: none.
   std::shared_ptr<const Implementation> other = nullptr;
 };
 
@@ -31,30 +31,30 @@ struct Step {
   std::string symbol;
   std::string formula;
   std::vector<reference::ClosedForm> closed_form;  ///< One, or three coordinates.
-  std::vector<double> rounded;  ///< Correctly rounded; empty: the closed form is an input's own.
-  std::optional<double> condition = {};  ///< kappa by the scene's numbers; of axes, the worst's.
-  std::optional<double> condition_alone = {};  ///< kappa by what goes into the step directly.
+  std::vector<double> rounded;  ///< Correctly rounded; empty if the closed form is an input.
+  std::optional<double> condition = {};  ///< kappa by the scene's numbers; for axes the worst.
+  std::optional<double> condition_alone = {};  ///< kappa by the step's direct operands.
 };
 
 /// A method's value at a step, and how far it is off.
 struct MethodStep {
   std::string symbol;
-  std::vector<double> value;    ///< Empty: it has none (a miss).
-  std::optional<double> error;  ///< From the exact value; empty where that or the value is a miss.
+  std::vector<double> value;    ///< Empty if it has none (a miss).
+  std::optional<double> error;  ///< From the exact value; empty if either is a miss.
   std::string_view unit;        ///< Of its errors.
-  /// The error of this step alone, fed with the method's own values of the steps before, taken
-  /// exactly; empty where it has none.
+  /// The error of this step alone, computed from the method's own values of the steps before, taken
+  /// as exact; empty if it has none.
   std::optional<double> error_alone = {};
 };
 
 struct MethodReport {
   std::string name;
   std::vector<MethodStep> steps;
-  bool intersects = false;          ///< An intersection method; the next four speak of those only.
+  bool intersects = false;          ///< An intersection method; only then are the next four valid.
   bool makes_ray = false;           ///< The ray of a pixel, which it is otherwise given.
   std::optional<double> parameter;  ///< Empty: a miss.
   std::optional<double> ulp_error;  ///< Empty unless both hit.
-  scene::Precision precision = scene::Precision::kDouble;  ///< What that is an ulp of.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format of that ulp.
   /// What the laws find wrong first with its answers; empty: nothing.
   std::optional<properties::Discrepancy> wrong = {};
   std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: none.
@@ -78,8 +78,8 @@ struct RootLeftOut {
 /// The exact answer about one sphere.
 struct SphereReport {
   reference::Intersection intersection;
-  bool is_hit = false;                ///< Under the conventions, which say what counts.
-  std::vector<RootLeftOut> left_out;  ///< Before the one that counts, if any.
+  bool is_hit = false;                ///< Under the conventions, which tell what counts.
+  std::vector<RootLeftOut> left_out;  ///< Those before the one that counts, if any.
   std::optional<double> parameter;
   std::vector<double> point;
   std::optional<reference::ClosedForm> closed_form_parameter;
@@ -88,17 +88,17 @@ struct SphereReport {
 
 struct ExplainReport {
   scene::Scene scene;               ///< In the format of `other`.
-  std::size_t rounded_numbers = 0;  ///< That were none of it.
+  std::size_t rounded_numbers = 0;  ///< That had to be rounded.
   std::optional<scene::Pixel> pixel;
-  scene::Ray ray;  ///< Where it is given.
+  scene::Ray ray;  ///< If it is given.
   std::string rays_method;
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
   std::shared_ptr<const Implementation> other;
   std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
   std::vector<SphereReport> spheres;
-  /// Of that sphere, where the conventions say otherwise: raycheck's own methods count every root
-  /// >= 0, and are judged so.
+  /// For that sphere with every root >= 0 counting, if the conventions differ: raycheck's own
+  /// methods are judged by it.
   std::optional<SphereReport> by_every_root;
   std::optional<std::size_t> nearest;
 
@@ -106,7 +106,7 @@ struct ExplainReport {
   bool has_discrepancy() const;
 };
 
-/// Derives one ray step by step, exactly and by every method.
+/// Derives one ray step by step, exactly and with every method.
 /// Domain: a valid scene; otherwise throws std::invalid_argument naming the field.
 ExplainReport explain(const ExplainOptions& options);
 
@@ -115,10 +115,10 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& options
 
 /// What the text says of one method: "s = 6 (0x1.8p+2), off by 0.2 ulp".
 std::string method_verdict(const MethodReport& method, const ExplainReport& report);
-/// Of that what follows an answer, ", off by 0.2 ulp, a false hit (excused)"; of a method that
-/// makes rays all of it. Domain: it did not fail.
+/// The part of it after the answer, ", off by 0.2 ulp, a false hit (excused)"; all of it for a
+/// method that makes rays. Domain: it did not fail.
 std::string answer_remarks(const MethodReport& method);
-/// What is added to the step at which a method goes wrong; mostly nothing.
+/// What is added at the step where a method goes wrong; usually empty.
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report);
 
 inline constexpr View<ExplainReport> kExplainViews[] = {

@@ -8,7 +8,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Notes kappa of a step, end to end and of the step alone; steps of other names stay as they are.
+/// Sets kappa of the step with this symbol, end to end and of the step alone.
 void note(std::vector<Step>& steps, const char* symbol, std::optional<double> end_to_end,
           std::optional<double> alone) {
   const auto step = std::find_if(steps.begin(), steps.end(),

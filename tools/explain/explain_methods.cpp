@@ -69,7 +69,7 @@ Enclosure3 scaled(const Enclosure& factor, const Enclosure3& v) {
   return {factor * v.x, factor * v.y, factor * v.z};
 }
 
-/// g = n W + alpha U + beta V of the method's own axes, exactly.
+/// g = n W + alpha U + beta V with the method's own axes, exactly.
 Enclosure3 along_own_axes(const properties::FrameAnswer& frame, const Enclosure3& plane_position) {
   return scaled(plane_position.z, reference::enclose_exactly(frame.W)) -
          scaled(-plane_position.x, reference::enclose_exactly(frame.U)) -

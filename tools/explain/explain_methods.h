@@ -20,14 +20,14 @@ std::vector<double> numbers(const Triple& value) {
   return {value.x, value.y, value.z};
 }
 
-/// The exact and symbolic sides of the ray that is explained.
+/// The explained ray in exact and symbolic form.
 struct Subject {
   reference::ExactRay exact;
   reference::ClosedFormRay symbolic;
   bool from_camera;
 };
 
-/// Notes the condition numbers of the steps of a ray (`camera` null for a given one) and of a
+/// Sets the condition numbers of the steps of a ray (`camera` null for a given one) and of a
 /// sphere.
 void add_ray_conditions(const Subject& subject, const reference::ExactCamera* camera,
                         std::vector<Step>& steps);

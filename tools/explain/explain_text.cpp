@@ -11,7 +11,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Longer closed forms are cut here; --format json has them whole.
+/// Longer closed forms are cut here; --format json shows them whole.
 constexpr std::size_t kLongestClosedForm = 160;
 
 std::string shown(const std::string& closed_form) {
@@ -164,7 +164,7 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
   text +=
       "exact value of each step, in closed form and correctly rounded; below it each method's\n";
   if (report.sphere && report.pixel) {
-    text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, each held against that ray)\n",
+    text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, each judged by that ray)\n",
                         report.rays_method);
     const MethodReport& last = report.methods.back();
     if (report.other && last.intersects && last.name == report.other->name) {

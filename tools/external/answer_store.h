@@ -7,14 +7,14 @@
 
 namespace raycheck::tools {
 
-/// What a program answered to a request, or how it failed.
+/// A program's answer to a request, or how it failed.
 struct StoredAnswer {
-  std::string text;  ///< As who asked writes it; of a failure its words.
+  std::string text;  ///< In the caller's format; for a failure its words.
   std::optional<FailureKind> failure = {};
-  double seconds = 0;  ///< That it took.
+  double seconds = 0;  ///< The time it took.
 };
 
-/// What one program, run in one way, answered in an earlier run: it is not asked again.
+/// The answers of one program, run in one way, in earlier runs: it is not asked again.
 class AnswerStore {
  public:
   AnswerStore() = default;
@@ -26,7 +26,7 @@ class AnswerStore {
   virtual void keep(const std::string& request, StoredAnswer answer) = 0;
 };
 
-/// Whether a program would fail likewise if it were asked again: the system is not its.
+/// Whether a program would fail in the same way again: failures of the system are not its own.
 constexpr bool is_lasting(FailureKind kind) { return kind != FailureKind::kSystem; }
 
 }  // namespace raycheck::tools

@@ -16,8 +16,7 @@ constexpr std::uint64_t kCompilerProcesses = 256;
 constexpr std::uint64_t kCompilerFiles = 256;
 constexpr std::uint64_t kCompilerFile = std::uint64_t{256} << 20;
 constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
-/// Which line an address is of, and nothing else of what debuggers ask for: where a candidate dies
-/// is told by it (source_lines.h).
+/// Line tables and no other debug information: they tell where a candidate dies (source_lines.h).
 constexpr const char* kLineTables = "-g1";
 constexpr const char* kEigen = "/usr/include/eigen3";
 
@@ -32,7 +31,7 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
   return files;
 }
 
-/// What a confined program made, unless it is a link to what that may not read.
+/// What a confined program made, unless it is a link to something it may not read.
 fs::path copied(const fs::path& made, const fs::path& to) {
   if (!fs::is_regular_file(fs::symlink_status(made))) {
     throw CandidateError(fmt::format("{} is no file", made.filename().string()));
@@ -41,8 +40,8 @@ fs::path copied(const fs::path& made, const fs::path& to) {
   return to / made.filename();
 }
 
-/// A program that is to succeed, which errors call `name`; its folder, where it leaves what it
-/// makes, lasts as long.
+/// A build step that must succeed; errors call it `name`. Its folder, where it leaves its output,
+/// lives as long.
 class Step {
  public:
   Step(const std::string& name, const Confined& confined) : process_(confined) {
@@ -65,7 +64,7 @@ class Step {
   Process process_;
 };
 
-/// Words are still to be said.
+/// The compiler, without its words yet.
 Confined compiler(const RunOptions& options) {
   Confined confined{.arguments = {},
                     .readable = {},
@@ -73,7 +72,7 @@ Confined compiler(const RunOptions& options) {
                     .limits = options.limits,
                     .surroundings = options.surroundings,
                     .spent = options.build_spent};
-  // A rubric's limits are those of what is built; compilers need what they need.
+  // A rubric's limits apply to what is built; compilers have limits of their own.
   const Limits usual;
   confined.limits.seconds = options.build_seconds;
   confined.limits.names.seconds = options.build_seconds_name;

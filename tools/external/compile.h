@@ -11,29 +11,28 @@ namespace raycheck::tools {
 /// Where <raycheck/candidate.h> is: beside an installed program, or in the sources it was built of.
 std::filesystem::path include_folder();
 
-/// What a source that is compiled lies in, with all that it may include beside itself: the folder,
-/// or that of the file.
+/// The folder of a source to compile, with all that it may include: itself, or the file's folder.
 std::filesystem::path source_folder(const std::filesystem::path& source);
 
 /// Compiles a C++ file, the .cpp files of a folder, or what a CMakeLists.txt describes, to a shared
-/// library with tables of lines in the folder `to`, kept like a candidate; the library's path.
-/// <raycheck/candidate.h> and Eigen, where it is installed, are found. Errors: CandidateError with
+/// library with line tables in the folder `to`, sandboxed like a candidate; returns the library's
+/// path. <raycheck/candidate.h> and Eigen, if installed, are found. Errors: CandidateError with
 /// what the compiler said.
 std::filesystem::path compile(const std::filesystem::path& source, const std::filesystem::path& to,
                               const RunOptions& options);
 
-/// Shell words that build something.
+/// A shell command that builds something.
 struct BuildWords {
   std::string words;
-  std::string shown;  ///< What errors call them.
-  /// Whether a file that lies there afterwards is copied; empty: all are.
+  std::string shown;  ///< Its name in errors.
+  /// Whether to copy a file found afterwards; empty: copy all.
   std::function<bool(const std::filesystem::path& file)> keeps = {};
 };
 
-/// Runs shell words in a copy of a folder, kept like a candidate, and copies what lies there
-/// afterwards to the folder `to`: files with their times, no links. The Java adapter lies there
+/// Runs a shell command in a copy of a folder, sandboxed like a candidate, and copies what is there
+/// afterwards to the folder `to`: files with their times, no links. The Java adapter is provided,
 /// too.
-/// Errors: CandidateError with what the words said.
+/// Errors: CandidateError with the command's output.
 void build(const std::filesystem::path& folder, const BuildWords& words,
            const std::filesystem::path& to, const RunOptions& options);
 

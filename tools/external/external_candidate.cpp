@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -18,13 +19,13 @@
 
 namespace raycheck::tools {
 
-/// How a candidate failed to answer.
+/// How a candidate failed.
 struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
-  std::optional<properties::OtherSize> size = {};  ///< Of a picture, where it is the failure.
-  bool is_in_vain = false;                         ///< It would have failed whatever it was asked.
-  std::optional<properties::CodeLine> line = {};   ///< Of its source, where that is known.
+  std::optional<properties::OtherSize> size = {};  ///< Of a picture, if the size is wrong.
+  bool is_in_vain = false;                         ///< It fails whatever it is asked.
+  std::optional<properties::CodeLine> line = {};   ///< In its source, if known.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
@@ -37,7 +38,7 @@ struct AnswerFailure {
   }
 };
 
-/// Pictures of the last scene, for all threads; a failure is kept like a picture.
+/// The picture of the last scene, for all threads; a failure is kept like a picture.
 class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
@@ -91,7 +92,7 @@ namespace {
 using properties::Candidate;
 using properties::CodeLine;
 
-/// " at tracer.cpp:42", as a clause; empty where no line is known.
+/// " at tracer.cpp:42", as a clause; empty if the line is unknown.
 std::string line_text(const std::optional<CodeLine>& line) {
   return line ? fmt::format(" at {}:{}", scene::visible_line(line->file), line->line) : "";
 }
@@ -154,12 +155,12 @@ class Conversation {
     start();
     return introduction_;
   }
-  /// What is asked from now on has this share of the time that a reply may take.
+  /// From now on requests have this share of the time for a reply.
   void allow(double share) { share_ = share; }
   KeptText said() const { return process_ ? process_->said() : KeptText(); }
 
  private:
-  /// Not to be foreseen, so that no reply is made before its request.
+  /// Unpredictable, so that no reply can be prepared before its request.
   std::string next_id() { return fmt::format("{:016x}", ids_()); }
 
   void start() {
@@ -173,7 +174,7 @@ class Conversation {
     if (external_.answers) external_.answers->keep(std::string(kGreeting), {text});
   }
 
-  /// Where in its source a worker says that it failed.
+  /// The source line at which a worker says that it failed.
   std::optional<CodeLine> line_in(std::string_view answer) const {
     return external_.lines ? external_.lines->innermost(frames_in(answer)) : std::nullopt;
   }
@@ -184,7 +185,7 @@ class Conversation {
     return external_.answers ? external_.answers->find(request) : std::nullopt;
   }
 
-  /// A reply, and the id of the request that it was made to.
+  /// A reply, and the id of its request.
   struct IdentifiedReply {
     std::string id, text;
   };
@@ -224,10 +225,10 @@ class Conversation {
   Introduction introduction_;
   std::string failed_request_;
   AnswerFailure failure_;
-  bool introduction_heard_ = true;  ///< By the process that was started last.
+  bool introduction_heard_ = true;  ///< From the last process started.
   double share_ = 1;
   int silences_ = 0;
-  double silent_shares_ = 0;  ///< What they had of the time for a reply, added up.
+  double silent_shares_ = 0;  ///< Sum of their shares of the time for a reply.
   std::mt19937_64 ids_{std::random_device{}()};
 };
 
@@ -243,6 +244,64 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
     return pictures->of(scene, conventions.rows, last);
   };
   return judged_in(external.precision, std::move(candidate));
+}
+
+using Talk = std::shared_ptr<Conversation>;
+using Names = std::set<std::string>;
+
+/// What it offers of cameras.
+void add_rays(const Talk& talk, const Names& functions, Candidate& candidate) {
+  using Pixels = Candidate::Pixels;
+  if (functions.contains("frame")) {
+    candidate.frame = [talk](const scene::Camera& camera) {
+      return talk->ask(
+          "frame", {}, 3, [&](Request& request) { request.camera(camera); },
+          [](const Reply& reply) { return reply.frame(); });
+    };
+  }
+  if (functions.contains("pixel_point")) {
+    candidate.pixel_points = [talk](const scene::Camera& camera,
+                                    const scene::Conventions& conventions, Pixels pixels) {
+      return talk->ask(
+          "pixel_point", conventions, pixels.size(),
+          [&](Request& request) { request.camera(camera).pixels(pixels); },
+          [&](const Reply& reply) { return reply.points(pixels.size()); });
+    };
+  }
+  const auto make_rays = [talk](const char* function) {
+    return [talk, function](const scene::Camera& camera, const scene::Conventions& conventions,
+                            Pixels pixels) {
+      return talk->ask(
+          function, conventions, pixels.size(),
+          [&](Request& request) { request.camera(camera).pixels(pixels); },
+          [&](const Reply& reply) { return reply.rays(pixels.size()); });
+    };
+  };
+  if (functions.contains("pixel_ray")) candidate.pixel_rays = make_rays("pixel_ray");
+  if (functions.contains("focal_ray")) candidate.focal_rays = make_rays("focal_ray");
+}
+
+/// What it offers of given rays.
+void add_hits(const Talk& talk, const Names& functions, Candidate& candidate) {
+  using Rays = Candidate::Rays;
+  using Spheres = Candidate::Spheres;
+  if (functions.contains("intersect")) {
+    candidate.intersect = [talk](Rays rays, Spheres spheres,
+                                 const scene::Conventions& conventions) {
+      return talk->ask(
+          "intersect", conventions, rays.size() * spheres.size(),
+          [&](Request& request) { request.rays(rays).spheres(spheres); },
+          [&](const Reply& reply) { return reply.hits(rays.size(), spheres.size()); });
+    };
+  }
+  if (functions.contains("nearest")) {
+    candidate.nearest = [talk](Rays rays, Spheres spheres, const scene::Conventions& conventions) {
+      return talk->ask(
+          "nearest", conventions, rays.size(),
+          [&](Request& request) { request.rays(rays).spheres(spheres); },
+          [&](const Reply& reply) { return reply.nearest(rays.size(), spheres.size()); });
+    };
+  }
 }
 
 }  // namespace
@@ -315,58 +374,10 @@ Candidate introduced(const External& external) {
 Candidate external_candidate(const External& external, const LastFailure& last) {
   if (external.renderer) return rendering_candidate(external, last);
   const auto talk = std::make_shared<Conversation>(external, last);
-  const auto offers = [&](const char* function) {
-    return external.introduction.functions.contains(function);
-  };
-  using Pixels = Candidate::Pixels;
-  using Rays = Candidate::Rays;
-  using Spheres = Candidate::Spheres;
   Candidate candidate = introduced(external);
   candidate.allow = [talk](double share) { talk->allow(share); };
-  if (offers("frame")) {
-    candidate.frame = [talk](const scene::Camera& camera) {
-      return talk->ask(
-          "frame", {}, 3, [&](Request& request) { request.camera(camera); },
-          [](const Reply& reply) { return reply.frame(); });
-    };
-  }
-  if (offers("pixel_point")) {
-    candidate.pixel_points = [talk](const scene::Camera& camera,
-                                    const scene::Conventions& conventions, Pixels pixels) {
-      return talk->ask(
-          "pixel_point", conventions, pixels.size(),
-          [&](Request& request) { request.camera(camera).pixels(pixels); },
-          [&](const Reply& reply) { return reply.points(pixels.size()); });
-    };
-  }
-  const auto make_rays = [talk](const char* function) {
-    return [talk, function](const scene::Camera& camera, const scene::Conventions& conventions,
-                            Pixels pixels) {
-      return talk->ask(
-          function, conventions, pixels.size(),
-          [&](Request& request) { request.camera(camera).pixels(pixels); },
-          [&](const Reply& reply) { return reply.rays(pixels.size()); });
-    };
-  };
-  if (offers("pixel_ray")) candidate.pixel_rays = make_rays("pixel_ray");
-  if (offers("focal_ray")) candidate.focal_rays = make_rays("focal_ray");
-  if (offers("intersect")) {
-    candidate.intersect = [talk](Rays rays, Spheres spheres,
-                                 const scene::Conventions& conventions) {
-      return talk->ask(
-          "intersect", conventions, rays.size() * spheres.size(),
-          [&](Request& request) { request.rays(rays).spheres(spheres); },
-          [&](const Reply& reply) { return reply.hits(rays.size(), spheres.size()); });
-    };
-  }
-  if (offers("nearest")) {
-    candidate.nearest = [talk](Rays rays, Spheres spheres, const scene::Conventions& conventions) {
-      return talk->ask(
-          "nearest", conventions, rays.size(),
-          [&](Request& request) { request.rays(rays).spheres(spheres); },
-          [&](const Reply& reply) { return reply.nearest(rays.size(), spheres.size()); });
-    };
-  }
+  add_rays(talk, external.introduction.functions, candidate);
+  add_hits(talk, external.introduction.functions, candidate);
   return judged_in(external.precision, std::move(candidate));
 }
 

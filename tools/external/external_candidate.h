@@ -17,36 +17,36 @@ namespace raycheck::tools {
 
 class Pictures;
 
-/// Someone else's implementation, as `--candidate` names it: what to run, and what that said of
-/// itself when it was tried.
+/// An external implementation, as named by `--candidate`: what to run, and its introduction from a
+/// trial run.
 struct External {
   std::string name;  ///< "library:PATH.so", as it was asked for.
   Confined program;
   Introduction introduction;
-  /// The format that it is asked and judged in: its own word, or, of a renderer, the user's.
+  /// The format that it is judged in: the one it declares or, for a renderer, the user's choice.
   scene::Precision precision = scene::Precision::kDouble;
-  /// It documents no bounds: these are what its errors are held to.
+  /// It documents no bounds: these methods' bounds apply to it.
   MethodPair bounds = kDefaultMethods;
   /// The shared library that its process loads; empty: there is none.
   std::filesystem::path library = {};
-  /// Of what was compiled here: the lines of its source; else null.
+  /// The source lines of what was compiled here; else null.
   std::shared_ptr<const SourceLines> lines = {};
-  /// What a copy of its source lies in, where there is one.
+  /// The folder of the copies of its source, if there are any.
   std::shared_ptr<const PrivateFolder> copies = {};
-  /// A renderer introduces itself by pictures alone.
+  /// Renderers introduce themselves only by pictures.
   std::optional<Renderer> renderer = {};
-  /// What the program lies in, where raycheck made that.
+  /// The program's folder, if raycheck made it.
   std::shared_ptr<const PrivateFolder> folder;
   /// What a renderer drew last.
   std::shared_ptr<Pictures> pictures = {};
-  /// What its functions replied in earlier runs; null: they are always asked.
+  /// Its functions' replies in earlier runs; null: they are always asked.
   std::shared_ptr<AnswerStore> answers = {};
-  /// The file that it is made of, as it was named; empty where that is not one file.
+  /// The file that it is made from, as named by the user; empty if that is not one file.
   std::string source_file = {};
 };
 
-/// Starts the program once to hear its introduction, where that is not among the answers.
-/// Errors: CandidateError where it has none.
+/// Starts the program once to hear its introduction, unless that is among the stored answers.
+/// Errors: CandidateError if it gives none.
 External introduced(std::string name, const Confined& program,
                     std::shared_ptr<const PrivateFolder> folder = nullptr,
                     std::shared_ptr<AnswerStore> answers = nullptr);
@@ -56,7 +56,7 @@ External rendering(std::string name, Renderer renderer);
 /// The same renderer, given driver files of another form.
 External reading(const External& renderer, const DriverForm& driver);
 
-/// How a candidate failed when it last did.
+/// How a candidate failed last.
 using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 
 /// A candidate with a process of its own, which is never sent an answer. It is to be right on

@@ -10,7 +10,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// "renderer:python3 ../mine/rt.py {scene}" is "python3 rt.py {scene}".
+/// "renderer:python3 ../mine/rt.py {scene}" becomes "python3 rt.py {scene}".
 std::string without_folders(std::string_view name) {
   name.remove_prefix(name.find(':') + 1);
   std::string words;

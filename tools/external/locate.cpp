@@ -23,7 +23,7 @@ fs::path existing(const std::string& path, const RunOptions& options) {
   return found;
 }
 
-/// The library in a folder that whoever the candidate runs as may read.
+/// The library in a folder that the candidate's user may read.
 External library(const std::string& name, const fs::path& path, const RunOptions& options) {
   auto folder = std::make_shared<PrivateFolder>();
   const fs::path copy = folder->path() / path.filename();
@@ -40,7 +40,7 @@ External library(const std::string& name, const fs::path& path, const RunOptions
   return external;
 }
 
-/// What is copied at most of a folder that is closed to others.
+/// The most bytes copied from a folder that is closed to others.
 constexpr std::uintmax_t kMostCopied = std::uintmax_t{64} << 20;
 
 /// Copies a folder for a user that may not read it.
@@ -54,7 +54,7 @@ void copy_for_others(const fs::path& from, const fs::path& to) {
     const fs::path target = to / fs::relative(entry.path(), from);
     const fs::file_status status = entry.symlink_status();
     if (fs::is_directory(status)) fs::create_directories(target);
-    // What is closed itself is not the candidate's to read, unless it is named.
+    // Closed entries are not for the candidate to read, unless they are named.
     if (!fs::is_regular_file(status) ||
         (status.permissions() & fs::perms::others_read) == fs::perms::none) {
       continue;
@@ -71,8 +71,8 @@ void copy_for_others(const fs::path& from, const fs::path& to) {
   open_to_others(to);
 }
 
-/// Paths as the user that a candidate runs as may read them: folders that are closed to others are
-/// copied, once each.
+/// Paths that the candidate's user may read: folders that are closed to others are copied, once
+/// each.
 class ReadableCopies {
  public:
   explicit ReadableCopies(const Layers& layers) : own_user_(layers.own_user) {}
@@ -101,7 +101,7 @@ class ReadableCopies {
   static fs::path folder_of(const fs::path& path) {
     return fs::is_directory(path) ? path : path.parent_path();
   }
-  /// What the copies lie in; null: there are none.
+  /// The folder of the copies; null if there are none.
   std::shared_ptr<const PrivateFolder> folder() const { return copies_; }
 
  private:
@@ -130,7 +130,7 @@ bool is_on_path(const std::string& program) {
   });
 }
 
-/// Lets a program read a folder, or what lies beside a file, where that is not everyone's.
+/// Lets a program read a folder, or a file's folder, unless everyone may.
 void let_read(const fs::path& path, Confined& program) {
   const fs::path folder = ReadableCopies::folder_of(path);
   const bool is_everyones = folder == "/" || folder == fs::temp_directory_path();
@@ -141,8 +141,8 @@ void let_read(const fs::path& path, Confined& program) {
   }
 }
 
-/// A word whose parts between colons all name files or folders, made absolute: Java's class path.
-/// Empty where it is none.
+/// A word whose parts between colons all name files or folders, made absolute: a Java class path.
+/// Empty if it is not one.
 std::string class_path(const std::string& word, const RunOptions& options, ReadableCopies& copies,
                        Confined& program) {
   if (word.find(':') == std::string::npos) return "";
@@ -163,7 +163,7 @@ std::string class_path(const std::string& word, const RunOptions& options, Reada
   return paths;
 }
 
-/// The file that an implementation is made of: the source, or the first file in its words.
+/// The file that an implementation is made from: the source, or the first file in its words.
 std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
   if (spec.kind == CandidateKind::kLibrary) return "";
   for (const std::string& word :
@@ -174,7 +174,7 @@ std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
   return "";
 }
 
-/// A program by its words. Those that name files are made absolute.
+/// The program of a command line; words that name files are made absolute.
 Confined program_of(const std::string& words, const RunOptions& options, ReadableCopies& copies) {
   Confined program;
   program.layers = options.layers;
@@ -195,7 +195,7 @@ Confined program_of(const std::string& words, const RunOptions& options, Readabl
       program.arguments.push_back(paths);
       continue;
     }
-    // A bare first word is a program on the path. Links stay: programs look at their own names.
+    // A bare first word is a program on the path. Links are kept: programs use their own names.
     if ((is_program && is_bare) || !fs::exists(named, error)) {
       program.arguments.push_back(word);
       continue;
@@ -230,7 +230,7 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   return external;
 }
 
-/// A path from the working folder on, where it lies below that.
+/// A path relative to the working folder, if it lies below that.
 fs::path as_shown(const fs::path& path) {
   std::error_code error;
   const fs::path working = fs::current_path(error);

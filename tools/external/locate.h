@@ -8,34 +8,34 @@
 
 namespace raycheck::tools {
 
-/// How someone else's implementation is run.
+/// How an external implementation is run.
 struct RunOptions {
   Layers layers;
   Limits limits;
   MethodPair bounds = kDefaultMethods;
-  // Of renderers.
+  // For renderers.
   DriverForm driver = {};
   scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
-  /// Relative paths start here; empty: in the working folder.
+  /// The base of relative paths; empty: the working folder.
   std::filesystem::path folder = {};
   double build_seconds = 120;           ///< To compile it, of CPU time.
-  std::string build_seconds_name = {};  ///< What who set it calls it.
-  /// Where what it takes to compile it is added up.
+  std::string build_seconds_name = {};  ///< The name of that limit.
+  /// Where compile time is added up.
   std::shared_ptr<SpentTime> build_spent = std::make_shared<SpentTime>();
-  /// What it answered in earlier runs; null: it is always asked.
+  /// Its answers in earlier runs; null: it is always asked.
   std::shared_ptr<AnswerStore> answers = {};
-  /// Who is told where it fails for a cause outside it; null: nobody.
+  /// Is told about failures with a cause outside the candidate; null: nobody is.
   std::shared_ptr<Surroundings> surroundings = {};
 };
 
-/// Someone else's implementation, compiled where it is a source, and started once. Of words, those
-/// that name files are made absolute.
+/// An external implementation, compiled if it is a source, and started once. Words that name files
+/// are made absolute.
 /// Errors: CandidateError naming the candidate.
 External find_external(const CandidateSpec& spec, const RunOptions& options);
 
-/// What was compiled (compile.h) of a candidate that is a source.
+/// The candidate for a library that was compiled from a source (compile.h).
 /// Errors: CandidateError naming the candidate.
 External compiled_external(const CandidateSpec& spec, const std::filesystem::path& library,
                            const RunOptions& options);

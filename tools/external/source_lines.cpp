@@ -24,10 +24,10 @@ using properties::CodeLine;
 constexpr double kSeconds = 30;
 /// No person writes a longer source file.
 constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{16} << 20;
-/// What of a line is shown.
+/// How much of a line is shown.
 constexpr std::size_t kMostShown = 200;
 
-/// A line of a text, as it is shown; of no file; empty where the text has fewer.
+/// A line of a text, as shown, without its file; empty if the text has fewer.
 std::optional<CodeLine> line_of(std::string_view text, std::int64_t number) {
   for (std::int64_t k = 1; k < number; ++k) {
     const std::size_t end = text.find('\n');
@@ -39,7 +39,7 @@ std::optional<CodeLine> line_of(std::string_view text, std::int64_t number) {
   constexpr std::string_view kSpace = " \t\r";
   const std::size_t begin = std::min(text.find_first_not_of(kSpace), text.size());
   std::size_t end = std::min(text.find_last_not_of(kSpace) + 1, begin + kMostShown);
-  // Not in the middle of a letter of several bytes.
+  // Do not cut within a multi-byte character.
   while (end < text.size() && end > begin &&
          (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
     --end;
@@ -48,7 +48,7 @@ std::optional<CodeLine> line_of(std::string_view text, std::int64_t number) {
   return CodeLine{"", number, std::string(text.substr(begin, end - begin))};
 }
 
-/// The path of a file in a folder, links followed; empty where it lies elsewhere, or is none.
+/// A file's path in a folder, links resolved; empty if it lies elsewhere, or does not exist.
 fs::path path_in(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
@@ -65,7 +65,7 @@ SourceLines::SourceLines(const Confined& program, fs::path library, fs::path com
       library_(std::move(library)),
       compiled_(std::move(compiled)),
       named_(std::move(named)) {
-  // Neither is its time the candidate's, nor is what keeps it from running the candidate's doing.
+  // Its time is not the candidate's, nor are its failures.
   addr2line_.spent = std::make_shared<SpentTime>();
   addr2line_.surroundings = nullptr;
   addr2line_.limits = Limits{};
@@ -88,7 +88,7 @@ std::optional<CodeLine> SourceLines::find(const std::vector<std::uint64_t>& fram
   }
   Process process(confined);
   if (process.finish() != 0) return std::nullopt;
-  // A line for each frame, and behind it one for each function that it is inlined in.
+  // A line for each frame, followed by one for each function that it is inlined in.
   const std::string said = process.printed().text();
   std::string_view rest = said;
   while (!rest.empty()) {
@@ -98,10 +98,10 @@ std::optional<CodeLine> SourceLines::find(const std::vector<std::uint64_t>& fram
   }
   return std::nullopt;
 } catch (const std::exception&) {
-  return std::nullopt;  // the failure itself is told without
+  return std::nullopt;  // the failure is reported without it
 }
 
-/// Of "/source/tracer.cpp:42 (discriminator 3)".
+/// Parses "/source/tracer.cpp:42 (discriminator 3)".
 std::optional<CodeLine> SourceLines::own_line(std::string_view place) const {
   constexpr std::string_view kDiscriminator = " (discriminator ";
   place = place.substr(0, place.rfind(kDiscriminator));

@@ -12,20 +12,20 @@
 
 namespace raycheck::tools {
 
-/// The lines of someone's own source that a library was compiled of. What its tables of lines say
-/// is theirs to write: it is read by addr2line, which is kept as the library itself is, and
-/// believed of lines alone that are there, of files in their folder.
+/// The lines of the source that a library was compiled from. Its line tables are not trusted:
+/// addr2line reads them, sandboxed like the library itself, and its answers count only for existing
+/// lines of files in the source's folder.
 /// Source: addr2line, GNU binutils (sourceware.org/binutils/docs/binutils/addr2line.html).
 class SourceLines {
  public:
   /// `program` runs the library; `compiled` is the folder of the source when it was compiled,
-  /// `named` the same folder as lines are to show it.
+  /// `named` is how lines show that folder.
   SourceLines(const Confined& program, std::filesystem::path library,
               std::filesystem::path compiled, std::filesystem::path named);
 
   /// The line of the innermost of these frames, given as offsets in the library's file and
-  /// innermost first, that lies in the source: frames that lie in headers of others are passed
-  /// over, be they inlined or not. Empty where there is none, or no addr2line.
+  /// innermost first, that lies in the source: frames in other people's headers are skipped,
+  /// inlined or not. Empty if there is none, or no addr2line.
   std::optional<properties::CodeLine> innermost(const std::vector<std::uint64_t>& frames) const;
 
  private:

@@ -18,11 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kFirstLine = "# raycheck baseline 2";
-/// Of files that name candidates as they were typed.
+/// Older files, which name candidates as typed.
 constexpr std::string_view kEarlier = "# raycheck baseline 1";
 constexpr std::string_view kSeparator = "; ";
 
-/// A field as a line has it: what would end it, or not be seen, is spelled by its bytes.
+/// A field in a line: characters that would end it, or not be seen, are written as escaped bytes.
 std::string escaped(std::string_view field) {
   constexpr std::string_view kSpelled = "%;#";
   constexpr std::size_t kMostBytes = 4;  // of a character

@@ -11,7 +11,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Names that a candidate has twice are numbered.
+/// Numbers the names that a candidate has twice.
 void make_unique(std::vector<GateCheck>& checks) {
   std::set<std::pair<std::string, std::string>> taken;
   for (GateCheck& check : checks) {
@@ -65,7 +65,7 @@ void complete(Gate& gate, bool was_interrupted) {
   const auto add = [&](const char* name, const char* summary) {
     gate.checks.push_back({"raycheck", name, GateOutcome::kInconclusive, summary, {}, {}});
   };
-  // Where a check is inconclusive, it says why.
+  // An inconclusive check says itself why.
   const bool is_empty = gate.count(GateOutcome::kLeftOut) == gate.checks.size();
   if (was_interrupted) add("finished", "interrupted: not all was judged");
   if (is_empty) add("judged", "nothing was judged");

@@ -13,12 +13,12 @@
 
 namespace raycheck::tools {
 
-/// What one check of a gate comes to.
+/// The outcome of one check of a gate.
 enum class GateOutcome {
   kPassed,
   kFailed,
-  kKnown,         ///< Fails as the baseline says that it does.
-  kInconclusive,  ///< Too little was judged, or decided, to say that it passes.
+  kKnown,         ///< Fails, as the baseline says.
+  kInconclusive,  ///< Too little was judged, or decided, to pass.
   kLeftOut,       ///< There was nothing to judge.
 };
 inline constexpr std::size_t kGateOutcomes = 5;
@@ -33,25 +33,25 @@ struct GateCheck {
   std::string candidate;
   std::string name;  ///< Unique among those of the candidate: "class/tangency".
   GateOutcome outcome = GateOutcome::kPassed;
-  std::string summary = {};  ///< Of what is not passed, why: one line.
-  std::string text = {};     ///< Of what failed, all there is to say, in lines.
+  std::string summary = {};  ///< Why it does not pass: one line.
+  std::string text = {};     ///< If it failed, all details, in lines.
   std::vector<Identity> defects = {};
   std::optional<properties::CodeLine> line = {};  ///< At which the candidate first died or threw.
 };
 
-/// Where a candidate's own source lies.
+/// The file of a candidate's source.
 struct SourceFile {
   std::string candidate;
   std::string path;
 };
 
-/// A report as continuous integration reads it.
+/// A report for continuous integration.
 struct Gate {
   std::string command;  ///< "check" or "properties"
-  std::string about;    ///< What was judged: the scene, or how many cases. One line.
+  std::string about;    ///< What was judged: the scene, or the number of cases. One line.
   std::vector<GateCheck> checks;
-  std::vector<SourceFile> sources;  ///< Of the candidates that are files.
-  std::optional<Ratchet> ratchet;   ///< Where a baseline was given.
+  std::vector<SourceFile> sources;  ///< For candidates that are files.
+  std::optional<Ratchet> ratchet;   ///< If there is a baseline.
   Findings findings;                ///< What a baseline holds of it.
   /// Makes a PNG file of where the scene shows it; or empty.
   std::function<std::string()> picture;
@@ -76,8 +76,8 @@ GateCheck& add_check(Gate& gate, GateCheck check, const LeftUndecided& undecided
 /// Whether the baseline has a discrepancy.
 bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet);
 
-/// What every gate has beside its checks: that it came to its end, that not all was left out, and
-/// names that are unique.
+/// Adds what every gate needs besides its checks: that it ran to its end and not all was left out,
+/// and unique names.
 void complete(Gate& gate, bool was_interrupted);
 
 /// "12 passed, 1 failed, 2 left out"

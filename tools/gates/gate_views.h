@@ -1,7 +1,7 @@
 #pragma once
 
-// How continuous integration is told: each view in the file of its name. docs/ci.md cites what its
-// readers say that they read.
+// Reports for continuous integration: each view in the file of its name. docs/ci.md cites the
+// documentation of the readers.
 
 #include <cstddef>
 #include <string>
@@ -13,17 +13,17 @@
 
 namespace raycheck::tools {
 
-/// GitLab takes no larger file of unit tests than 30 MB.
+/// GitLab accepts files of unit tests up to 30 MB.
 inline constexpr std::size_t kMostJunitBytes = 29'000'000;
-/// JUnit's XML, as Jenkins, GitLab and GitHub's readers take it: a suite a candidate, a test a
-/// check, whose name is unique. What is inconclusive is an error, what is known or left out
-/// skipped. Texts are cut where the file would grow beyond kMostJunitBytes.
+/// JUnit XML, as read by Jenkins, GitLab and tools for GitHub: a suite per candidate, a test per
+/// check, with unique names. Inconclusive checks are errors, known or left out ones skipped. Texts
+/// are cut if the file would exceed kMostJunitBytes.
 std::string junit(const Gate& gate);
 
-/// GitHub takes no larger summary of a step than 1 MiB.
+/// GitHub accepts summaries of a step up to 1 MiB.
 inline constexpr std::size_t kMostMarkdownBytes = 1'000'000;
 /// Markdown: a table of what was judged, then what failed, as far as there is room. The picture is
-/// within it; or linked, where an address is given.
+/// embedded, or linked if an address is given.
 std::string markdown(const Gate& gate, const std::string& picture_link = {});
 
 /// A view of a report: what `kWrite` writes of the gate that `kGateOf` makes of it.
@@ -37,7 +37,7 @@ std::string gate_view(const Report& report, const ViewOptions& options) {
   }
 }
 
-/// What a baseline says of a run, in lines, for people.
+/// The comparison of a run with a baseline, in lines, for people.
 std::string ratchet_text(const Ratchet& ratchet);
 /// The same as JSON; null where there is no baseline.
 Json ratchet_json(const std::optional<Ratchet>& ratchet);

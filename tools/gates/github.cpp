@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A text of a workflow command: what would end it, or a property of it, is spelled.
+/// Text in a workflow command: characters that would end it, or a property of it, are escaped.
 std::string spelled(std::string_view text, bool is_property) {
   std::string shown;
   for (const char c : scene::visible(text)) {

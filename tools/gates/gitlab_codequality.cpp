@@ -8,9 +8,9 @@
 namespace raycheck::tools {
 namespace {
 
-/// Of a text, the same on every machine: 32 hexadecimal digits by which readers know a finding
-/// again. Two texts have the same by accident alone; nothing is kept from who makes one.
-/// FNV-1a, twice with different beginnings, for 128 bits. Source: Fowler, Noll, Vo.
+/// A hash of a text, the same on every machine: 32 hexadecimal digits by which readers recognise a
+/// finding. Collisions are improbable, but not secure against those who construct them.
+/// FNV-1a, twice with different offsets, for 128 bits. Source: Fowler, Noll, Vo.
 std::string fingerprint(std::string_view text) {
   constexpr std::uint64_t kPrime = 0x100000001B3;
   const auto hash = [&](std::uint64_t value) {

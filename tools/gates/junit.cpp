@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kCut = "\n... (cut: the report as JSON has all)";
 
-/// What XML 1.0 has no place for, beyond what scene::visible spells.
+/// Not allowed in XML 1.0, beyond what scene::visible escapes.
 constexpr std::array<std::string_view, 2> kNoCharacters = {"\uFFFE", "\uFFFF"};
 
 std::string xml(std::string_view text) {
@@ -26,7 +26,7 @@ std::string xml(std::string_view text) {
   std::string escaped;
   for (const char c : shown) {
     switch (c) {
-      // Logs of GitHub's workflows obey "##[error]" wherever it stands.
+      // Logs of GitHub workflows interpret "##[error]" anywhere.
       case '[':
         escaped += escaped.ends_with("##") ? "&#91;" : "[";
         break;
@@ -49,7 +49,7 @@ std::string xml(std::string_view text) {
   return escaped;
 }
 
-/// As much of a text as so many bytes hold, escaped: whole characters and entities.
+/// As much of a text as fits into `most` bytes, escaped: whole characters and entities.
 std::string shortened(std::string_view text, std::size_t most) {
   std::string escaped = xml(text.substr(0, most));
   if (text.size() <= most && escaped.size() <= most) return escaped;
@@ -104,7 +104,7 @@ std::map<std::string, Suite> suites_of(const Gate& gate) {
   return suites;
 }
 
-/// The file, each text and each message of so many bytes at most.
+/// The file, with each text and message limited to `most_text` bytes.
 std::string file_of(const Gate& gate, std::size_t most_text) {
   const auto suites = suites_of(gate);
   std::string text = fmt::format(
@@ -125,7 +125,7 @@ std::string file_of(const Gate& gate, std::size_t most_text) {
 }  // namespace
 
 std::string junit(const Gate& gate) {
-  // What each text may have where all of them together fit; half as much until they do.
+  // The size of each text for which all fit together, halved until they do.
   std::size_t texts = 0, bytes = 0;
   for (const GateCheck& check : gate.checks) {
     texts += check.outcome == GateOutcome::kPassed ? 0 : 2;

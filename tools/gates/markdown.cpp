@@ -12,7 +12,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A text inside a line of Markdown, where nothing of it acts.
+/// Text inside a line of Markdown, without any markup.
 std::string inline_text(std::string_view text) {
   constexpr std::string_view kActs = "\\`*_{}[]()#+-.!|<>&~@:$^=";
   std::string shown;
@@ -29,7 +29,7 @@ std::string inline_text(std::string_view text) {
   return shown;
 }
 
-/// A text as code, between fences that are longer than any in it.
+/// Text as code, between fences longer than any inside it.
 std::string fenced(std::string_view text) {
   const std::string shown = scene::visible(text);
   std::size_t longest = 2, run = 0;
@@ -41,7 +41,7 @@ std::string fenced(std::string_view text) {
   return fmt::format("{0}text\n{1}{2}{0}\n", fence, shown, shown.ends_with('\n') ? "" : "\n");
 }
 
-/// An address in a link: what would end it is spelled by its bytes.
+/// An address in a link: bytes that would end it are percent-encoded.
 std::string link_address(std::string_view address) {
   std::string shown;
   for (const char c : scene::visible_line(address)) {

@@ -40,7 +40,7 @@ constexpr const char* kDriverEnding = ".txt";
 
 class Stopwatch {
  public:
-  /// Seconds since the last call, in thousandths.
+  /// Seconds since the last call, to the millisecond.
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<double> passed = now - std::exchange(last_, now);
@@ -61,8 +61,8 @@ void judge_all(const Rubric& rubric, JudgedSubmission judged, const RunControl& 
   grade.finished = !control.interrupted();
 }
 
-/// Nothing could be asked of it: every item of its form has its points, and none is given; what the
-/// submission is worth says the rubric.
+/// Nothing could be judged: no item of its form gets points; the rubric says what the submission is
+/// worth.
 void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade) {
   grade.refused = {plain_text(refusal.why), plain_text(refusal.said)};
   const bool pictures = grade.program && grade.program->kind == CandidateKind::kRenderer;
@@ -91,7 +91,7 @@ void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   for (const std::string& note : found.dry_run->notes) grade.notes.push_back(plain_text(note));
 }
 
-/// Of what holds points it would be false: it shows other scenes than that of the dry run.
+/// Not true of a submission with points: it shows scenes other than the dry run's.
 void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& grade) {
   if (!dry || dry->shows_nothing.empty()) return;
   const bool has_points = std::any_of(grade.items.begin(), grade.items.end(),
@@ -107,7 +107,7 @@ std::vector<std::string_view> names_of_class_files() {
   return names;
 }
 
-/// One run over a class, into its folder of results.
+/// Grades a class once, into its folder of results.
 class ClassRun {
  public:
   explicit ClassRun(const GradeOptions& options)
@@ -151,7 +151,7 @@ class ClassRun {
  private:
   bool writes() const { return !options_.out.empty(); }
 
-  /// Before anything is graded: no file of someone else is in the way of what may be written.
+  /// Checks before grading that no foreign file is where results may be written.
   void require_place() const {
     for (const ClassView& file : class_files()) own_->require_own(file.name);
     std::vector<std::string> names = names_for_student(rubric_);
@@ -166,7 +166,7 @@ class ClassRun {
     return fs::path(options_.out) / submission.name;
   }
 
-  /// Before they are written anew.
+  /// Before they are overwritten.
   void read_earlier_grades() {
     if (options_.against.empty()) return;
     if (!fs::is_directory(options_.against)) {
@@ -245,7 +245,7 @@ class ClassRun {
     return one;
   }
 
-  /// What a dry run, if there was one, tells of the form that a renderer reads.
+  /// What a dry run, if any, shows about the form that a renderer reads.
   static FormKnown form_known(const DriverRule& rule, const std::optional<DryRun>& dry) {
     const bool is_given = !dry || !rule.tries_others ||
                           (rule.is_asked_for && dry->shows_a_sphere() && dry->driver == rule.form);
@@ -282,12 +282,12 @@ class ClassRun {
       refuse(rubric_, error.refusal(), grade);
       grade.finished = !control.interrupted();
     } catch (const scene::Interrupted&) {
-      // It is graded by the next run.
+      // The next run grades it.
       refuse(rubric_, {"raycheck was interrupted before anything was asked", ""}, grade);
     } catch (const std::exception& error) {
       surroundings->blame(error.what());
     }
-    // Of this machine, not of the submission: it is graded again by the next run.
+    // The machine's fault, not the submission's: the next run grades it again.
     const std::string cause = surroundings->cause();
     if (!cause.empty()) {
       grade = before;
@@ -300,7 +300,7 @@ class ClassRun {
     refuse(rubric_, outside_refusal(cause), grade);
   }
 
-  /// The grade that an earlier run finished, where it depended on the same as `key`.
+  /// The grade finished by an earlier run, if it depended on the same inputs as `key`.
   std::optional<SubmissionGrade> record_of(const Submission& submission,
                                            const std::string& key) const {
     std::ifstream file(folder_of(submission) / kRecordFile, std::ios::binary);

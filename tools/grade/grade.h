@@ -24,32 +24,31 @@ namespace raycheck::tools {
 
 struct GradeOptions {
   std::string rubric;
-  std::string dialect = {};  ///< In place of the rubric's [driver], as driver_rule() takes it.
+  std::string dialect = {};  ///< Replaces the rubric's [driver]; see driver_rule().
   std::vector<std::string> submissions;
-  std::string out;  ///< A folder; it is made. Empty: nothing is written.
+  std::string out;  ///< The folder, made if missing. Empty: nothing is written.
   std::uint64_t seed = 1;
   std::optional<std::string> secret;  ///< Seeds follow from it and the submissions' names.
   Sandbox sandbox = Sandbox::kRequire;
-  std::string against = {};  ///< The folder of an earlier run's results, maybe `out`; empty: none.
-  /// What is written of each submission for a course's system, besides what always is; null:
-  /// nothing.
+  std::string against = {};  ///< An earlier run's folder of results, possibly `out`; empty: none.
+  /// The results file written for a course's system, besides the usual files; null: none.
   const ResultsFormat* results = nullptr;
 };
 
 /// Grades every submission: OUT/NAME/ has its report.html, figures.html and the failing scenes for
-/// the student, and result.json for instructors, as soon as it is done; OUT has the pages of the
-/// class at the end. What an earlier run into the same folder finished, of the same files by the
-/// same rubric and seed, is not graded again; of what has changed what was built and answered is
-/// kept there (store.h). Files that raycheck did not write are neither replaced nor removed.
-/// Errors, before anything is written: what load_rubric(), find_submissions(), chosen_layers(),
-/// require_apart() and OwnFiles::require_own() throw.
+/// the student, and result.json for instructors, as soon as it is done; OUT gets the class pages at
+/// the end. Submissions that an earlier run into the same folder finished, with the same files,
+/// rubric and seed, are not graded again; for changed ones, stored builds and answers are reused
+/// (store.h). Files that raycheck did not write are neither replaced nor removed. Errors, before
+/// anything is written: what load_rubric(), find_submissions(), chosen_layers(), require_apart()
+/// and OwnFiles::require_own() throw.
 ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {});
 
-/// What a student is given: a page, the failing scenes as TOML and as driver files, and figures of
-/// those of functions; by the names of the files.
+/// The files for a student, by name: a page, the failing scenes as TOML and as driver files, and
+/// figures of those that ask for functions.
 std::map<std::string, std::string> files_for_student(const StudentGrade& shown);
 
-/// The names that these may have.
+/// The names that these files may have.
 std::vector<std::string> names_for_student(const Rubric& rubric);
 
 /// Does something for every submission, in their order; what fails for a cause outside it
@@ -79,15 +78,14 @@ std::vector<Result> done_for_each(
   return all;
 }
 
-/// The rubric tried on raycheck's own methods, as a library and as a renderer: what a right
-/// submission is given.
+/// Tries the rubric on raycheck's own methods, as a library and as a renderer: the grade of a
+/// correct submission.
 std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,
                                         const properties::RunControl& control = {});
 
-/// Judges submissions of raycheck's own, which are right, one of each kind that the rubric's forms
-/// take: where they fail, so would those of the students, through no fault of theirs. That it held
-/// is noted in the folder `store`, and holds as long as what it depends on is the same; empty: it
-/// is noted nowhere.
+/// Judges raycheck's own, correct submissions, one of each kind that the rubric's forms accept: if
+/// they fail, so would the students', through no fault of theirs. Success is recorded in the folder
+/// `store`, and holds while all it depends on stays the same; empty: it is not recorded.
 /// Errors: std::invalid_argument with what is wrong.
 void test_environment(const Rubric& rubric, const Layers& layers,
                       const std::filesystem::path& store = {});

@@ -22,11 +22,11 @@ namespace {
 
 struct GradeArguments {
   GradeOptions options;
-  int jobs = tbb::info::default_concurrency();  ///< Submissions graded at a time.
+  int jobs = tbb::info::default_concurrency();  ///< Submissions graded at the same time.
   std::string secret_file;
   std::string package;
   bool probe = false;
-  /// What is graded in less than there should be is graded so because someone said so.
+  /// Grading with less isolation than there should be takes an explicit choice.
   SandboxArguments sandbox = {.sandbox = "require"};
   std::string format = "text";
 };
@@ -42,7 +42,7 @@ std::string secret_of(const std::string& path) {
   throw std::invalid_argument("--secret-file " + path + ": is empty");
 }
 
-/// The class in a format. One that is of results.json alone has no such view: then it is the first.
+/// Prints the class in a format, or in the first if that is only a format of results.json.
 std::string printed(const ClassGrade& graded, const std::string& format) {
   for (const ClassView& view : printed_views()) {
     if (view.name == format) return view.render(graded);
@@ -50,7 +50,7 @@ std::string printed(const ClassGrade& graded, const std::string& format) {
   return printed_views().front().render(graded);
 }
 
-/// What is given for submissions, where there are none.
+/// Rejects an option for submissions if there are none.
 void require_no(const char* option, const std::string& value) {
   if (value.empty()) return;
   throw std::invalid_argument(
@@ -82,7 +82,7 @@ int try_own_methods(const GradeArguments& arguments) {
   return exit_code(tried.interrupted, !is_full, true);
 }
 
-/// The dry run alone.
+/// Only the dry run.
 int run_probe(const GradeArguments& arguments) {
   if (arguments.options.submissions.empty()) {
     throw std::invalid_argument("--probe: give the submissions that are to be tried");
@@ -90,7 +90,7 @@ int run_probe(const GradeArguments& arguments) {
   if (!arguments.package.empty()) {
     throw std::invalid_argument("--probe: tries submissions; leave out --package");
   }
-  // --out may stay: it is the command that grades, tried before.
+  // --out is allowed: the command is the later grading's, tried beforehand.
   for (const auto& [option, value] : {std::pair("--against", &arguments.options.against),
                                       std::pair("--secret-file", &arguments.secret_file)}) {
     if (value->empty()) continue;
@@ -161,7 +161,7 @@ CommandRun add_grade(CLI::App& command) {
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   command.add_option("--secret-file", arguments.secret_file,
-                     "a file of which, with its name, each submission's seed is made");
+                     "a secret file: it and a submission's name make its seed");
   add_sandbox(command, arguments.sandbox);
   command.add_option("--package", arguments.package,
                      "write the zip file that Gradescope takes as an autograder");

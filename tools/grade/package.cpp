@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Debian and Ubuntu call them so; what submissions are compiled and run with.
+/// Package names on Debian and Ubuntu: what submissions are compiled and run with.
 constexpr const char* kSetup = R"sh(#!/usr/bin/env bash
 # Prepares the machine on which submissions are graded.
 set -euo pipefail
@@ -54,7 +54,7 @@ else
 fi
 )sh";
 
-/// What every machine with a C++ compiler has; submissions need the compiler's own.
+/// Libraries on every machine with a C++ compiler; submissions need the compiler's own.
 bool is_of_the_system(const std::string& name) {
   for (const char* own : {"libc.so", "libm.so", "libdl.so", "librt.so", "libpthread.so", "ld-linux",
                           "libstdc++.so", "libgcc_s.so", "linux-vdso"}) {
@@ -120,7 +120,7 @@ std::string zipped(const Parts& parts) {
     }
   };
   require(archive_write_set_format_zip(zip.get()));
-  // A third of the time of the usual 6, and 8% larger.
+  // A third of the time of the default 6, and 8% larger.
   require(archive_write_set_options(zip.get(), "zip:compression-level=2"));
   require(archive_write_open(zip.get(), &bytes, nullptr, append_bytes, nullptr));
   for (const auto& [name, part] : parts) {
@@ -130,7 +130,7 @@ std::string zipped(const Parts& parts) {
     archive_entry_set_size(entry.get(), static_cast<la_int64_t>(part.bytes.size()));
     archive_entry_set_filetype(entry.get(), AE_IFREG);
     archive_entry_set_perm(entry.get(), part.runs ? 0755 : 0644);
-    archive_entry_set_mtime(entry.get(), 946684800, 0);  // the same rubric makes the same file
+    archive_entry_set_mtime(entry.get(), 946684800, 0);  // equal rubrics make equal files
     require(archive_write_header(zip.get(), entry.get()));
     if (archive_write_data(zip.get(), part.bytes.data(), part.bytes.size()) < 0) {
       require(ARCHIVE_FATAL);

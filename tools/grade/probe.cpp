@@ -13,7 +13,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// And the cause outside it for which nothing is known of it; empty: it is known.
+/// With the outside cause why nothing is known about it; empty: it is known.
 struct Probed {
   SubmissionProbe probe;
   std::string outside;
@@ -65,13 +65,13 @@ namespace {
 
 using Probes = std::vector<const SubmissionProbe*>;
 
-/// What says how a submission is built without being named by the words that do.
+/// Files that determine how a submission is built without being named in the command.
 constexpr std::array<std::string_view, 2> kRecipes = {"CMakeLists.txt", "package.json"};
 
 /// How many submissions a comment names.
 constexpr std::size_t kMostNamed = 4;
 
-/// A basic string.
+/// A TOML basic string.
 std::string toml_text(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -87,7 +87,7 @@ std::string toml_text(std::string_view text) {
   return result + "\"";
 }
 
-/// The form that most read; of equally many the first.
+/// The form that most read; in a tie the first.
 std::string driver_part(const ProbeReport& report) {
   std::vector<std::pair<DriverForm, int>> counts;
   for (const SubmissionProbe& probe : report.submissions) {
@@ -109,7 +109,7 @@ std::string driver_part(const ProbeReport& report) {
                      counts.size() > 1 ? "others = true\n" : "");
 }
 
-/// Submissions that the same words build and start.
+/// Submissions with the same build and start commands.
 struct BuiltAlike {
   std::string build, candidate;
   Probes members;
@@ -139,7 +139,7 @@ bool has_file(const SubmissionProbe& probe, const std::string& name) {
          probe.found.files.end();
 }
 
-/// The name of a file by which a form fits these and no others; empty where there is none.
+/// The name of a file by which a form fits only these; empty if there is none.
 std::string distinguishing_file(const BuiltAlike& alike, const ProbeReport& report) {
   for (const std::string& name : alike.members.front()->found.files) {
     const bool is_what_it_is_of =

@@ -13,27 +13,27 @@
 
 namespace raycheck::tools {
 
-/// What is known of a submission before anything of it is judged.
+/// What is known about a submission before it is judged.
 struct SubmissionProbe {
   std::string name;
   Preparation found;
-  std::set<std::string> functions;  ///< That it offers; none of a renderer.
-  std::optional<Refusal> refusal;   ///< Why nothing of it can be judged.
+  std::set<std::string> functions;  ///< Those it offers; none for a renderer.
+  std::optional<Refusal> refusal;   ///< Why it cannot be judged at all.
 };
 
 /// The dry run of a class.
 struct ProbeReport {
   Rubric rubric;
-  std::vector<SubmissionProbe> submissions;  ///< In the order given; those that were reached.
+  std::vector<SubmissionProbe> submissions;  ///< In the given order, as far as reached.
   bool interrupted = false;
 
-  /// Every submission can be judged.
+  /// Whether every submission can be judged.
   bool holds() const;
 };
 
-/// Builds and tries every submission as grade() does, also again, alone, judges nothing and writes
-/// nothing.
-/// Errors: what grade() throws.
+/// Builds and tries every submission as grade() does, if need be again on its own; judges and
+/// writes nothing.
+/// Errors: as grade().
 ProbeReport probe(const GradeOptions& options, const properties::RunControl& control = {});
 
 /// A part of a rubric, in TOML, under which the submissions run as the dry run made them run: the

@@ -48,7 +48,7 @@ std::vector<std::string> row(const SubmissionProbe& probe) {
   return cells;
 }
 
-/// What there is to say of a submission, a line each.
+/// The remarks on a submission, one per line.
 std::string notes_text(const SubmissionProbe& probe) {
   std::string text;
   const auto add = [&](const std::string& said) {

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the environment, not of how quick it is.
+/// Tests that the environment works, not how fast it is.
 constexpr double kLeastSeconds = 10;
 constexpr const char* kNote = "self-test";
-/// What a source is compiled by.
+/// The compiler for sources.
 constexpr const char* kCompiler = "/usr/bin/g++";
 
-// Right about what is asked below, which is all that is asked.
+// Correct for the questions asked below, and only these.
 constexpr const char* kSource = R"(#include <raycheck/candidate.h>
 static raycheck_hit intersect(const raycheck_ray*, const raycheck_sphere* sphere,
                               const raycheck_conventions*) {
@@ -56,15 +56,15 @@ cat "$1" > /dev/null && printf 'P3\n2 1\n255\n255 0 0\n0 0 0\n' > "$2"
 struct OwnSubmission {
   CandidateKind kind;
   const char *file, *text;
-  const char* what;   ///< Behind its kind, as a rubric's form would have it.
-  const char* words;  ///< What errors call it.
+  const char* what;   ///< What follows its kind in a rubric's form.
+  const char* words;  ///< Its name in errors.
 };
 constexpr OwnSubmission kOwn[] = {
     {CandidateKind::kSource, "own.cpp", kSource, "own.cpp", "function, compiled,"},
     {CandidateKind::kCommand, "own", kCommand, "./own", "program"},
     {CandidateKind::kRenderer, "own", kRenderer, "./own {scene} {image}", "renderer"}};
 
-/// Libraries, and what is built, are tried where there is a compiler: else nobody builds here.
+/// Libraries and builds are tried only if there is a compiler: otherwise nothing is built here.
 bool is_asked(CandidateKind kind, const Rubric& rubric) {
   return std::any_of(rubric.forms.begin(), rubric.forms.end(), [&](const Form& form) {
     const bool may_compile = form.program.kind == CandidateKind::kLibrary || !form.build.empty();

@@ -54,7 +54,7 @@ TryReport try_submission(const TryOptions& options, const properties::RunControl
   return report;
 }
 
-/// The lines that `grade` prints of one submission, then what there is to say of items that fail.
+/// The lines that `grade` prints for one submission, then details of the items that fail.
 std::string try_text(const TryReport& report) {
   const StudentGrade& shown = report.shown;
   std::string text = report.rubric->title + "\n" + submission_text(shown.items, shown.submission);
@@ -65,7 +65,7 @@ std::string try_text(const TryReport& report) {
   }
   for (std::size_t k = 0; k < shown.items.size(); ++k) {
     const ItemGrade& item = shown.submission.items[k];
-    // Of what is not answered its line says all.
+    // For unanswered items the line says everything.
     const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
     if (item.state != ItemState::kFails || !has_more) continue;
     text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");

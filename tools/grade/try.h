@@ -13,28 +13,28 @@ namespace raycheck::tools {
 
 struct TryOptions {
   std::string rubric;
-  std::string dialect = {};  ///< In place of the rubric's [driver], as driver_rule() takes it.
+  std::string dialect = {};  ///< Replaces the rubric's [driver]; see driver_rule().
   std::string submission;
   std::string
-      out;  ///< A folder that takes one of the submission's name; empty: nothing is written.
+      out;  ///< The parent of the submission's folder of results; empty: nothing is written.
   std::uint64_t seed = 1;
   Sandbox sandbox = Sandbox::kAvailable;
 };
 
-/// What a student may see of the grade of a submission.
+/// The part of a submission's grade that a student may see.
 struct TryReport {
   std::shared_ptr<const Rubric> rubric;  ///< What `shown` refers to.
   StudentGrade shown;
-  std::string folder;  ///< Where the page and the failing cases lie; empty: nowhere.
+  std::string folder;  ///< Where the page and the failing cases are; empty: nowhere.
   bool interrupted = false;
 
-  /// Every item that is shown, and was asked, holds.
+  /// Whether every item that is shown, and was asked, holds.
   bool holds() const;
 };
 
-/// Grades a submission as grade() does with the same rubric and seed, for its author: every item is
-/// asked, and those are shown that students may see.
-/// Errors: what grade() throws.
+/// Grades a submission as grade() does with the same rubric and seed, for its author: asks every
+/// item, and shows those that students may see.
+/// Errors: as grade().
 TryReport try_submission(const TryOptions& options, const properties::RunControl& control = {});
 
 std::string try_text(const TryReport& report);

@@ -21,7 +21,7 @@ namespace {
 using reference::kNoSphere;
 using reference::Visibility;
 
-/// A band has about kFewestPixels, so that its fixed cost is small beside theirs, and at most
+/// A band has about kFewestPixels, so that its fixed cost is relatively small, and at most
 /// kMostPixels or one row, which bounds the memory.
 constexpr std::int64_t kFewestPixels = 1 << 16;
 constexpr std::int64_t kMostPixels = 1 << 20;
@@ -66,7 +66,7 @@ SeenBand seen_band(const Visibility& visibility, std::int64_t width,
   return band;
 }
 
-/// Empty where nothing is seen.
+/// Empty if nothing is seen.
 std::optional<DepthRange> depth_range(const Visibility& visibility, const scene::Camera& camera,
                                       const Bands& bands, const properties::RunControl& control) {
   using Range = std::optional<DepthRange>;
@@ -94,7 +94,7 @@ std::optional<DepthRange> depth_range(const Visibility& visibility, const scene:
   return all;
 }
 
-/// A band of the picture, its lines from the top, and what is counted in it.
+/// A band of the picture, top line first, and what was counted in it.
 struct PaintedBand {
   std::vector<Colour> pixels;
   std::vector<std::int32_t> spheres;  ///< Those seen, each once.
@@ -145,7 +145,7 @@ void count(const PaintedBand& band, std::vector<bool>& seen, ImageReport& report
   report.error->failed += band.errors.failed;
 }
 
-/// The first of its own hits with the least s, of each ray.
+/// Each ray's sphere of least s among its hits; ties: the first.
 std::vector<std::optional<std::size_t>> nearest_of(const std::vector<properties::SphereHits>& hits,
                                                    std::size_t rays) {
   std::vector<std::optional<std::size_t>> nearest(rays);
@@ -163,7 +163,7 @@ std::vector<std::optional<std::size_t>> nearest_of(const std::vector<properties:
 
 using MakeRays = decltype(properties::Functions::pixel_rays);
 
-/// Rays of a format.
+/// Rounds rays to a format.
 MakeRays rounded(const MakeRays& make, scene::Precision precision) {
   if (!make || precision == scene::Precision::kDouble) return make;
   return [make, precision](const scene::Camera& camera, const scene::Conventions& conventions,
@@ -185,7 +185,7 @@ properties::Candidate completed(const Implementation& implementation, const Meth
     candidate.pixel_rays = rounded(own.pixel_rays, candidate.precision);
     candidate.focal_rays = rounded(own.focal_rays, candidate.precision);
   }
-  // One that makes rays of one origin is asked for those.
+  // If it makes rays of one origin only, these are used.
   if (!candidate.pixel_rays) candidate.declared.origin = scene::Origin::kFocal;
   if (!candidate.focal_rays) candidate.declared.origin = scene::Origin::kPixel;
   if (!candidate.nearest) {
@@ -224,7 +224,7 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
   }
 }
 
-/// The scene in the format of whose error is shown; returns how many numbers that changed.
+/// Rounds the scene to the format whose error is shown; returns how many numbers changed.
 std::size_t round_for(const ImageOptions& options, scene::Scene& scene) {
   if (options.what != Picture::kError) return 0;
   auto [rounded, reason, changed] =

@@ -32,26 +32,26 @@ struct ImageOptions {
   Picture what = Picture::kSphere;
   Implementation implementation = {};    ///< Whose error is shown.
   MethodPair methods = kDefaultMethods;  ///< What makes rays where it makes none.
-  std::optional<scene::Pixel> size;      ///< Pixels across and down in place of the scene's.
+  std::optional<scene::Pixel> size;      ///< Pixels across and down, instead of the scene's.
 };
 
-/// The smallest and the largest s that pixels see.
+/// The smallest and the largest s seen by pixels.
 struct DepthRange {
   double nearest = 0, farthest = 0;
 };
 
-/// A picture of errors in numbers: pixels by how far s is off.
+/// The numbers behind a picture of errors: pixels by the error of s.
 struct ErrorCounts {
   std::string candidate;
   Implementation implementation;
-  scene::Precision precision = scene::Precision::kDouble;  ///< What errors count ulp of.
-  std::size_t rounded_numbers = 0;  ///< Of the scene, that were none of that format.
-  /// Pixels without an answer, which are defects; of each 512 that were asked at once, at most
-  /// kMostFailuresSought are sought, and the others that were asked with them count, too.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format whose ulp errors count.
+  std::size_t rounded_numbers = 0;                         ///< Those of the scene that changed.
+  /// Pixels without an answer, which are defects; in each batch of 512 at most kMostFailuresSought
+  /// are searched for, and the others asked with them count, too.
   std::uint64_t failed = 0;
   std::string first_failure;
   std::vector<std::uint64_t> pixels;  ///< By kErrorSteps (tools/image/image_paint.h).
-  /// Missed, a false hit, or another sphere, by standing.
+  /// Missed, false hits, or wrong spheres, by standing.
   std::array<std::uint64_t, properties::kStandingCount> wrong = {};
 
   std::uint64_t count(properties::Standing standing) const {
@@ -66,25 +66,25 @@ struct ImageReport {
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
   std::vector<std::string> not_needed;    ///< Of what it says.
-  scene::Conventions conventions;         ///< What the picture is decided under.
+  scene::Conventions conventions;         ///< Those that the picture is decided under.
   std::int64_t width = 0;
   std::int64_t height = 0;
   std::size_t spheres = 0;
   std::size_t spheres_seen = 0;
   std::uint64_t pixels_that_see = 0;
   reference::DecidedBy decided_by;
-  std::optional<DepthRange> depth;   ///< Of Picture::kDepth where anything is seen.
-  std::optional<ErrorCounts> error;  ///< Of Picture::kError.
+  std::optional<DepthRange> depth;   ///< For Picture::kDepth if anything is seen.
+  std::optional<ErrorCounts> error;  ///< For Picture::kError.
   int threads = 1;
   double seconds = 0;
   bool interrupted = false;  ///< Then there is no picture.
 };
 
 /// Decides every pixel of a scene and writes the picture, in bands of rows: neither the picture nor
-/// what it shows is ever held whole. The file does not depend on the number of threads.
-/// Domain: a scene with a camera of at most kMostPictureSide pixels a side, fewer than 2^31
-///         spheres; otherwise throws std::invalid_argument naming the file or the field. Throws
-///         what the reader and the file throw.
+/// its data are ever in memory as a whole. The file does not depend on the number of threads.
+/// Domain: a scene with a camera of at most kMostPictureSide pixels per side, fewer than 2^31
+///         spheres; otherwise throws std::invalid_argument naming the file or the field. Also
+///         throws as the reader and the file do.
 ImageReport make_image(const ImageOptions& options, PictureFile& file,
                        const properties::RunControl& control = {});
 

@@ -12,7 +12,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A colour of the circle of hues, 0 to 1, of some saturation and brightness, both 0 to 1.
+/// A colour by hue, saturation and brightness, each from 0 to 1.
 Colour colour_of(double hue, double saturation, double brightness) {
   const auto channel = [&](double shift) {
     const double along = std::fmod(hue * 6 + shift, 6.0);
@@ -57,7 +57,7 @@ class SpherePainter : public Painter {
  private:
   static constexpr double kDarkest = 0.35;
 
-  /// The cosine between the surface's normal and the line of sight; 1 where there is none.
+  /// The cosine between the surface's normal and the line of sight; 1 if there is no normal.
   double facing_eye(const scene::Sphere& sphere, const scene::Point3& point) const {
     const scene::Vector3 normal = unit(point - sphere.centre);
     const scene::Vector3 sight = unit(point - scene_.camera->eye);
@@ -77,12 +77,12 @@ class DepthPainter : public Painter {
   explicit DepthPainter(const DepthRange& range) : range_(range) {}
   bool needs_parameters() const override { return true; }
   void paint(const SeenBand& band, std::span<Colour> pixels, ErrorCounts&) const override {
-    // Halves do not overflow.
+    // Halved against overflow.
     const double near = range_.nearest / 2;
     const double span = range_.farthest / 2 - near;
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       const double ahead = band.parameter[k] / 2 - near;
-      // Parameters may be out of range, then all or some are infinite.
+      // Parameters out of range may make some or all of these infinite.
       const double share = span > 0 && ahead < span ? ahead / span : span > 0 ? 1 : 0;
       pixels[k] = band.sphere[k] == reference::kNoSphere
                       ? Colour{}
@@ -119,7 +119,7 @@ class ErrorPainter : public Painter {
  private:
   static constexpr std::size_t kChunk = 512;
 
-  /// Where the candidate fails on some pixels, those are sought, and the others shown.
+  /// If the candidate fails on some pixels, finds these, and shows the others.
   static std::vector<properties::NearestHitError> errors_of(properties::Trial& trial,
                                                             std::span<const std::int32_t> seen,
                                                             properties::FailureSearch& search,

@@ -17,7 +17,7 @@ namespace raycheck::tools {
 
 inline constexpr Colour kBackground = {16, 18, 24};  ///< Pixels that see nothing.
 inline constexpr Colour kHitColour = {255, 255, 255};
-/// Of wrong pixels, by standing: red, purple, pink, grey.
+/// Colours of wrong pixels, by standing: red, purple, pink, grey.
 inline constexpr std::array<Colour, properties::kStandingCount> kWrongColours = {{
     {230, 0, 0},
     {140, 0, 160},
@@ -25,8 +25,8 @@ inline constexpr std::array<Colour, properties::kStandingCount> kWrongColours = 
     {128, 128, 128},
 }};
 
-/// Errors of s of at most `at_most` ulp (of the format judged in), and of more than the step
-/// before, have this colour.
+/// The colour of errors of s of at most `at_most` ulp (of the format judged in) and above the
+/// previous step.
 struct ErrorStep {
   double at_most;
   Colour colour;
@@ -45,8 +45,8 @@ inline constexpr std::array<ErrorStep, 8> kErrorSteps = {{
 /// "2b80ff"
 std::string hex(const Colour& colour);
 
-/// The colour of a sphere where it faces the eye: hues a golden section of the circle apart, so
-/// that neighbours in the file, and any few of them, differ.
+/// The colour of a sphere where it faces the eye: hues are a golden section of the circle apart, so
+/// that neighbours in the file, and any few spheres, differ.
 Colour sphere_colour(std::size_t sphere);
 
 /// What the pixels of whole rows see, row by row; arrays that the picture does not need are empty.
@@ -64,14 +64,14 @@ class Painter {
   virtual ~Painter() = default;
   virtual bool needs_parameters() const { return false; }
   virtual bool needs_points() const { return false; }
-  /// Pixels in the order of the band's; counts go to `errors`, where errors are shown.
+  /// Paints pixels in the band's order; adds counts to `errors`, if errors are shown.
   virtual void paint(const SeenBand& band, std::span<Colour> pixels, ErrorCounts& errors) const = 0;
 };
 
 std::unique_ptr<Painter> class_painter();
 /// The spheres' colours, darker where the surface turns away from the eye.
 std::unique_ptr<Painter> sphere_painter(const scene::Scene& scene);
-/// Near is bright and far is dark; what is seen is never as dark as the background.
+/// Near is bright and far is dark; hits are never as dark as the background.
 std::unique_ptr<Painter> depth_painter(const DepthRange& range);
 std::unique_ptr<Painter> error_painter(const scene::Scene& scene,
                                        std::function<properties::Candidate()> candidate);

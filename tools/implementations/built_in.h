@@ -7,7 +7,7 @@
 
 namespace raycheck::tools {
 
-/// The method of that name; throws std::invalid_argument naming the field and the known names.
+/// The method of this name; throws std::invalid_argument naming the field and the known names.
 const fast::PixelRayMethod& find_rays(const std::string& name, const char* field = "rays");
 const fast::IntersectMethod& find_intersect(const std::string& name,
                                             const char* field = "intersect");
@@ -31,7 +31,7 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names);
 
 /// Every pair, in the order of reports.
 std::vector<MethodPair> all_pairs();
-/// Each method once, the others at their default.
+/// Each method once, with the default of the other kind.
 std::vector<MethodPair> each_method_once();
 
 }  // namespace raycheck::tools

@@ -36,7 +36,7 @@ std::string isolation_text(const std::vector<Implementation>& implementations) {
     if (one.isolated_by.empty() || !said.insert(one.name).second) continue;
     text += fmt::format("{}  isolated by: {}", one.name, one.isolated_by);
     if (!one.bounds_of.empty()) {
-      text += fmt::format("; documents no bounds: held to those of {} (--bounds)", one.bounds_of);
+      text += fmt::format("; documents no bounds: judged by those of {} (--bounds)", one.bounds_of);
     }
     if (one.precision != scene::Precision::kDouble) {
       text += "; judged in single precision: u = 2^-24, ulp of float";

@@ -21,7 +21,7 @@ struct MethodPair {
   bool operator==(const MethodPair&) const = default;
 };
 
-/// What is judged when nothing is asked for: stable and plain.
+/// The pair judged by default: stable and simple.
 inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross};
 
 /// The arguments of one call: rays that meet a sphere, or pixels of a camera.
@@ -50,7 +50,7 @@ struct InProcess {
   std::function<ReadyCalls<std::vector<scene::Ray>>(const std::vector<RaysCall>&)> make_rays;
 };
 
-/// Keeps the compiler from leaving out what nobody reads.
+/// Keeps the compiler from removing unused results.
 template <class Value>
 void keep(const Value& value) {
   asm volatile("" : : "g"(&value) : "memory");
@@ -66,8 +66,8 @@ struct Implementation {
   std::string source_file = {};     ///< That it is made of, where that is one file.
   std::string arguments = {};       ///< Of a command that judges it again, but for its name.
   std::vector<properties::Stage> stages = {};  ///< In which it can be judged alone.
-  /// That it is asked and judged in. raycheck's own methods in floats take doubles, and round them:
-  /// they are judged as what they are for their callers.
+  /// The format it is judged in. raycheck's own methods in floats take doubles and round them: they
+  /// are judged as their callers see them.
   scene::Precision precision = scene::Precision::kDouble;
   std::optional<MethodPair> methods = {};  ///< Of fast/, where it is made of those.
   std::size_t number = 0;                  ///< Charts tell those of a stage apart by it.

@@ -10,7 +10,7 @@
 
 namespace raycheck::tools {
 
-/// What may be chosen, each in the order of reports; the conventions are in scene/conventions.h.
+/// What can be chosen, in the order of reports; the conventions are in scene/conventions.h.
 struct Catalogue {
   std::span<const fast::PixelRayMethod* const> ray_methods;
   std::span<const fast::IntersectMethod* const> intersect_methods;
@@ -19,12 +19,12 @@ struct Catalogue {
 };
 Catalogue catalogue();
 
-/// The format whose u and ulp a method's bounds count, by the roundoff of its arithmetic.
+/// The format whose u and ulp a method's bounds count, given its unit roundoff.
 constexpr scene::Precision precision_of(double roundoff) {
   return roundoff >= scene::unit_roundoff(scene::Precision::kSingle) ? scene::Precision::kSingle
                                                                      : scene::Precision::kDouble;
 }
-/// A bound that counts u or ulp of doubles, in those of a format.
+/// Converts a bound in u or ulp of doubles to those of a format.
 constexpr double in_own_unit(double bound, scene::Precision precision) {
   return bound * (properties::kDoubleRoundoff / scene::unit_roundoff(precision));
 }

@@ -14,7 +14,7 @@ std::string caveat(std::string_view not_kept) {
   return fmt::format("\n  {:<17} not kept on {}\n", "", not_kept);
 }
 
-/// The lengths of a method that has its own; empty for most.
+/// The range of lengths of a method with its own; empty for most.
 std::string lengths(const fast::Domain& domain) {
   if (domain == fast::Domain{}) return {};
   return fmt::format("; lengths {:.3g} to {:.3g}", domain.smallest_length, domain.largest_length);
@@ -26,7 +26,7 @@ std::string bound(properties::Quantity quantity, double bound, double roundoff) 
   return fmt::format("{} {}", in_own_unit(bound, precision), unit_name(quantity, precision));
 }
 
-/// Of a dial: what it counts, and which of its severities are of which level.
+/// What a dial measures, and which of its severities belong to which level.
 std::string levels_text(const properties::CaseSource& source) {
   if (!source.dial) {
     if (source.level == properties::Level::kOrdinary) return {};

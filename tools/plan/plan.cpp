@@ -25,7 +25,7 @@ std::string spheres_text(const std::vector<std::size_t>& spheres) {
                                  : fmt::format("{} and {} more", text, spheres.size() - shown);
 }
 
-/// What the items leave out, from a plan.
+/// Counts what the items of a plan leave out.
 class Accountant {
  public:
   Accountant(const scene::Scene& scene, const scene::ScenePlan& plan)
@@ -38,7 +38,7 @@ class Accountant {
     }
   }
 
-  /// In the order of kPlanItems; the filter's is counted where pixels are decided.
+  /// In the order of kPlanItems; the filter's count comes from deciding pixels.
   std::vector<ItemReport> items() const {
     return {spheres_left_out(scene::LeftOut::kOutsideView, "no ray of the image meets it"),
             spheres_left_out(scene::LeftOut::kBehind, "all of it is behind where rays start"),
@@ -172,7 +172,7 @@ PlanReport make_plan(const PlanOptions& options, const properties::RunControl& c
   } catch (const std::invalid_argument& error) {
     report.warnings.push_back(fmt::format("nothing is timed: {}", error.what()));
   } catch (const scene::Interrupted&) {
-    // What was timed until then is the answer.
+    // The answer is what was timed so far.
   }
   report.interrupted = control.interrupted();
   constexpr auto kFilter = std::find_if(kPlanItems.begin(), kPlanItems.end(),

@@ -22,7 +22,7 @@ struct PlanOptions {
   std::size_t top = 20;  ///< How many spheres the text shows.
 };
 
-/// An item of a plan, as reports call it, and what it leaves out.
+/// An item of a plan, as named in reports, and what it leaves out.
 struct PlanItem {
   std::string_view name;
   std::string_view sentence;
@@ -44,21 +44,21 @@ inline constexpr std::array<PlanItem, 11> kPlanItems = {{
     {"quantities", "quantities that are not wanted", &scene::PlanItems::quantities},
 }};
 
-/// Certified visibility of the image, by one core, with the whole plan and without one item.
+/// Times of certified visibility, on one core, with the whole plan and without one item.
 struct PlanTime {
   double with_plan_ms = 0;
   double without_ms = 0;
   std::uint64_t pixels = 0;  ///< How many were timed; the times are scaled to the whole image.
 };
 
-/// What an item leaves out: `left_out` of `of` things that `noun` names.
+/// The effect of an item: it leaves out `left_out` of `of` things called `noun`.
 struct ItemReport {
   std::uint64_t left_out = 0;
   std::uint64_t of = 0;
   std::string_view noun;
   std::string why;
-  std::optional<PlanTime> time = {};  ///< Empty where nothing is left out or
-                                      ///< not asked for, or time was over.
+  std::optional<PlanTime> time = {};  ///< Empty if nothing is left out, or not wanted, or time was
+                                      ///< up.
 };
 
 struct PlanReport {
@@ -67,26 +67,25 @@ struct PlanReport {
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
   std::vector<std::string> not_needed;    ///< Of what it says.
   scene::Scene scene;
-  /// Of scenes with a camera; rays that are given one by one share nothing.
+  /// For scenes with a camera; given rays share nothing.
   std::optional<scene::ScenePlan> plan;
   std::vector<ItemReport> items;   ///< In the order of kPlanItems.
   double plan_ms = 0;              ///< To make the plan.
-  std::optional<double> image_ms;  ///< With the whole plan; empty where nothing was timed.
+  std::optional<double> image_ms;  ///< With the whole plan; empty if not timed.
   std::uint64_t pixels_timed = 0;
-  reference::DecidedBy decided_by;  ///< Of the pixels timed.
+  reference::DecidedBy decided_by;  ///< For the pixels timed.
   std::size_t top = 0;
-  bool interrupted = false;  ///< Then what was not timed yet has no time.
+  bool interrupted = false;  ///< Then some items have no times.
 };
 
-/// Plans a scene file, and measures what each item saves; of an image that is too large to be seen
-/// (reference::kMostVisibleSide) a warning says that nothing was timed. Throws what the reader
-/// throws.
+/// Plans a scene file, and measures what each item saves; for an image that is too large
+/// (reference::kMostVisibleSide) a warning says that nothing was timed. Throws as the reader does.
 PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control = {});
 
-/// Fills in the times of a report whose scene and plan are there, and what decided the pixels
-/// timed: the whole image where that is quick, otherwise bands (or rows) spread over it.
-/// Errors: std::invalid_argument where the image is too large to be seen
-/// (reference::kMostVisibleSide); scene::Interrupted, with what was timed until then.
+/// Fills in the times of a report that has a scene and a plan, and what decided the pixels timed:
+/// the whole image if that is quick, otherwise bands (or rows) spread over it.
+/// Errors: std::invalid_argument if the image is too large (reference::kMostVisibleSide);
+/// scene::Interrupted, with the times so far.
 void time_plan(PlanReport& report);
 
 std::string plan_text(const PlanReport& report, const ViewOptions& options);

@@ -14,13 +14,13 @@ using scene::SpherePlan;
 
 std::string milliseconds(double ms) { return fmt::format("{:.3g}", ms); }
 
-/// "saves 73%"; a negative share is what an item costs here.
+/// "saves 73%"; a negative share means that the item costs time here.
 std::string share_text(const PlanTime& time) {
   return fmt::format("{}%", std::lround(100 * (1 - time.with_plan_ms / time.without_ms)));
 }
 
 std::string left_out_text(const ItemReport& item) {
-  // Of scenes and cameras there is one.
+  // There is only one scene or camera.
   if (item.noun == "scene" || item.noun == "camera") return item.left_out == 1 ? "yes" : "no";
   return fmt::format("{} of {} {}", item.left_out, item.of, item.noun);
 }

@@ -13,14 +13,14 @@ using reference::Visibility;
 using scene::Wanted;
 using Clock = std::chrono::steady_clock;
 
-/// All of it takes about so long, one item, and what a clock tells apart.
+/// About how long everything takes, one item, and what a clock resolves.
 constexpr double kAllSeconds = 2;
 constexpr double kItemSeconds = 0.15;
 constexpr double kLeastSeconds = 20e-6;
 constexpr int kMostPasses = 9;
-/// More sphere-pixel pairs than this are not asked at a time.
+/// At most this many sphere-pixel pairs are asked for at a time.
 constexpr double kMostPairs = 1e8;
-/// Nor more pixels, which bounds the memory.
+/// And at most this many pixels, to bound the memory.
 constexpr double kMostPixelsAtATime = 1 << 22;
 
 double seconds_since(Clock::time_point start) {
@@ -33,7 +33,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// What a scene's rows are timed on: computing what is wanted of them into arrays of its own.
+/// The work that is timed: computing what is wanted of a scene's rows into arrays.
 class Workload {
  public:
   Workload(const scene::Scene& scene, Wanted wanted, std::int64_t rows)
@@ -76,7 +76,7 @@ class Workload {
   std::vector<double> parameter_, x_, y_, z_;
 };
 
-/// The rows of an image in bands, in an order whose every beginning is spread over the image.
+/// An image's rows in bands, in an order whose every prefix is spread over the image.
 class Bands {
  public:
   Bands(std::int64_t height, std::int64_t rows) : height_(height), rows_(rows) {
@@ -109,7 +109,7 @@ class Bands {
   std::vector<std::int64_t> begins_;
 };
 
-/// Seconds that some rows take, of as many repetitions as a clock needs.
+/// Seconds that some rows take, repeated as often as the clock needs.
 double time_rows(const Visibility& visibility, Workload& workload,
                  const std::pair<std::int64_t, std::int64_t>& rows) {
   const Clock::time_point start = Clock::now();
@@ -122,8 +122,8 @@ double time_rows(const Visibility& visibility, Workload& workload,
 }
 
 /// Seconds of several visibilities, each the sum over the first bands of the image of medians of
-/// several passes. They take turns, so that what slows the machine slows all of them. As many
-/// bands as fit into the time allowed, and one at least.
+/// several passes. They take turns, so that disturbances of the machine slow all of them. As many
+/// bands as fit into the time limit, at least one.
 struct PartTimes {
   std::vector<double> seconds;
   std::size_t bands = 0;
@@ -140,7 +140,7 @@ PartTimes time_parts(const std::vector<const Visibility*>& all, Workload& worklo
       for (std::size_t k = 0; k < all.size(); ++k) {
         passes[k][part].push_back(time_rows(*all[k], workload, bands[part]));
       }
-      // Half of the time for the first pass, so that there is a second one.
+      // Half of the time for the first pass, to leave time for a second.
       if (pass == 0 && seconds_since(start) > kItemSeconds / 2) times.bands = part + 1;
     }
   }
@@ -160,7 +160,7 @@ double pairs_asked(const scene::ScenePlan& plan) {
   return pairs;
 }
 
-/// Seconds of the exact ray alone in some pixels spread over the image, and how many they were.
+/// Seconds of the exact ray alone for some pixels spread over the image, and their number.
 std::pair<double, std::uint64_t> time_exact_pixels(const scene::Scene& scene,
                                                    const scene::ScenePlan& plan) {
   constexpr std::uint64_t kMostPixels = 4096;
@@ -233,7 +233,7 @@ void time_plan(PlanReport& report) {
       item.time = PlanTime{*report.image_ms, 1e3 * seconds * all, pixels};
       continue;
     }
-    // Classes are asked sphere by sphere, with what is known of it, and of nothing else.
+    // Classes are computed sphere by sphere, with its constants and no other quantities.
     const bool is_asked = plan.wanted != Wanted::kClass || (items.constants && items.quantities);
     if (item.left_out == 0 || !is_asked) continue;
     const scene::ScenePlan without = scene::plan_scene(scene, plan.conventions, plan.wanted, items);

@@ -43,8 +43,8 @@ std::vector<ChosenSource> chosen_sources(const std::vector<std::string>& names) 
   return chosen;
 }
 
-/// Whether a law can tell this pair from one that is already asked: laws of the camera alone do not
-/// see the intersection, those of the intersection alone hardly see the ray method.
+/// Whether a law can tell this pair from one already tried: laws of the camera alone do not see the
+/// intersection method, those of the intersection hardly the ray method.
 bool is_worth_asking(const Law& law, const Implementation& implementation, bool chosen_by_user) {
   if (chosen_by_user || !implementation.methods) return true;
   const MethodPair& pair = *implementation.methods;
@@ -53,8 +53,8 @@ bool is_worth_asking(const Law& law, const Implementation& implementation, bool 
                                 : pair.rays == kDefaultMethods.rays;
 }
 
-/// A renderer is not told the conventions of a random case: it is judged by the default ones, and
-/// not at tangents.
+/// Renderers do not learn the conventions of a random case: they are judged by the default ones,
+/// and not at tangents.
 Candidate campaigner(const Implementation& implementation) {
   Candidate candidate = implementation.make();
   if (candidate.image) {
@@ -107,7 +107,7 @@ PropertiesReport replay(const PropertiesOptions& options) {
   throw std::invalid_argument("replay: no candidate is called '" + parsed.candidate + "'");
 }
 
-/// Beside each family's the baseline's: both follow the same dials.
+/// Pairs each family's reach with the baseline's: both follow the same dials.
 std::vector<Frontier> beside(std::vector<properties::Reach> candidate,
                              std::vector<properties::Reach> baseline) {
   std::vector<Frontier> both;

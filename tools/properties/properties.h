@@ -28,7 +28,7 @@ struct PropertiesOptions {
   std::optional<properties::Level> level;       ///< Empty: each candidate's own.
   std::optional<double> max_error;
   bool frontier = false;  ///< Follow the dials beyond the level.
-  bool strict = false;    ///< What is excused or undecided breaks a law, too.
+  bool strict = false;    ///< Excused or undecided answers break a law, too.
 };
 
 /// How far along a dial a law holds with a candidate, and with the baseline.
@@ -41,17 +41,17 @@ struct Frontier {
 struct CampaignReport {
   const properties::Law* law;
   std::string candidate;
-  std::string lasting_name;  ///< By which a baseline knows it (lasting_names).
+  std::string lasting_name;  ///< Its name in a baseline (lasting_names).
   properties::CampaignResult result;
   properties::Finding finding;
-  std::vector<Frontier> frontier = {};  ///< Empty where it was not asked for.
-  /// The mistakes that explain what someone else's has wrong where it breaks the law.
+  std::vector<Frontier> frontier = {};  ///< Empty if not requested.
+  /// The mistakes that explain the errors of an external implementation that breaks the law.
   std::vector<properties::Explanation> explanations = {};
   Implementation implementation = {};
-  scene::Precision precision = scene::Precision::kDouble;  ///< That it was asked and judged in.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in.
 };
 
-/// Someone else's implementation, which documents no bounds.
+/// An external implementation, which documents no bounds.
 struct BorrowedBounds {
   std::string candidate;
   std::string methods;  ///< Whose bounds it is held to: "direct/cross".
@@ -62,15 +62,15 @@ struct PropertiesReport {
   std::vector<BorrowedBounds> borrowed;
   std::optional<std::uint64_t> seed;  ///< Empty for a replay.
   int cases = 0;
-  std::string baseline;  ///< Whose frontier stands beside; empty: none was asked for.
+  std::string baseline;  ///< Whose frontier is shown beside; empty: none wanted.
   bool interrupted = false;
   bool strict = false;
-  std::optional<Ratchet> ratchet;  ///< Where it is held against a baseline.
+  std::optional<Ratchet> ratchet;  ///< If it is compared with a baseline.
 
   std::uint64_t count(properties::Finding finding) const;
   std::uint64_t failures() const { return count(properties::Finding::kBroken); }
-  /// Whether something was judged, and nothing is judged too rarely, or left undecided that the
-  /// baseline does not know.
+  /// Whether something was judged, nothing too rarely, and everything undecided is known to the
+  /// baseline.
   bool is_conclusive() const;
 };
 
@@ -81,7 +81,7 @@ PropertiesReport run_properties(const PropertiesOptions& options,
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_json(const PropertiesReport& report, const ViewOptions& options);
 
-/// A check for each law on each source.
+/// One check per law and source.
 Gate properties_gate(const PropertiesReport& report);
 
 inline constexpr View<PropertiesReport> kPropertiesViews[] = {
@@ -97,15 +97,15 @@ inline constexpr View<PropertiesReport> kPropertiesViews[] = {
 std::vector<std::span<const properties::CampaignPart>> by_source(
     const properties::CampaignResult& result);
 /// Why too little was judged to say that a law holds.
-/// Domain: a campaign of which that is the finding.
+/// Domain: a campaign with that finding.
 std::string too_few_text(const properties::CampaignResult& result);
-/// The command that asks about a case again.
+/// The command that replays a case.
 std::string replay_text(const CampaignReport& campaign, const std::string& replay);
 /// Why a law is broken, in lines, with the shrunk case.
 /// Domain: a campaign with a failure.
 std::string failure_text(const CampaignReport& campaign, bool colours);
 
-/// The shrunk case of every broken law, as a page: a scene each.
+/// The shrunk case of every broken law, as a page with a scene for each.
 ViewDocument properties_document(const PropertiesReport& report,
                                  const properties::RunControl& control);
 

@@ -102,7 +102,7 @@ CommandRun add_properties(CLI::App& command) {
                      "times for several");
   command
       .add_option("--level", arguments.level,
-                  "which severities of a source are asked: ordinary, demanding (those too) or "
+                  "which severities of a source are tried: ordinary, demanding (those too) or "
                   "extreme (all); default: what the candidate states, else ordinary for someone "
                   "else's and demanding for raycheck's methods")
       ->check(CLI::IsMember(std::vector<std::string>(properties::kLevelNames.begin(),

@@ -62,7 +62,7 @@ std::string summary_of(const CampaignReport& campaign, const std::vector<Identit
   return fmt::format("{} ({})", why, shown);
 }
 
-/// All there is to say of what one source shows.
+/// Everything about what one source shows.
 std::string text_of(const CampaignReport& campaign, Parts parts) {
   const auto& failure = campaign.result.failure;
   const bool has_failure =
@@ -103,7 +103,7 @@ void add_check_of(const CampaignReport& campaign, Parts parts, Gate& gate) {
   }
 }
 
-/// What is said of a law as a whole, beside its sources.
+/// What is said about a law as a whole, besides its sources.
 std::optional<GateCheck> whole_of(const CampaignReport& campaign) {
   GateCheck check;
   check.candidate = campaign.candidate;
@@ -151,7 +151,7 @@ Gate properties_gate(const PropertiesReport& report) {
       const Scope scope = {std::string(campaign.law->name), source_of(parts),
                            campaign.lasting_name};
       gate.findings.asked.insert(scope);
-      // The first break ends a part: what else is wrong there is not known.
+      // A part ends at its first broken case: its other errors are unknown.
       if (gate.checks.back().defects.empty()) gate.findings.complete.insert(scope);
     }
   }

@@ -10,7 +10,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Cases that a page has room for, one a law and candidate.
+/// How many cases fit on a page, one per law and candidate.
 constexpr std::size_t kMostCasesShown = 40;
 
 }  // namespace

@@ -19,8 +19,7 @@ using properties::Finding;
 using properties::Reach;
 using properties::Standing;
 
-/// "rays, all of up, distance@3..7, tangency@6,9..12": runs of severities that were judged one
-/// after the other.
+/// "rays, all of up, distance@3..7, tangency@6,9..12": runs of successively judged severities.
 std::string broken_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
@@ -43,7 +42,7 @@ std::string broken_text(const CampaignResult& result) {
   return text;
 }
 
-/// How far the families reach that break later on: "distance up to @2, scale up to @54".
+/// How far the law holds on families where it breaks later: "distance up to @2, scale up to @54".
 std::string holding_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
@@ -139,7 +138,7 @@ std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& resul
 }
 
 std::string replay_text(const CampaignReport& campaign, const std::string& replay) {
-  // Someone else's has to be named again to be asked again, and so has how a renderer is judged.
+  // To replay an external implementation the command must name it, and how a renderer is judged.
   if (campaign.implementation.methods)
     return fmt::format("raycheck properties --replay {}", replay);
   return fmt::format("raycheck properties --candidate {}{} --replay {}",
@@ -179,7 +178,7 @@ std::string too_few_text(const CampaignResult& result) {
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {
   std::string text;
   for (const BorrowedBounds& bounds : report.borrowed) {
-    text += fmt::format("{} documents no bounds: held to those of {} (--bounds)\n",
+    text += fmt::format("{} documents no bounds: judged by those of {} (--bounds)\n",
                         bounds.candidate, bounds.methods);
   }
   for (const CampaignReport& campaign : report.campaigns) {

@@ -20,7 +20,7 @@ using properties::Quantity;
 using reference::Bracket;
 using reference::Dyadic;
 
-/// Integers up to this many are JSON numbers, which every reader takes exactly.
+/// Integers up to this are written as JSON numbers, which every reader reads exactly.
 constexpr std::int64_t kLargestPlainInteger = std::int64_t{1} << 53;
 
 Json integer_json(const std::string& digits) {
@@ -79,7 +79,7 @@ Json camera_json(const scene::Camera& camera, bool axes_only) {
   return json;
 }
 
-/// Which spheres of the scene a proof speaks of.
+/// The spheres of the scene that a proof is about.
 std::vector<scene::Sphere> spheres_of(const scene::Scene& scene, const Discrepancy& d) {
   if (d.quantity == Quantity::kNearestSphere) return scene.spheres;
   if (!d.place.sphere) return {};
@@ -140,7 +140,7 @@ scene::Point3 point_at(const std::vector<double>& numbers, std::size_t first) {
   return {numbers.at(first), numbers.at(first + 1), numbers.at(first + 2)};
 }
 
-/// What must be shown of the ray or the axes, for this discrepancy.
+/// What must be shown about the ray or the axes for this discrepancy.
 reference::Proposition proposition_of(const Discrepancy& d,
                                       const std::vector<scene::Sphere>& spheres) {
   reference::Proposition wanted;
@@ -158,7 +158,7 @@ reference::Proposition proposition_of(const Discrepancy& d,
   return wanted;
 }
 
-/// Brackets of the lengths of vectors that the answer itself makes.
+/// Brackets of the lengths of vectors in the answer itself.
 Json norms_json(const Discrepancy& d, const std::vector<scene::Sphere>& spheres) {
   Json json = Json::array();
   if (!is_finite(d.got)) return json;
@@ -178,7 +178,7 @@ Json norms_json(const Discrepancy& d, const std::vector<scene::Sphere>& spheres)
   return json;
 }
 
-/// Why no proof is tried; empty when one is.
+/// Why no proof is attempted; empty when one is.
 std::string not_provable(const Discrepancy& d, bool from_camera) {
   const properties::Law* law = properties::find_law(d.law);
   if (d.quantity == Quantity::kRefusal) return "no value is stated";
@@ -192,7 +192,7 @@ std::string not_provable(const Discrepancy& d, bool from_camera) {
   return {};
 }
 
-/// The relative change of the inputs within which a wrong decision was asked to be right.
+/// The relative change of the inputs within which a wrong decision might be right.
 Json neighbourhood_json(const Discrepancy& d) {
   using properties::ExcuseKind;
   const bool is_decision = d.quantity == Quantity::kClass || d.quantity == Quantity::kRoot ||
@@ -206,7 +206,7 @@ Json neighbourhood_json(const Discrepancy& d) {
 constexpr const char* kTie =
     "a value is 0, or equal to another, only by virtue of square roots: brackets cannot show it";
 
-/// Adds the inputs and their proof; returns why there is none, if so.
+/// Adds the inputs and their proof; returns why there is none, or empty.
 std::string add_proof(const scene::Scene& scene, const scene::Conventions& conventions,
                       const Discrepancy& d, Json& json) {
   if (!conventions.valid.is_usual()) return "t_min, t_max or culling: no proof speaks of them";

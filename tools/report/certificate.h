@@ -10,9 +10,9 @@
 
 namespace raycheck::tools {
 
-/// What proves that a discrepancy is one, in integers alone: the object of docs/certificates.md,
-/// which tools/verify_certificates.py confirms. `conventions` are those under which the method was
-/// judged. Where nothing can be proved that way, "certified" is false and "reason" says why.
+/// A proof that a discrepancy is one, in integers only: the object of docs/certificates.md, which
+/// tools/verify_certificates.py checks. `conventions`: those that the method was judged under. If
+/// no such proof is possible, "certified" is false and "reason" says why.
 Json certificate(const scene::Scene& scene, const scene::Conventions& conventions,
                  const properties::Discrepancy& discrepancy, std::string_view method);
 

@@ -16,13 +16,13 @@ using properties::Tally;
 
 namespace {
 
-/// JSON spells the controls of ASCII itself, but not DEL and those of C1, nor those of the
-/// direction of writing.
+/// JSON escapes ASCII control characters itself, but not DEL, C1, or those of the writing
+/// direction.
 std::string spelled(const Json& json, int indent) {
   const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string without_delete;
   for (const char c : text) {
-    // Logs of GitHub's workflows obey "##[error]" wherever it stands.
+    // Logs of GitHub workflows interpret "##[error]" anywhere.
     const bool begins_command = c == '[' && without_delete.ends_with("##");
     without_delete += c == '\x7f' ? "\\u007f" : begins_command ? "\\u005b" : std::string(1, c);
   }

@@ -27,7 +27,7 @@ std::string json_text(const Json& json);
 /// The same on one line.
 std::string json_line(const Json& json);
 
-/// What every command's report begins with.
+/// The start of every command's report.
 Json json_header(std::string_view command);
 /// The report of a command that was interrupted before it had anything to say.
 std::string interrupted_json_text(std::string_view command);
@@ -74,7 +74,7 @@ Json explanations_json(const std::vector<properties::Explanation>& explanations)
 /// What was compared for one quantity: the same object in every report.
 Json tally_json(properties::Quantity quantity, const properties::Tally& tally,
                 scene::Precision precision = scene::Precision::kDouble);
-/// All that a verdict compared.
+/// Everything that a verdict compared.
 Json tallies_json(const properties::Verdict& verdict,
                   scene::Precision precision = scene::Precision::kDouble);
 /// How many discrepancies of a verdict are defects, undecided, excused, not judged.

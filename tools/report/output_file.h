@@ -7,22 +7,22 @@
 
 namespace raycheck::tools {
 
-/// A file that an option or a field names, which appears whole or not at all: it is written beside
-/// its place and then moved there. Making the object already opens it, so that hours of work do not
-/// end in a file that cannot be written.
+/// A file that an option or a field names, which appears completely or not at all: it is written
+/// beside its place and then moved there. The constructor opens it, so that hours of work do not
+/// end with a file that cannot be written.
 class OutputFile {
  public:
-  /// `named_by` is what errors call it: "--out" where flags are read, "out" elsewhere.
-  /// Throws std::invalid_argument naming that, the path and what is wrong with it.
+  /// `named_by` is its name in errors: "--out" where flags are read, "out" elsewhere. Throws
+  /// std::invalid_argument naming that, the path and what is wrong with it.
   OutputFile(std::string named_by, std::string path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
-  /// Leaves no trace unless the file is in its place.
+  /// Removes the file unless it is in its place.
   ~OutputFile();
 
-  /// Takes the next part of the file. Throws std::runtime_error when it could not be done.
+  /// Writes the next part of the file. Throws std::runtime_error on failure.
   void append(std::string_view bytes);
-  /// Moves what was appended to its place; the last call. Throws as append().
+  /// Moves the file to its place; the last call. Throws as append().
   void place();
   /// Throws std::runtime_error that names `named_by`, the path and why it was not written.
   [[noreturn]] void fail(const std::string& why) const;
@@ -37,7 +37,7 @@ class OutputFile {
 
   std::string named_by_;
   std::string path_;
-  std::string beside_;  ///< Where it is written first; empty once it was moved.
+  std::string beside_;  ///< Where it is written first; empty once moved.
   std::ofstream file_;
 };
 

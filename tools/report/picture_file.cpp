@@ -30,8 +30,8 @@ class PpmEncoder : public PictureEncoder {
   OutputFile& file_;
 };
 
-/// libpng leaves a failed call by longjmp; nothing that has a destructor lives between guarded()
-/// and such a call.
+/// libpng leaves a failed call by longjmp; nothing with a destructor may live between guarded() and
+/// such a call.
 class PngEncoder : public PictureEncoder {
  public:
   explicit PngEncoder(OutputFile& file) : file_(file) {
@@ -176,7 +176,7 @@ class PpmWords {
     rest_.remove_prefix(static_cast<std::size_t>(at - rest_.data()));
     return value;
   }
-  /// What follows the one space after the last word.
+  /// The bytes after the single space that ends the last word.
   std::string_view bytes() const { return rest_.substr(rest_.empty() ? 0 : 1); }
 
  private:
@@ -209,7 +209,7 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
   std::string_view rest;
   if (!is_text) {
     rest = words.bytes();
-    // A line that Windows ended has one byte more than the one that the format allows.
+    // A Windows line end has one byte more than the format allows.
     if (rest.starts_with('\n') && rest.size() == 3 * size * count + 1) rest.remove_prefix(1);
     if (rest.size() < 3 * size * count) throw PictureError("its PPM ends before its pixels");
   }

@@ -20,7 +20,7 @@ struct Colour {
 };
 static_assert(sizeof(Colour) == 3, "pixels are written as they lie in memory");
 
-/// The most pixels that a picture has across, and down: what libpng takes.
+/// The most pixels of a picture across, and down: libpng's limit.
 inline constexpr std::int64_t kMostPictureSide = 1'000'000;
 
 /// How a picture is stored.
@@ -32,13 +32,12 @@ class PictureEncoder {
   virtual void finish() = 0;
 };
 
-/// A picture that an option names, written line by line, the top one first: PNG or PPM (P6), as
-/// the end of its name says. As an OutputFile it appears whole or not at all.
-/// Error: where the picture cannot be written, functions throw std::runtime_error.
+/// A picture named by an option, written line by line, the top one first: PNG or PPM (P6), by its
+/// file extension. Like an OutputFile it appears completely or not at all.
+/// Error: functions throw std::runtime_error if the picture cannot be written.
 class PictureFile {
  public:
-  /// Throws std::invalid_argument naming the option where the name ends otherwise, and as
-  /// OutputFile.
+  /// Throws std::invalid_argument naming the option if the extension is another; and as OutputFile.
   PictureFile(std::string option, std::string path);
 
   const std::string& path() const { return path_; }
@@ -67,7 +66,7 @@ struct PictureSize {
 /// A picture in memory, the top line first.
 struct ReadPicture {
   std::int64_t width = 0, height = 0;
-  std::vector<Colour> pixels;  ///< Empty where the picture was not to be read further.
+  std::vector<Colour> pixels;  ///< Empty if only the header was wanted.
   bool has_size(const PictureSize& size) const {
     return width == size.width && height == size.height;
   }

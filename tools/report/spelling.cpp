@@ -13,11 +13,11 @@ namespace raycheck::tools {
 
 namespace {
 
-/// Also as East Asian input methods write them, which spreadsheets take, too.
+/// Including their East Asian full-width forms, which spreadsheets accept, too.
 constexpr std::array<std::string_view, 11> kFormulasBegin = {
     "=", "+", "-", "@", "\t", "\r", "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
 
-/// What tables write where there is no number.
+/// In tables: there is no number.
 constexpr std::string_view kNone = "-";
 
 bool is_formula(std::string_view text) {

@@ -16,14 +16,14 @@ class Table {
   };
 
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
-  /// One cell a column.
+  /// One cell per column.
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   bool empty() const { return rows_.empty(); }
 
   /// Lines indented by `indent`, columns two spaces apart.
   std::string text(std::string_view indent = "  ") const;
   std::string markdown() const;
-  /// As RFC 4180 has it, but lines end in a bare newline.
+  /// As in RFC 4180, but with bare newlines.
   std::string csv() const;
 
  private:

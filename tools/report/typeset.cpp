@@ -13,7 +13,7 @@ namespace {
 
 using reference::ClosedForm;
 
-/// What stands side by side: numbers, roots, fractions, signs.
+/// Parts set side by side: numbers, roots, fractions, signs.
 using Row = std::vector<std::string>;
 
 // How each language writes the parts of a closed form.
@@ -65,7 +65,7 @@ std::string natural(const ClosedForm::Natural& n) {
 template <class Language>
 std::string typeset(const ClosedForm& form);
 
-/// Without its sign. Roots stand above the line of the fraction.
+/// Without its sign. Roots stand in the numerator.
 template <class Language>
 std::string typeset(const ClosedForm::Term& term) {
   Row factors;

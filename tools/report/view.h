@@ -7,19 +7,19 @@ namespace raycheck::tools {
 
 /// Where a view is shown.
 struct ViewOptions {
-  bool colours = false;      ///< Of a terminal.
+  bool colours = false;      ///< For a terminal.
   std::string picture_link;  ///< Where its picture is; empty: embedded.
 };
 
 /// What in a view acts on its reader.
 enum class ViewKind {
-  kText,      ///< Nothing.
-  kCommands,  ///< Lines that the log of GitHub's workflows obeys.
+  kText,      ///< Not at all.
+  kCommands,  ///< Lines that GitHub's workflow log interprets.
   kBytes,     ///< Binary: written to files only.
 };
 
-/// A format of a command's report: what --format calls it, and what writes it. The views of a room
-/// stand in a table, the first is what --format is by default.
+/// A format of a command's report: its name for --format, and its writer. A room's views are in a
+/// table; the first is the default.
 template <class Report>
 struct View {
   std::string_view name;

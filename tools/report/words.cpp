@@ -18,7 +18,7 @@ using properties::Excuse;
 using properties::ExcuseKind;
 using properties::Standing;
 
-/// Errors are upper bounds: one below this says no more than that, and the true error may be 0.
+/// Errors are upper bounds: below this one says no more than that; the true error may be 0.
 constexpr double kSmallestShown = 1e-9;
 
 /// Changes of the inputs are counted in u up to this many.
@@ -209,7 +209,7 @@ std::string excuse_text(const Discrepancy& d) {
 
 namespace {
 
-/// Where a failure lies, as a clause; empty where no question is to blame.
+/// Which question failed, as a clause; empty if none is to blame.
 std::string failed_place_text(const Discrepancy& d) {
   switch (d.failed.blame) {
     case properties::Blame::kQuestion:

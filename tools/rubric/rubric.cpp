@@ -50,7 +50,7 @@ CopiedRubric copy_rubric(const std::string& name, const std::string& out) {
   const Rubric rubric = load_rubric(from);
   std::map<std::string, fs::path> files = rubric.scene_files;
   files[from.filename().string()] = from;
-  // Someone's own changes are not written over.
+  // A user's own changes are not overwritten.
   for (const auto& [file, source] : files) {
     if (fs::exists(fs::path(out) / file)) {
       throw std::invalid_argument(fmt::format("out {}: {} is there already", out, file));

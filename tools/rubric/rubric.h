@@ -6,7 +6,7 @@
 
 namespace raycheck::tools {
 
-/// A rubric that comes with raycheck.
+/// A rubric shipped with raycheck.
 struct ShippedRubric {
   std::string name;  ///< "lecture7"
   std::string title;
@@ -14,8 +14,8 @@ struct ShippedRubric {
 };
 std::vector<ShippedRubric> list_rubrics();
 
-/// The file of one, as it is.
-/// Errors: std::invalid_argument where none has that name.
+/// The unchanged text of its file.
+/// Errors: std::invalid_argument if none has that name.
 std::string rubric_file(const std::string& name);
 
 /// What was copied: a rubric and the scenes that it names.
@@ -23,8 +23,7 @@ struct CopiedRubric {
   std::string path;
   std::size_t scenes = 0;
 };
-/// Errors: as rubric_file(); std::invalid_argument where a file is there already, or cannot be
-/// written.
+/// Errors: as rubric_file(); std::invalid_argument if a file exists already, or cannot be written.
 CopiedRubric copy_rubric(const std::string& name, const std::string& out);
 
 std::string rubrics_text(const std::vector<ShippedRubric>& rubrics);

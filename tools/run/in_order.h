@@ -13,10 +13,10 @@
 
 namespace raycheck::tools {
 
-/// Calls make(k) for every k in [0, count) by the threads of `control`, and take(result) one after
-/// the other in the order of k, so that what is taken does not depend on the number of threads; few
-/// results are held at a time. Stops early at an interrupt, also one that make notices deep inside:
-/// then its result is not taken. What else make or take throws passes through.
+/// Calls make(k) for every k in [0, count) on the threads of `control`, and take(result)
+/// sequentially in the order of k, so that the outcome does not depend on the number of threads;
+/// few results are held at a time. Stops early on an interrupt, also inside make(), whose result is
+/// then not taken. Other exceptions of make and take pass through.
 template <class Result, class Make, class Take>
 void in_order(std::int64_t count, const properties::RunControl& control, const Make& make,
               const Take& take) {
@@ -46,7 +46,7 @@ void in_order(std::int64_t count, const properties::RunControl& control, const M
                                              [&](const Shared& result) { take(*result); }));
     });
   } catch (const scene::Interrupted&) {
-    // What was taken until then is the answer.
+    // The answer is what was taken so far.
   }
 }
 

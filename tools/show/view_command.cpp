@@ -36,8 +36,8 @@ struct ViewArguments {
   int threads = tbb::info::default_concurrency();
 };
 
-/// Rays times spheres up to which every ray is judged, times methods up to which all of fast/'s are
-/// where none is asked for.
+/// Up to this many rays times spheres every ray is judged; up to this times methods all of fast/'s
+/// are, if none is chosen.
 constexpr double kMostJudged = 1 << 22;
 
 struct Size {
@@ -52,7 +52,7 @@ Size size_of(const scene::Scene& scene) {
   return {rays, static_cast<double>(scene.spheres.size())};
 }
 
-/// Where nobody is asked for: every intersection method of a scene that is small enough, or cross.
+/// The default: every intersection method if the scene is small enough, otherwise cross.
 std::vector<MethodPair> default_methods(const Size& size) {
   const auto all = fast::intersect_methods();
   if (size.rays * size.spheres * static_cast<double>(all.size()) > kMostJudged) {

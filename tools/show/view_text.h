@@ -6,7 +6,7 @@
 
 namespace raycheck::tools {
 
-/// What a page has, in lines: where it begins, its findings, what was left out.
+/// A page's contents in lines: its start, its findings, what was left out.
 std::string view_text(const ViewDocument& document, const std::string& file, std::size_t bytes);
 
 }  // namespace raycheck::tools

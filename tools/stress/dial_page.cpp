@@ -18,9 +18,9 @@ namespace {
 
 using properties::StressResult;
 
-/// Severities that are shown as scenes, evenly spaced.
+/// How many severities are shown as scenes, evenly spaced.
 constexpr int kMostScenes = 18;
-/// Cases at a severity, of which the scene shows the worst.
+/// Cases per severity; the scene shows the worst.
 constexpr int kCasesTried = 20;
 
 /// How bad an answer is: wrong decisions before errors.
@@ -39,11 +39,11 @@ properties::Place worst_place(const StressResult& result, properties::Quantity q
 struct ShownCase {
   properties::Case the_case;
   properties::Place place;
-  std::optional<properties::Discrepancy> wrong;  ///< What is held against the method there.
+  std::optional<properties::Discrepancy> wrong;  ///< What counts against the method there.
 };
 
-/// Of the first cases at a severity, in the order in which they are judged, that on which a method
-/// is worst. Empty where nothing was judged.
+/// Among the first cases at a severity, in the order of judging, the one on which a method is
+/// worst. Empty if nothing was judged.
 ShownCase worst_of_first(const properties::CaseSource& family, int severity,
                          const StressCurve& curve, std::uint64_t seed) {
   const std::vector<properties::Candidate> candidate = {curve.method.make()};
@@ -59,7 +59,7 @@ ShownCase worst_of_first(const properties::CaseSource& family, int severity,
     if (bad <= worst) continue;
     worst = bad;
     properties::Place place = worst_place(results.front(), quantity);
-    // The rays that intersections are given were the camera's, one for each pixel of the case.
+    // Intersections are given the camera's rays, one for each pixel of the case.
     if (the_case.scene.camera && !place.pixel && place.ray < the_case.pixels.size()) {
       place.pixel = the_case.pixels[place.ray];
     }
@@ -81,7 +81,7 @@ FindingView finding_of(const ShownCase& shown, int severity, const std::string& 
           .selection = selection_of(shown.place, shown.the_case.scene)};
 }
 
-/// A facet of those of its severities.
+/// A facet restricted to some of its severities.
 ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
   const auto keep = [&](auto& list) {
     std::decay_t<decltype(list)> kept;
@@ -106,7 +106,7 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
   if (family.curves.empty()) {
     throw std::invalid_argument("method: asks nothing of this family");
   }
-  // Of both stages the one that the family is about: intersections where they are asked.
+  // Of both stages the one that the family is about: intersections if it has any.
   const properties::Stage stage = family.curves.back().stage;
   ViewDocument document;
   document.title = std::string(family.family->name);

@@ -41,7 +41,7 @@ std::pair<int, int> range_of(const CaseSource& family, const StressOptions& opti
   return {from, std::min(to, highest)};
 }
 
-/// Each family has the first severity that is asked for, and one of them the last.
+/// Requires that every family has the first severity asked for, and one family the last.
 void require_severities(const std::vector<const CaseSource*>& families,
                         const StressOptions& options) {
   if (!options.severities || families.empty()) return;
@@ -63,7 +63,7 @@ std::vector<int> severities_of(const CaseSource& family, const StressOptions& op
   return properties::some_severities(from, to);
 }
 
-/// The stages that a family's cases ask something of.
+/// The stages that a family's cases can judge.
 std::vector<Stage> stages_of(const CaseSource& family) {
   if (family.has_camera) return {Stage::kRays, Stage::kIntersection};
   return {Stage::kIntersection};

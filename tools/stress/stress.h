@@ -28,10 +28,10 @@ struct StressCurve {
   properties::Stage stage = properties::Stage::kRays;
   Implementation method;
   std::vector<int> severities;
-  std::vector<properties::StressResult> results;  ///< One a severity.
+  std::vector<properties::StressResult> results;  ///< One per severity.
 
   properties::Quantity quantity() const { return properties::main_quantity(stage); }
-  /// Of that quantity's errors: "ulp", "u of float".
+  /// The unit of that quantity's errors: "ulp", "u of float".
   std::string_view unit() const { return unit_name(quantity(), method.precision); }
   /// The tally of the main quantity within the stated domain at the k-th severity.
   const properties::Tally& tally(std::size_t k) const {
@@ -39,7 +39,7 @@ struct StressCurve {
   }
   /// The least severity at which the method is not stable within its stated domain.
   std::optional<int> first_failing() const;
-  /// Empty while nothing was judged within the stated domain.
+  /// Whether anything was judged within the stated domain.
   bool is_judged() const;
   std::optional<double> worst_ratio() const;
   std::uint64_t left_out() const;
@@ -61,9 +61,9 @@ struct StressReport {
   std::uint64_t compared() const;
 };
 
-/// Judges methods on families of cases of growing severity, each stage alone; families of more than
-/// properties::kMostSeverities at some of them.
-/// Throws std::invalid_argument naming the field.
+/// Judges methods on families of cases of growing severity, each stage alone; of more than
+/// properties::kMostSeverities severities only some are judged. Throws std::invalid_argument naming
+/// the field.
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {});
 
 std::string stress_text(const StressReport& report, const ViewOptions& options);
@@ -78,7 +78,7 @@ inline constexpr View<StressReport> kStressViews[] = {
     {"markdown", stress_markdown},
 };
 
-/// Certificates of the first discrepancy of each kind at each severity: a line each.
+/// Certificates of the first discrepancy of each kind at each severity: one per line.
 std::string stress_certificates(const StressReport& report);
 
 /// The methods of one stage that are judged in one format, on a family.

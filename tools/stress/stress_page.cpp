@@ -24,7 +24,7 @@ ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precisio
     for (const properties::StressResult& result : curve.results) {
       series.points.push_back(chart_point(result.inside.tallies(), facet.quantities));
     }
-    series.points.resize(curve.severities.size());  // those that an interrupt left
+    series.points.resize(curve.severities.size());  // only those before an interrupt
     facet.series.push_back(std::move(series));
   }
   return facet;

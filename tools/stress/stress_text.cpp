@@ -17,7 +17,7 @@ using properties::StressResult;
 using properties::Tally;
 using properties::Verdict;
 
-/// Above these many curves the report says nothing of single ones, or of single severities.
+/// With more curves than this the report omits single curves and severities.
 constexpr std::size_t kMostSummed = 40;
 constexpr std::size_t kMostDetailed = 4;
 
@@ -27,7 +27,7 @@ std::string failing_text(const StressCurve& curve) {
   return failing ? std::to_string(*failing) : "stable";
 }
 
-/// First failing severities of one stage's methods, a row for each family.
+/// First failing severities of one stage's methods, a row per family.
 Table first_failing_table(const StressReport& report, Stage stage) {
   std::vector<Table::Column> columns = {{"family"}, {"severities"}};
   std::vector<std::vector<std::string>> rows;
@@ -123,7 +123,7 @@ Table detail_table(const StressReport& report) {
   return table;
 }
 
-/// What there is to say of a method on a family in one line.
+/// A summary of a method on a family, in one row.
 Table summary_table(const StressReport& report) {
   constexpr auto kRight = Table::Align::kRight;
   Table table({{"family"},

@@ -23,10 +23,10 @@ using properties::Law;
 using properties::Stage;
 using properties::StressResult;
 
-/// What is looked at when nothing is asked for.
+/// The default sources.
 const std::vector<std::string> kOrdinary = {"rays", "cameras"};
 
-/// Longer ranges of severities are told of in this many stretches.
+/// Longer ranges of severities are reported in this many stretches.
 constexpr int kMostStretches = 17;
 
 /// More sources than these are not named in titles.
@@ -41,7 +41,7 @@ class SceneChunks {
   explicit SceneChunks(const properties::SceneCases& cases) : cases_(cases) {}
 
   std::uint64_t count() const { return (cases_.rays_judged() + kChunk - 1) / kChunk; }
-  /// How many rays the first ones have.
+  /// How many rays the first chunks have.
   std::uint64_t rays(std::uint64_t chunks) const {
     return std::min(chunks * kChunk, cases_.rays_judged());
   }
@@ -83,8 +83,8 @@ JudgedSource judged_source(const ChosenSource& source) {
   return judged;
 }
 
-/// The cases that methods are timed on, which are the first ones: until they have more spheres,
-/// rays and pixels than this between them.
+/// Methods are timed on the first cases, until these have more spheres, rays and pixels than this
+/// in total.
 constexpr std::size_t kMostTimed = std::size_t{1} << 21;
 
 /// Those of one source, or of a scene.
@@ -139,7 +139,7 @@ class StageJudge {
       results_[k].merge(std::move(found[k]));
     }
   }
-  /// Adds what was found out on the cases.
+  /// Adds the results on the cases.
   void finish() {
     for (std::size_t k = 0; k < costs_.size(); ++k) {
       if (results_[k].inside.compared() > 0 && !is_stable(results_[k].inside)) {
@@ -157,9 +157,8 @@ class StageJudge {
   std::vector<StressResult> results_;
 };
 
-/// Judges the methods of both stages on cases of a source that `make` makes, with their severity,
-/// by their numbers, or on those reached before an interrupt; returns on how many. No more of them
-/// than are timed are kept.
+/// Judges the methods of both stages on cases of a source, which `make` makes by number, with their
+/// severity, until an interrupt; returns how many cases there were. Keeps only those to be timed.
 template <class Make>
 std::uint64_t judge(std::uint64_t count, const Make& make, const JudgedSource& source,
                     TradeoffReport& report, TimedCases& timed) {
@@ -176,14 +175,14 @@ std::uint64_t judge(std::uint64_t count, const Make& make, const JudgedSource& s
       timed.add(one);
     }
   } catch (const scene::Interrupted&) {
-    // What was judged until then is the answer.
+    // The answer is what was judged so far.
   }
   rays.finish();
   intersections.finish();
   return judged;
 }
 
-/// Marks what nothing beats: in time, defects and error at once.
+/// Marks methods that none beats in time, defects and error at once.
 template <class Costs, class Key>
 void mark_pareto(Costs& costs, Key key) {
   for (auto& one : costs) {
@@ -223,7 +222,7 @@ std::optional<std::pair<double, double>> badness_of(const properties::Verdict& v
   return std::pair(share, *main.quantile(0.999));
 }
 
-/// End to end, the methods that are Pareto-optimal in their own stage, with the default ones.
+/// The pairs to time end to end: Pareto-optimal methods of each stage with default ones.
 std::vector<MethodPair> pairs_worth_timing(const TradeoffReport& report) {
   std::vector<MethodPair> pairs;
   for (const MethodCost& rays : report.rays) {
@@ -272,7 +271,7 @@ void judge_pixels(const SceneChunks& chunks, TradeoffReport& report) {
   });
 }
 
-/// Cases of the right kind for a stage, alone.
+/// The cases that suit a stage, reduced to it.
 std::vector<Case> asked_of(const std::vector<Case>& cases, Stage stage) {
   const Candidate rays = candidate_of(kDefaultMethods);
   std::vector<Case> asked;
@@ -282,7 +281,7 @@ std::vector<Case> asked_of(const std::vector<Case>& cases, Stage stage) {
   return asked;
 }
 
-/// Throws scene::Interrupted: then what is not timed yet stays so.
+/// Throws scene::Interrupted; methods not timed by then stay without times.
 void finish(const std::vector<Case>& timed, TradeoffReport& report) {
   scene::poll();
   for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
@@ -344,7 +343,7 @@ void run_on_sources(const TradeoffOptions& options, const properties::RunControl
                           by_source.back());
   }
   control.progress("timing");
-  // Sources in turn, so that what is timed is of all of them.
+  // Alternates between sources, so that all of them are timed.
   std::vector<Case> mixed;
   for (std::size_t k = 0, added = 1; added > 0; ++k) {
     added = 0;
@@ -406,7 +405,7 @@ TradeoffReport run_tradeoff(const TradeoffOptions& options, const properties::Ru
       run_on_scene(options, report);
     }
   } catch (const scene::Interrupted&) {
-    // What was judged and timed until then is the answer.
+    // The answer is what was judged and timed so far.
   }
   report.interrupted = control.interrupted();
   return report;

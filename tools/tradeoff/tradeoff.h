@@ -29,8 +29,7 @@ struct TradeoffOptions {
   std::uint64_t seed = 1;
 };
 
-/// Nanoseconds per item: the median of the repetitions, and from where to where the middle half of
-/// them lies.
+/// Nanoseconds per item: the median of the repetitions, and the range of their middle half.
 struct Duration {
   double median = 0;
   double low = 0;
@@ -40,25 +39,25 @@ struct Duration {
 /// What was compared within a method's stated domain.
 using Tallies = std::map<properties::Quantity, properties::Tally>;
 
-/// What one method costs and how far it is off.
+/// What one method costs and how large its errors are.
 struct MethodCost {
   properties::Stage stage = properties::Stage::kRays;
   Implementation method;
-  properties::Promises promises;  ///< What its errors are held to.
+  properties::Promises promises;  ///< What its errors are compared with.
   properties::StressResult accuracy;
-  /// Its parts: of each source, of each of its severities.
+  /// The parts by source and severity.
   std::vector<std::vector<Tallies>> by_severity;
-  std::optional<Duration> scalar;  ///< One call an item; empty: not timed, see `not_timed`.
+  std::optional<Duration> scalar;  ///< One call per item; empty: see `not_timed`.
   std::optional<Duration> batch;
   std::string not_timed;
   std::vector<std::string> unstable_on;  ///< Sources; empty: stable on all of them.
   bool pareto = false;                   ///< No other method is as fast and as accurate.
-  bool is_called_here = false;  ///< Someone else's that was timed in raycheck's own process.
+  bool is_called_here = false;           ///< External, timed in raycheck's own process.
 
   properties::Quantity quantity() const { return properties::main_quantity(stage); }
   std::string_view unit() const { return unit_name(quantity(), promises.precision); }
   /// Errors by which methods are ranked: decisions wrong without an excuse per decision, then the
-  /// 99.9% error, of whatever format in u or ulp of doubles. Empty where nothing was judged in the
+  /// 99.9% error, for every format in u or ulp of doubles. Empty if nothing was judged in the
   /// stated domain.
   std::optional<std::pair<double, double>> badness() const;
 };
@@ -69,22 +68,22 @@ inline bool has_any(const std::vector<MethodCost>& costs, scene::Precision preci
                      [=](const MethodCost& cost) { return cost.promises.precision == precision; });
 }
 
-/// Whose batches the ratios of times are over: the first that was timed; null where none was.
+/// The method whose batch time ratios refer to: the first that was timed; null if none was.
 const MethodCost* baseline(const std::vector<MethodCost>& costs);
 
 /// Cases that belong together.
 struct JudgedSource {
   std::string name = {};          ///< "distance", "distance@3", or the scene.
-  std::string_view meaning = {};  ///< Of its severities; empty: it has none.
-  /// The first of each stretch of severities that is told of alone; one, where there are none.
+  std::string_view meaning = {};  ///< The meaning of its severities; empty: none.
+  /// The first severity of each stretch that is reported; one entry if there are none.
   std::vector<int> severities = {0};
   int last = 0;  ///< Severity.
 
-  /// The stretch that a severity lies in.
+  /// The index of a severity's stretch.
   std::size_t stretch_of(int severity) const;
 };
 
-/// What a pixel costs end to end: a ray method and an intersection method.
+/// The cost of a pixel end to end: a ray method and an intersection method.
 struct PixelCost {
   std::string name;
   Duration per_pixel;
@@ -107,11 +106,11 @@ struct TradeoffReport {
   std::uint64_t compared() const;
 };
 
-/// The subject in a title: many sources are only counted.
+/// The subject in a title; many sources are just counted.
 std::string subject_text(const TradeoffReport& report);
 
 /// Judges and times methods on the same inputs. Throws std::invalid_argument naming the field, and
-/// what the reader of scenes throws.
+/// as the reader of scenes.
 TradeoffReport run_tradeoff(const TradeoffOptions& options,
                             const properties::RunControl& control = {});
 
@@ -133,8 +132,8 @@ std::vector<ChartFacet> tradeoff_facets(const TradeoffReport& report, bool with_
 /// A report as a page: error against run time, on all of its sources together and on each.
 ViewDocument tradeoff_document(const TradeoffReport& report);
 
-/// The Pareto front of points (time, error): the indices of those whose error is below that of all
-/// that are as fast, the fastest first. Of points that are the same, the first.
+/// The Pareto front of points (time, error): the indices of points whose error is below that of all
+/// at least as fast, the fastest first; of equal points the first.
 std::vector<std::size_t> pareto_front(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace raycheck::tools

@@ -23,7 +23,7 @@ namespace {
 
 using properties::Stage;
 
-/// Of whatever batches could be timed, or else of single calls.
+/// The time of batches, if any could be timed, or else of single calls.
 std::optional<ChartTime> chart_time(const MethodCost& cost, const MethodCost* baseline) {
   const auto& time = cost.batch ? cost.batch : cost.scalar;
   if (!time || baseline == nullptr) return std::nullopt;
@@ -31,7 +31,7 @@ std::optional<ChartTime> chart_time(const MethodCost& cost, const MethodCost* ba
   return ChartTime{time->median / base, time->low / base, time->high / base, time->median};
 }
 
-/// Marks the front of what `point_of` finds in each series, by each quantity and share.
+/// Marks the front of the points that `point_of` finds in each series, for each quantity and share.
 template <class PointOf>
 void mark_front(ChartFacet& facet, PointOf point_of) {
   for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {
@@ -62,7 +62,7 @@ void mark_fronts(ChartFacet& facet) {
   }
 }
 
-/// "3", or "126..188" of the k-th stretch of a source.
+/// "3", or "126..188", for the k-th stretch of a source.
 std::string stretch_text(const JudgedSource& source, std::size_t k) {
   const int first = source.severities[k];
   const int last = k + 1 < source.severities.size() ? source.severities[k + 1] - 1 : source.last;
@@ -77,7 +77,7 @@ struct Part {
   scene::Precision precision;
 };
 
-/// The series of a facet, with what `fill` finds out of each; none that was compared nowhere.
+/// The series of a facet, with the data that `fill` adds; none that was never compared.
 template <class Fill>
 void add_series(const Part& part, ChartFacet& facet, Fill fill) {
   const MethodCost* const base = baseline(part.costs);

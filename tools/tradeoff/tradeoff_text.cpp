@@ -37,7 +37,7 @@ std::string max_text(const Verdict& verdict, Quantity quantity) {
   return error_text(verdict.tally(quantity).max());
 }
 
-/// The largest error over what the bound grows by, as far as it was weighed.
+/// The largest error over the growth of the bound, among those that were weighed.
 std::string audited_text(const Verdict& verdict, Quantity quantity) {
   return error_text(verdict.tally(quantity).max_over_growth);
 }
@@ -67,13 +67,13 @@ std::string name_text(const MethodCost& cost) {
   return (cost.pareto ? "* " : "  ") + cost.method.name;
 }
 
-/// Of a batch, to the baseline's.
+/// Batch time over the baseline's.
 std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) {
   if (!cost.batch) return "-";
   return fmt::format("{:.2f}", cost.batch->median / baseline->batch->median);
 }
 
-/// Of the methods that are judged in one format: their errors have one unit.
+/// For methods that are judged in one format: their errors have one unit.
 Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
   Table table({{"  method"},
                {"ns a call", kRight},

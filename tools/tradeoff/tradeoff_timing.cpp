@@ -32,7 +32,7 @@ bool same_bits(const Triple& a, const Triple& b) {
 }
 
 constexpr const char* kDiffers =
-    "it answers otherwise in raycheck's own process than in one of its own";
+    "it answers differently in raycheck's own process than in one of its own";
 
 /// Calls that a stopwatch runs.
 struct Timed {
@@ -44,7 +44,7 @@ struct Timed {
 constexpr std::size_t kItems = 4096;
 constexpr std::size_t kBatches = 8;
 constexpr int kRepetitions = 21;
-/// What one method may take of one repetition, at about; slow ones are timed on fewer items.
+/// About how long one method may take in a repetition; slow ones are timed on fewer items.
 constexpr double kNanosecondsPerRepetition = 2e6;
 
 double elapsed_ns(const Timed& timed, std::size_t count) {
@@ -54,7 +54,7 @@ double elapsed_ns(const Timed& timed, std::size_t count) {
   return elapsed.count();
 }
 
-/// As many items as fit the time of a repetition, and how often they are worked on.
+/// As many items as fit the time of a repetition, and how many times they are processed.
 struct Load {
   std::size_t count;
   int times;
@@ -105,7 +105,7 @@ bool is_inside(const IntersectCall& call, const properties::Candidate& candidate
   return properties::is_inside_domain(candidate, scene);
 }
 
-/// The cases in the format that a candidate is asked in; those that it cannot hold are left out.
+/// The cases in a candidate's format, without those that it cannot hold.
 std::vector<Case> in_format_of(const properties::Candidate& candidate,
                                const std::vector<Case>& cases) {
   if (candidate.precision == scene::Precision::kDouble) return cases;
@@ -134,7 +134,7 @@ std::vector<IntersectCall> pairs_of(const std::vector<Case>& cases) {
   return pairs;
 }
 
-/// The ray of one pair, placed to another's sphere as it was to its own.
+/// The ray of a pair, moved so that it lies to another sphere as to its own.
 scene::Ray placed_at(const IntersectCall& pair, const scene::Sphere& sphere) {
   const double scale = pair.sphere.radius > 0 ? sphere.radius / pair.sphere.radius : 1;
   const scene::Ray& ray = pair.rays.front();
@@ -144,8 +144,8 @@ scene::Ray placed_at(const IntersectCall& pair, const scene::Sphere& sphere) {
           ray.direction};
 }
 
-/// The pairs in batches of one sphere each: the spheres of the first pairs, met by the rays of all,
-/// whose numbers are of a format.
+/// The pairs in batches with one sphere each: the first pairs' spheres with all pairs' rays,
+/// rounded to a format.
 std::vector<IntersectCall> batches_of(const std::vector<IntersectCall>& pairs,
                                       scene::Precision precision) {
   std::vector<IntersectCall> batches;

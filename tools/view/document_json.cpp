@@ -85,7 +85,7 @@ Json finding_json(const FindingView& finding) {
   return json;
 }
 
-/// [word, what it means] of the words that pages use.
+/// [word, meaning] for the words that pages use.
 std::vector<std::array<std::string, 2>> words_of_pages() {
   return {
       {"ulp",

@@ -21,8 +21,8 @@
 namespace raycheck::tools {
 namespace {
 
-/// The scene as it is shown: in the format and under the conventions of someone else's
-/// implementation, and from the eye where rays are made from there only, as explain does.
+/// The scene as shown: in the format and under the conventions of an external implementation, and
+/// from the eye if it makes rays only from there, as in explain.
 scene::Scene shown_scene(const scene::Scene& scene, const SceneViewOptions& options) {
   scene::require_valid(scene);
   scene::Scene shown = scene;
@@ -42,7 +42,7 @@ scene::Scene shown_scene(const scene::Scene& scene, const SceneViewOptions& opti
   return shown;
 }
 
-/// The same scene in a picture of at most so many pixels.
+/// The same scene with an image of at most `most_pixels`.
 scene::Scene smaller(scene::Scene scene, std::int64_t most_pixels) {
   scene::Camera& camera = *scene.camera;
   const double pixels = static_cast<double>(camera.width) * static_cast<double>(camera.height);
@@ -61,7 +61,7 @@ std::vector<CandidateMaker> candidates_of(const SceneViewOptions& options) {
   for (const MethodPair& pair : options.methods) {
     makers.push_back([pair] { return candidate_of(pair); });
   }
-  // Who intersects nothing has no picture.
+  // Without intersections there is no picture.
   if (options.other && options.others_picture && options.other->make().intersect) {
     makers.push_back(answering_candidate(
         *options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
@@ -96,8 +96,8 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   if (camera == *scene.camera) view.seen = std::move(images.seen);
 }
 
-/// What panels there are room for is decided in this order: what is wanted, then pixels spread over
-/// the image, ever more densely, or all given rays; then the other spheres of the start.
+/// Panels are made in this order while there is room: the wanted ones, then pixels spread over the
+/// image, ever more densely, or all given rays; then the start's other spheres.
 std::vector<Selection> candidates_for_panels(const scene::Scene& scene,
                                              const SceneViewOptions& options) {
   std::vector<Selection> list = options.wanted;
@@ -110,7 +110,7 @@ std::vector<Selection> candidates_for_panels(const scene::Scene& scene,
     const std::int64_t longest = std::max(camera.width, camera.height);
     std::int64_t stride = 1;
     while (longest / stride > 1) stride *= 2;
-    std::int64_t before = 0;  // The stride of what there is already.
+    std::int64_t before = 0;  // The stride of the pixels so far.
     for (; stride >= 1 && list.size() < options.limits.panels; before = stride, stride /= 2) {
       for (std::int64_t j = 0; j < camera.height; j += stride) {
         for (std::int64_t i = 0; i < camera.width; i += stride) {
@@ -138,10 +138,10 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   if (!options.methods.empty()) panels.rays = options.methods.front().rays;
   panels.other = options.other;
   if (options.is_of_methods) panels.methods = options.methods;
-  // Of a picture there are no steps: those that are right are told.
+  // Pictures have no steps: panels show correct ones.
   if (options.renderer) panels.methods = {kDefaultMethods};
   panels.scene_argument = options.file;
-  if (options.other) panels.more_arguments = options.more_arguments;  // No renderer is explained.
+  if (options.other) panels.more_arguments = options.more_arguments;  // explain takes no renderers
   const std::vector<Selection> list = candidates_for_panels(scene, options);
   struct Made {
     Panel panel;

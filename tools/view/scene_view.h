@@ -9,30 +9,30 @@
 
 namespace raycheck::tools {
 
-/// Of the panels of all scenes of a page together.
+/// For the panels of all scenes of a page together.
 inline constexpr std::size_t kPanelBytes = 720 << 10;
 
-/// How much of a scene a page keeps.
+/// How much of a scene a page may contain.
 struct PageLimits {
   std::size_t spheres = 10'000;           ///< Drawn in the figure.
-  std::int64_t picture_pixels = 1 << 20;  ///< Of a picture; larger images are shown smaller.
+  std::int64_t picture_pixels = 1 << 20;  ///< Of a picture; larger images are reduced.
   std::size_t panels = 4000;
   std::size_t panel_bytes = kPanelBytes;   ///< Of all panels, deflated.
-  std::uint64_t answered_pairs = 1 << 24;  ///< Rays times spheres that are asked for pictures.
+  std::uint64_t answered_pairs = 1 << 24;  ///< Rays times spheres asked for pictures.
 };
 
 struct SceneViewOptions {
-  std::string name;  ///< As commands and titles call it.
-  std::string file;  ///< The scene as commands name it: a word, quoted where it has to be.
-  std::string more_arguments;       ///< Of its commands: the candidate, or nothing.
-  std::vector<MethodPair> methods;  ///< Whose pictures are shown; the rays are the first's.
-  bool is_of_methods = false;       ///< Panels show the steps of those alone.
-  /// Someone else's, by whose conventions all is shown; null: there is none.
+  std::string name;                 ///< For commands and titles.
+  std::string file;                 ///< The scene as a word of commands, quoted if necessary.
+  std::string more_arguments;       ///< For its commands: the candidate, or empty.
+  std::vector<MethodPair> methods;  ///< Show their pictures, with the first one's rays.
+  bool is_of_methods = false;       ///< Panels show only their steps.
+  /// An external implementation, whose conventions all views use; or null.
   std::shared_ptr<const Implementation> other = nullptr;
   bool others_picture = true;  ///< Whether `other` is asked about every pixel.
-  /// Someone else's renderer, whose picture is shown; empty: there is none.
+  /// An external renderer, whose picture is shown; or empty.
   CandidateMaker renderer = {};
-  /// What there has to be a panel of, the first selected at the start; empty: the middle.
+  /// The required panels, the first selected at the start; empty: the middle.
   std::vector<Selection> wanted;
   PageLimits limits;
 };
@@ -40,19 +40,18 @@ struct SceneViewOptions {
 /// Has a view show an implementation, too: any number of methods, or one that is someone else's.
 void show(const Implementation& implementation, SceneViewOptions& options);
 
-/// A scene as a page shows it, and what was left out of it.
-/// Throws std::invalid_argument naming the field where the scene is not valid or a selection is not
-/// of it.
+/// A scene as a page shows it, and what was left out of it. Throws std::invalid_argument naming the
+/// field if the scene is invalid or a selection is not part of it.
 SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
                   std::vector<std::string>& left_out, const properties::RunControl& control);
 
-/// The ray and the sphere of a place in a scene; neither pixel nor ray where the place has none.
+/// The ray and the sphere of a place in a scene; neither pixel nor ray if the place has none.
 Selection selection_of(const properties::Place& place, const scene::Scene& scene);
 
-/// Whether it says which ray is meant.
+/// Whether a selection determines a ray.
 bool is_of_ray(const Selection& selection);
 
-/// What a page of one case has to show: where it was found wrong, then all that the case looks at.
+/// What a page of one case must show: where it is wrong, then everything that the case looks at.
 std::vector<Selection> selections_of(const properties::Case& the_case,
                                      const properties::Place& found);
 

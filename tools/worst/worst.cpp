@@ -14,7 +14,7 @@ namespace {
 using properties::Quantity;
 using properties::Stage;
 
-/// Whether a stage measures a quantity of that name, with hyphens for spaces.
+/// The quantity of this name that a stage measures, with hyphens for spaces.
 std::optional<Quantity> quantity_of(Stage stage, const std::string& chosen) {
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
     const auto quantity = static_cast<Quantity>(k);
@@ -57,7 +57,7 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
       fmt::format("quantity {}: no such quantity of {}; there are {}", chosen, name(stage), known));
 }
 
-/// Counts how often a function fails.
+/// Counts how many times a function fails.
 template <class Answer, class... Arguments>
 void count_failures(std::function<Answer(Arguments...)>& function, WorstReport& report) {
   if (!function) return;

@@ -30,7 +30,7 @@ struct WorstReport {
   properties::SearchOptions search;
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
   bool interrupted = false;
-  std::uint64_t failures = 0;  ///< How often it gave no answer,
+  std::uint64_t failures = 0;  ///< How many times it gave no answer,
   std::string first_failure;   ///< and how it first failed.
 
   bool is_unstable() const;
@@ -48,7 +48,7 @@ inline constexpr View<WorstReport> kWorstViews[] = {
     {"json", worst_json},
 };
 
-/// The input found as a TOML scene that says what is wrong on it.
+/// The input found as a TOML scene, with its error in a comment.
 /// Domain: something was measured.
 std::string worst_scene(const WorstReport& report);
 

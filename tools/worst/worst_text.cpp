@@ -8,7 +8,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// What was found, in a line.
+/// The finding, in a line.
 std::string headline(const WorstReport& report) {
   const properties::WorstCase& worst = *report.worst;
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",

@@ -80,7 +80,7 @@ Enclosure AnswerBox::slack_of_answer() const {
          Enclosure(around_.relative_change, kVariationBits);
 }
 
-/// How far each input, and s, takes values, by slopes at lifted inputs and within `off` of s.
+/// How much each input, and s, moves the values, by slopes at lifted inputs and within `off` of s.
 template <std::size_t N, class BaseLift, class Values>
 std::array<std::vector<Enclosure>, N> AnswerBox::reaches_of(const Values& values,
                                                             const BaseLift& base,

@@ -14,8 +14,8 @@
 namespace raycheck::reference {
 
 /// A point t of the box changes input k by the share t_k of the relative change that the
-/// neighbourhood allows; its last coordinate moves the answer's s over where s may be. An answer
-/// that is a miss has an s of 0 that does not move.
+/// neighbourhood allows; its last coordinate moves the answer's s over its allowed range. For a
+/// miss s is 0 and does not move.
 class AnswerBox {
  public:
   AnswerBox(const ExactRay& ray, const scene::Sphere& sphere, const Neighbourhood& around,
@@ -24,14 +24,14 @@ class AnswerBox {
   const Neighbourhood& around() const { return around_; }
   const std::optional<double>& answer() const { return answer_; }
   std::vector<double> middle() const;
-  /// Of the inputs, without the answer's s.
+  /// The sizes of the inputs, without the answer's s.
   std::vector<double> sizes() const;
 
-  /// How a decider varies over the whole box, by the mean-value form: what it cannot be there it is
-  /// nowhere.
+  /// How a decider varies over the whole box, by the mean-value form: values outside it are taken
+  /// nowhere in the box.
   const Variation& variation(Decider decider);
-  /// Vectors that tell more where the neighbourhood is not small: f x g and r |g|, which the line
-  /// misses where the vector is longer; and the way from the point at s to the centre, and r.
+  /// Vectors and lengths that tell more where the neighbourhood is not small: f x g and r |g| (the
+  /// line misses if the vector is longer); and from the point at s to the centre, and r.
   VectorAndLength moment() const;
   VectorAndLength from_answer() const;
   /// g, in doubles.
@@ -41,8 +41,8 @@ class AnswerBox {
   Variation variation_at(Decider decider, const std::vector<double>& t) const;
   Enclosure value_at(Decider decider, const std::vector<double>& t) const;
   /// |b - a mu| at most, and the root of the discriminant at most, where the answer is near a
-  /// double root: both roots lie within sqrt(R/a) of s, R what the neighbourhood changes |T - mu
-  /// g|^2 - r^2 by.
+  /// double root: both roots lie within sqrt(R/a) of s, where R is the change of |T - mu g|^2 - r^2
+  /// over the neighbourhood.
   Enclosure most_near_double_root();
 
   InputChange change_at(const std::vector<double>& t) const;
@@ -71,9 +71,9 @@ class AnswerBox {
   const scene::Sphere& sphere_;
   const Neighbourhood& around_;
   std::optional<double> answer_;
-  // Of the answer's s: how far it may be off, and the middle and half the width of where it may be.
+  // For the answer's s: its slack, and the middle and half width of its allowed range.
   Enclosure slack_, middle_, half_width_;
-  Enclosure reach_;  ///< What the neighbourhood changes |T - mu g|^2 - r^2 by, to first order.
+  Enclosure reach_;  ///< By how much |T - mu g|^2 - r^2 varies, to first order.
   std::array<std::optional<Variation>, kDeciderCount> variations_;
 };
 

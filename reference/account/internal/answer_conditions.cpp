@@ -31,7 +31,7 @@ bool is_refuted(AnswerBox& box, const Condition& condition) {
   if (!g.may_be_zero() || !f.may_be_at_least_zero()) return true;
   const auto optimum = highest_where_zero(linear_form(f), linear_form(g));
   if (!optimum) return false;
-  // Where g is 0, f is f + multiplier g, which may vary less.
+  // Where g = 0, f equals f + multiplier g, which may vary less.
   const Enclosure multiplier = Enclosure(optimum->multiplier, kVariationBits) * f.most / g.most;
   std::vector<Enclosure> reach;
   for (std::size_t k = 0; k < f.reach.size(); ++k) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// What makes an answer about a ray and a sphere right, as functions of changed inputs. Internal to
-// reference/.
+// The functions of changed inputs that decide if an answer about a ray and a sphere is right.
+// Internal to reference/.
 
 #include <cstddef>
 #include <optional>
@@ -17,11 +17,11 @@ namespace raycheck::reference {
 inline constexpr int kFirstWitnessBits = 256;
 inline constexpr int kLastWitnessBits = 4096;
 
-/// Of the balls that say how what decides varies over a neighbourhood.
+/// Precision of the balls that enclose how a decider varies over a neighbourhood.
 inline constexpr int kVariationBits = 192;
 
-/// Lifts doubles to balls of the changed inputs, in their order from the `first` on; one serves one
-/// evaluation. Inputs beyond those of the change are as they were.
+/// Lifts doubles to balls of the changed inputs, in order, starting at `first`; one serves one
+/// evaluation. Inputs beyond those of the change are unchanged.
 class ChangedLift {
  public:
   using Kernel = EnclosureKernel;
@@ -43,10 +43,10 @@ class ChangedLift {
   mutable std::size_t next_;
 };
 
-/// What an answer is right or wrong by, as functions of the inputs: the coefficients, and for a hit
-/// at s, with mu g the way from the origin to there: |T - mu g|^2 - r^2, which is 0 where s is a
-/// root; b - a mu, not negative where that is the smaller one; the same with s as it was answered;
-/// and a mu - 2 b, not negative where the other root (2 b/a - mu, by Vieta) is not positive.
+/// The functions of the inputs that decide whether an answer is right: the coefficients, and for a
+/// hit at s, with mu g the vector from the origin to it: |T - mu g|^2 - r^2, which is 0 if s is a
+/// root; b - a mu, not negative if that is the smaller one; the same with s as answered; and a mu -
+/// 2 b, not negative if the other root (2 b/a - mu, by Vieta) is not positive.
 enum class Decider {
   kDiscriminant,
   kConstant,
@@ -65,7 +65,7 @@ typename K::FT in_multiples_of_g(const LineAndSphere<K>& pair, const typename K:
   return pair.line.is_unit ? FT(s / ray_length(pair.line)) : s;
 }
 
-/// The way from the point at s to the centre.
+/// From the point at s to the centre.
 template <class K>
 typename K::Vector_3 from_point_at(const LineAndSphere<K>& pair, const typename K::FT& s) {
   return to_centre(pair) - in_multiples_of_g(pair, s) * pair.line.g;
@@ -96,16 +96,16 @@ typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typ
   }
 }
 
-/// A decider over the neighbourhood, a box: value + sum_k t_k reach_k with every t_k in [-1, 1]
-/// holds what it is where input k changes by the share t_k of what it may; or, to first order only,
-/// what it is near another point of the box, value + sum_k (t_k - at_k) reach_k. The last is the
-/// answer's s.
+/// A decider over the neighbourhood, a box: value + sum_k t_k reach_k, every t_k in [-1, 1],
+/// encloses its value where input k changes by the share t_k of what is allowed; or, to first order
+/// only, value + sum_k (t_k - at_k) reach_k is its value near another point. The last t_k is for
+/// the answer's s.
 struct Variation {
   Enclosure value;
   std::vector<Enclosure> reach;
   Enclosure most = Enclosure(0);        ///< The sum of |reach|.
   std::vector<double> at = {};          ///< Empty: the middle of the box.
-  std::optional<Enclosure> range = {};  ///< What it lies in, too.
+  std::optional<Enclosure> range = {};  ///< Another enclosure of its values.
 
   bool may_be_positive() const { return (value + most).certain_sign().value_or(1) > 0; }
   bool may_be_at_least_zero() const { return (value + most).certain_sign().value_or(1) >= 0; }

@@ -7,7 +7,7 @@ namespace {
 
 using DoubleKernel = CGAL::Simple_cartesian<double>;
 
-/// Notes what it lifts.
+/// Records what it lifts.
 struct NotingLift {
   double operator()(double value) const {
     noted.push_back(value);

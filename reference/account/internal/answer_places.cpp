@@ -10,12 +10,12 @@
 namespace raycheck::reference {
 namespace {
 
-/// Shares of an answer's slack in which witnesses are looked for. A double root moves by the root
-/// of what rounding a witness moves the discriminant by: the first leaves room for that, the last
-/// is nearly all that certainly lies within it.
+/// Shares of an answer's slack in which witnesses are looked for. Rounding a witness moves a double
+/// root by the square root of the discriminant's change: the first share leaves room for that, the
+/// last is nearly all of the slack.
 constexpr std::array<double, 3> kSharesOfSlack = {1 - 0x1p-3, 1 - 0x1p-8, 1 - 0x1p-30};
 
-/// How far inside a condition is just inside it, as a share of how far it can be left.
+/// How far "just inside" a condition is, as a share of its reach.
 constexpr double kInside = 0x1p-20;
 
 }  // namespace
@@ -65,7 +65,7 @@ std::vector<std::vector<double>> places(const AnswerBox& box, const std::vector<
       }
     }
   }
-  // Just inside a condition, as far inside another as may be: of two, or near a double root.
+  // Just inside one condition, as far inside another as possible: for two, or near a double root.
   const auto just_inside = [&](LinearForm first, const LinearForm& second) {
     first.value -= kInside;
     if (auto optimum = highest_where_zero(second, first)) result.push_back(std::move(optimum->t));

@@ -19,9 +19,9 @@ std::vector<double> highest(const LinearForm& f) {
   return t;
 }
 
-/// At the optimum every t_k is at an end by the sign of f + multiplier g, but for one that g = 0
-/// sets: as the multiplier rises from minus infinity, one after the other turns round, and g rises
-/// from its least.
+/// At the optimum every t_k is at an end, by the sign of f + multiplier g, except for one that g =
+/// 0 sets: as the multiplier rises from minus infinity, they switch ends one by one, and g rises
+/// from its minimum.
 std::optional<BoxOptimum> highest_where_zero(const LinearForm& f, const LinearForm& g) {
   BoxOptimum result{highest(f), 0};
   std::vector<std::pair<double, std::size_t>> turns;

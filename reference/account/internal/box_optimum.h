@@ -1,7 +1,7 @@
 #pragma once
 
-// Linear programs over a box, of at most one equation or of several inequalities, in doubles: where
-// to look, which proves nothing. Internal to reference/.
+// Linear programs over a box, with at most one equation or with several inequalities, in doubles:
+// they tell where to look, and prove nothing. Internal to reference/.
 
 #include <optional>
 #include <vector>
@@ -22,23 +22,23 @@ struct BoxOptimum {
   double multiplier = 0;
 };
 
-/// Where a form is largest; 0 in each t_k that does not matter.
+/// Where a form is largest; t_k is 0 if it does not matter.
 std::vector<double> highest(const LinearForm& f);
 
-/// Where f is largest among the points of the box at which g = 0; empty where there is none. f +
-/// multiplier g is nowhere in the box larger than f is there.
+/// Where f is largest among the points of the box at which g = 0; empty if there is none. Nowhere
+/// in the box is f + multiplier g larger than f is there.
 /// Source: the dual's breakpoints, as in G. B. Dantzig's fractional knapsack.
 std::optional<BoxOptimum> highest_where_zero(const LinearForm& f, const LinearForm& g);
 
-/// A point of the box, and multipliers, not negative and of sum 1, that prove it optimal.
+/// A point of the box, and multipliers, not negative and summing to 1, that prove it optimal.
 struct LeastOptimum {
   std::vector<double> t;
   double least = 0;  ///< The least of the forms there.
   std::vector<double> multipliers;
 };
 
-/// Where the least of at least one form of one dimension is largest: nowhere in the box is the sum
-/// of the forms, each times its multiplier, larger than it is there.
+/// Where the minimum of one or more forms of equal dimension is largest: nowhere in the box is the
+/// sum of the forms, each times its multiplier, larger than that.
 /// Source: the simplex method with bounded variables (G. B. Dantzig).
 LeastOptimum highest_least(const std::vector<LinearForm>& forms);
 

@@ -7,9 +7,9 @@
 namespace raycheck::reference {
 namespace {
 
-/// `sphere` and `favourite` are lifts of two spheres, the latter called where it matters; `off` is
-/// how far the favourite's root is off the middle of its two, times a positive number, where that
-/// is not to be computed.
+/// `sphere` and `favourite` are lifts of two spheres, the latter called only if it matters; `off`
+/// is the distance of the favourite's root from the middle of its two roots, times a positive
+/// number, where it is not to be computed.
 template <class K, class Sphere, class Favourite>
 typename K::FT value_of(const ChoiceCondition& condition, const Line<K>& line, Sphere sphere,
                         Favourite favourite, const std::optional<Enclosure>& off) {
@@ -75,8 +75,8 @@ ChoiceForms::ChoiceForms(const ChoiceNumbers& inputs, const Part& part)
   }
 }
 
-/// How far off its middle the favourite's root is, where its discriminant may vanish and the root
-/// has no derivative: all that it may be over the part.
+/// The distance of the favourite's root from the middle, where its discriminant may vanish and the
+/// root has no derivative: an enclosure over the part.
 std::optional<Enclosure> ChoiceForms::some_off(const ChoiceCondition& condition) const {
   if (condition.what != ChoiceCondition::What::kOutside &&
       condition.what != ChoiceCondition::What::kBeforeMiddle) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What must be so of a ray and some spheres for one of them to be met first, over parts of a
+// The conditions on a ray and some spheres for one of them to be met first, over parts of a
 // neighbourhood. Internal to reference/.
 
 #include <cstddef>
@@ -16,11 +16,11 @@ namespace raycheck::reference {
 /// The inputs of a ray and two spheres.
 inline constexpr int kTwoSpheresInputs = kCameraInputs + kSphereInputs;
 
-/// What is asked of a ray and a sphere: that `sign` times `what` is not negative, or that it is
-/// positive. Of the last three, with s at the sphere's `root` (-1 the smaller, 1 the larger) and s'
-/// at the favourite's, `what` is a positive number times: s - s'; or the sphere's quadratic at s'
-/// times minus `root`, and the middle of the sphere's roots minus s', which together are not
-/// negative where s - s' is not, and which know no root of the sphere's own.
+/// A condition on a ray and a sphere: `sign` times `what` is not negative, or is positive. For the
+/// last three, with s at the sphere's `root` (-1 the smaller, 1 the larger) and s' at the
+/// favourite's, `what` is a positive number times: s - s'; or the sphere's quadratic at s' times
+/// minus `root`, and the middle of the sphere's roots minus s', which are both not negative if s -
+/// s' is not, and which need no root of the sphere's own.
 struct ChoiceCondition {
   enum class What { kDiscriminant, kConstant, kLinear, kAfter, kOutside, kBeforeMiddle };
   What what;
@@ -39,8 +39,8 @@ struct Part {
   std::vector<double> half_width;  ///< Empty: the middle alone.
 };
 
-/// Lifts doubles to balls of what they are in a part of the neighbourhood: a ray's inputs first,
-/// then those from where it is moved to.
+/// Lifts doubles to balls of their values in a part of the neighbourhood: a ray's inputs first,
+/// then those from where move_to() says.
 class PartLift {
  public:
   using Kernel = EnclosureKernel;
@@ -59,7 +59,7 @@ class PartLift {
   mutable std::size_t next_ = 0;
 };
 
-/// A ray and the spheres whose inputs the box is of, in their order.
+/// A ray and the spheres whose inputs span the box, in this order.
 struct ChoiceNumbers {
   ChoiceNumbers(const ExactRay& its_ray, std::span<const scene::Sphere> its_spheres,
                 double its_relative_change);
@@ -73,7 +73,7 @@ struct ChoiceNumbers {
   const ExactRay& ray;
   std::vector<scene::Sphere> spheres;
   double relative_change;
-  std::vector<double> values;  ///< Of the inputs, as they are.
+  std::vector<double> values;  ///< The unchanged inputs.
 };
 
 /// How conditions vary over a part.

@@ -7,8 +7,8 @@
 namespace raycheck::reference {
 namespace {
 
-/// By meet(sphere), an Intersection, and order(sphere, its own, sphere', its own), the sign of s -
-/// s'; both empty where they cannot tell. The claimed sphere is judged first.
+/// Judges by meet(sphere), an Intersection, and order(sphere, its own, sphere', its own), the sign
+/// of s - s'; both empty if unknown. The claimed sphere is judged first.
 template <class Meet, class Order>
 Judgement judge_by(const ChoiceQuestion& question, Meet meet, Order order) {
   const FirstMet& claim = question.claim;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether a ray meets first what it is said to, as it is or at changed inputs. Internal to
+// Whether a claim about what a ray meets first is right, for given or changed inputs. Internal to
 // reference/.
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct ChoiceQuestion {
   const FirstMet& claim;
 };
 
-/// Whether a claim is right, or a sphere that makes it wrong, or neither where nothing can tell.
+/// Whether a claim is right, or a sphere that makes it wrong; neither if that cannot be told.
 struct Judgement {
   bool is_right = false;
   std::optional<std::size_t> offender;

@@ -68,7 +68,7 @@ std::optional<double> narrow_condition(const Sensitivity<Interval>& sensitivity)
 inline constexpr int kFirstConditionBits = 128;
 inline constexpr int kLastConditionBits = 1 << 16;
 
-/// The same of balls; is_zero() says whether q is exactly 0, and is asked where its ball holds 0.
+/// The same for balls; is_zero() says whether q is exactly 0, and is called if its ball holds 0.
 template <class IsZero>
 std::optional<double> narrow_condition(const Sensitivity<Enclosure>& sensitivity, IsZero is_zero) {
   const auto& [size, sum] = sensitivity;

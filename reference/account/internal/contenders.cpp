@@ -13,7 +13,7 @@ Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> sphere
   const auto line = lifted_line(lift, ray.source());
   std::vector<Fate> fates;
   fates.reserve(spheres.size());
-  // Behind the first that is certainly hit nothing is first.
+  // Nothing behind the first certain hit is met first.
   double end = std::numeric_limits<double>::infinity();
   const bool has_favourite = claim.what == FirstMet::What::kSphere;
   for (std::size_t k = 0; k < spheres.size(); ++k) {

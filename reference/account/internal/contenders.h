@@ -1,6 +1,6 @@
 #pragma once
 
-// Which spheres matter to what a ray of a neighbourhood meets first, by intervals. Internal to
+// Which spheres affect what a ray of a neighbourhood meets first, by intervals. Internal to
 // reference/.
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace raycheck::reference {
 
-/// Whether a claim is right all over a neighbourhood, or nowhere, where intervals tell; and the
-/// spheres that may make it wrong somewhere, or right: all others have no say.
+/// Whether a claim is right everywhere in a neighbourhood, or nowhere, if intervals can tell; and
+/// the spheres that may make it wrong or right somewhere: the others do not matter.
 struct Contenders {
   std::optional<bool> is_right;
   std::vector<std::size_t> spheres;

@@ -13,9 +13,9 @@
 
 namespace raycheck::reference {
 
-/// A value and its derivatives by at most N inputs, all of them Ts that enclose the true ones.
-/// A set of inputs says of which the value depends; derivatives by the others are 0 and not stored,
-/// which spares most of the work.
+/// A value and its derivatives by at most N inputs, each a T that encloses the true one. A bit set
+/// says which inputs the value depends on; derivatives by the others are 0 and not stored, which
+/// saves most of the work.
 template <class T, int N>
 class Dual {
   static_assert(N <= 32, "one bit an input");
@@ -101,11 +101,11 @@ class Dual {
 
   T value_;
   unsigned depends_on_ = 0;       ///< Bit k: the input of index k.
-  std::array<T, N> derivatives_;  ///< Only those by inputs in depends_on_ mean anything.
+  std::array<T, N> derivatives_;  ///< Valid only for inputs in depends_on_.
 };
 
 /// Lifts doubles to duals: each input that it lifts becomes the next one to differentiate by. It
-/// counts them, so one lift serves one evaluation, in which each input is lifted once.
+/// counts them, so use one lift for one evaluation, and lift each input once.
 template <class BaseLift, int N>
 class DualLift {
  public:

@@ -8,7 +8,7 @@
 namespace raycheck::reference {
 namespace {
 
-/// The largest |coordinate|, between bounds.
+/// Bounds of the largest |coordinate|.
 Interval largest(const IntervalKernel::Vector_3& v) {
   const Interval size[] = {CGAL::abs(v.x()), CGAL::abs(v.y()), CGAL::abs(v.z())};
   return {std::max({size[0].inf(), size[1].inf(), size[2].inf()}),
@@ -56,7 +56,7 @@ bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
   const Interval gap = is_beyond ? s - Interval(roots.sup()) : Interval(roots.inf()) - s;
   const Interval scale = line.is_unit ? Interval(1) : largest(line.g);
   const Interval slack = (s + largest(to_centre(pair)) / scale) * Interval(around.relative_change);
-  // Half as wide as its interval what is 0 at a root does vary, or less.
+  // What is 0 at a root varies by at most half the interval's width.
   const Interval at_answer = value_of(Decider::kAtAnswer, pair, s);
   const Interval reach = Interval(at_answer.sup()) - Interval(at_answer.inf());
   const Interval apart = gap / length;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What may become of a ray and a sphere in a neighbourhood, by intervals. Internal to reference/.
+// How a ray and a sphere may meet in a neighbourhood, by intervals. Internal to reference/.
 
 #include <limits>
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace raycheck::reference {
 
-/// Lifts doubles to the intervals that they may lie in.
+/// Lifts doubles to intervals of their possible changes.
 struct ChangedIntervalLift {
   using Kernel = IntervalKernel;
 
@@ -21,8 +21,8 @@ struct ChangedIntervalLift {
   Interval factor;
 };
 
-/// What a sphere may be to a ray of the neighbourhood, and where it may be met: bounds of s times a
-/// positive number of the ray's own.
+/// Whether a ray of the neighbourhood may hit or miss a sphere, and where: bounds of s times a
+/// positive number that depends on the ray only.
 struct Fate {
   bool may_hit = false;
   bool may_miss = true;
@@ -30,10 +30,10 @@ struct Fate {
   double latest = 0;
 };
 
-/// What touches may be either.
+/// A tangent may be either.
 Fate fate_of(const LineAndSphere<IntervalKernel>& pair, scene::Root root);
 
-/// Whether intervals show that an answer, as right_nearby has it, is right nowhere.
+/// Whether intervals show that an answer, in the sense of right_nearby, is right nowhere.
 bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
                        const Neighbourhood& around, const std::optional<double>& answer);
 

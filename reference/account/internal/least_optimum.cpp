@@ -8,9 +8,9 @@
 namespace raycheck::reference {
 namespace {
 
-/// Pivots a variable at most; rounding may make the method go in circles.
+/// Pivots per variable, at most; rounding may make the method cycle.
 constexpr std::size_t kPivotsEach = 8;
-/// What of a coefficient, about as large as 1, is rounding.
+/// Smaller coefficients, usually about 1, are rounding errors.
 constexpr double kRounding = 0x1p-40;
 
 /// The largest z with w_i = form_i - z >= 0: every basic variable, z the first of them, as a linear
@@ -20,7 +20,7 @@ class Simplex {
  public:
   explicit Simplex(const std::vector<LinearForm>& forms)
       : forms_(forms), n_(forms.front().slope.size()), value_(n_ + forms.size() + 1) {
-    // From the best corner of the sum of the forms.
+    // Starts from the best corner for the sum of the forms.
     for (std::size_t k = 0; k < n_; ++k) {
       double sum = 0;
       for (const LinearForm& form : forms_) sum += form.slope[k];
@@ -76,7 +76,7 @@ class Simplex {
 
   bool is_input(std::size_t variable) const { return variable < n_; }
 
-  /// Moves the variable that raises z fastest, as far as it goes.
+  /// Moves the variable that raises z fastest, as far as possible.
   bool improve() {
     std::size_t best = free_.size();
     for (std::size_t j = 0; j < free_.size(); ++j) {

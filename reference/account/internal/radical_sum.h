@@ -9,9 +9,9 @@
 
 namespace raycheck::reference {
 
-/// A sum of rationals times square roots of distinct positive integers, as free of squares as trial
-/// division gets them: the symbolic number type of the formulas. Division is by single terms, which
-/// is all that the formulas ask. Internal to reference/.
+/// A sum of rationals times square roots of distinct positive integers, square-free as far as trial
+/// division shows: the symbolic number type of the formulas. Division is by single terms only,
+/// which is all that the formulas need. Internal to reference/.
 class RadicalSum {
  public:
   RadicalSum() = default;
@@ -28,9 +28,9 @@ class RadicalSum {
   RadicalSum operator-() const;
   friend RadicalSum operator*(const RadicalSum& a, const RadicalSum& b);
 
-  /// The value, where no square root is left.
+  /// The value, if no square root is left.
   std::optional<Rational> rational() const;
-  /// Its square root, where that is again a sum of at most two such terms.
+  /// Its square root, if that is again a sum of at most two such terms.
   std::optional<RadicalSum> square_root() const;
   bool is_zero() const { return terms_.empty(); }
   bool is_one_term() const { return terms_.size() == 1; }
@@ -51,7 +51,7 @@ inline RadicalSum operator/(RadicalSum a, const RadicalSum& b) { return a /= b; 
 RadicalSum first_root(const RadicalSum& rational);
 inline RadicalSum second_root(const RadicalSum& rational) { return first_root(rational); }
 
-/// b sqrt(c) + a; the root is worked out where c's is a RadicalSum.
+/// b sqrt(c) + a; the root is evaluated if c's is a RadicalSum.
 ClosedForm closed_form_of_sum(const RadicalSum& a, const RadicalSum& b, const RadicalSum& c);
 
 }  // namespace raycheck::reference

@@ -20,8 +20,8 @@ Integer floor_of(const Rational& x);
 /// An e with 2^(e-1) < |x| < 2^(e+1), for x != 0.
 std::int64_t exponent_of(const Rational& x);
 
-/// Every number from low to high. Nothing is rounded but square roots, which are enclosed to `bits`
-/// significant bits (and are exact where they have no more); a result's bits are the larger of the
+/// Every number from low to high. Only square roots are rounded: they are enclosed to `bits`
+/// significant bits (exact if they have no more); a result's `bits` are the larger of the
 /// operands'.
 class RationalInterval {
  public:

@@ -12,11 +12,11 @@ namespace {
 
 using Numbers = std::array<double, 3>;
 
-/// How often each input is set to where the vector is shortest.
+/// How many times each input is set to where the vector is shortest.
 constexpr int kSweeps = 40;
-/// The sectors looked at, at most.
+/// How many sectors are searched, at most.
 constexpr std::size_t kMostSectors = 200;
-/// More than what rounding takes from or adds to a unit vector's length.
+/// Exceeds what rounding changes in a unit vector's length.
 constexpr double kRoom = 1 + 0x1p-40;
 
 Enclosure exact(double x) { return Enclosure(x, kVariationBits); }

@@ -1,7 +1,7 @@
 #pragma once
 
-// How long a vector is that varies over a box, by its shares along directions: they are linear in
-// the inputs where its square is not. Internal to reference/.
+// The length of a vector that varies over a box, by its components along directions: they are
+// linear in the inputs, while its square is not. Internal to reference/.
 
 #include <array>
 #include <functional>
@@ -23,12 +23,12 @@ struct Shortest {
   std::array<double, 3> direction;
 };
 Shortest shortest(const VectorAndLength& both);
-/// What is not negative where the vector is at most as long: that less its share along a direction.
+/// The length less the vector's component along a direction: >= 0 if the vector is no longer.
 Variation less_share_along(const VectorAndLength& both, const std::array<double, 3>& direction);
 
-/// Whether the vector, which is nearly at right angles to `axis`, is certainly shorter, everywhere:
-/// in each of some sectors of directions, which are halved until it is. Ends, too, with false, when
-/// `is_found` says so of a point of the box where the vector is as long in a sector as it gets.
+/// Whether the vector, nearly at right angles to `axis`, is certainly shorter everywhere: in every
+/// sector of directions, halving sectors until it is. Also ends, with false, when `is_found`
+/// accepts a point of the box where the vector is longest within a sector.
 bool is_shorter(const VectorAndLength& both, const std::array<double, 3>& axis,
                 const std::function<bool(const std::vector<double>&)>& is_found);
 

@@ -94,7 +94,7 @@ TEST(Candidate, that_makes_no_rays_is_held_to_laws_on_cameras_too) {
 
 TEST(Candidate, holds_every_law_on_ordinary_cases) {
   expect_parts(run("properties --candidate " + right_library(), 0).out,
-               {"documents no bounds: held to those of direct/cross"});
+               {"documents no bounds: judged by those of direct/cross"});
 }
 
 /// right.cpp with something put in the place of something else, compiled once for many runs.
@@ -284,7 +284,7 @@ TEST(Candidate, is_kept_as_asked) {
   EXPECT_EQ(judged(kRays, right, "--sandbox none --i-know")["isolated_by"], "limits only");
   const Outcome required = check(kRays, right, "--sandbox require");
   if (required.exit_code == 2) {
-    expect_parts(required.err, {"sandbox require: what does not work here: "});
+    expect_parts(required.err, {"sandbox require: not available here: "});
   } else {
     const std::string kept = json::parse(required.out)["candidates"][0]["isolated_by"];
     expect_parts(kept, {"seccomp, bubblewrap"});

@@ -87,7 +87,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
                      0)["intersections"][0]["note"];
   };
   expect_parts(note("command:python3 tests/candidates/meets.py none"), {"it is no library"});
-  expect_parts(note("source:" + source), {"it answers otherwise in raycheck's own process"});
+  expect_parts(note("source:" + source), {"it answers differently in raycheck's own process"});
   const std::string failing =
       temporary_file("failing.cpp", "#define FAILS\n#include \"" + source + "\"\n");
   expect_parts(note("source:" + failing), {"not timed: intersect: it exited with 3"});

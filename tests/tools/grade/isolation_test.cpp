@@ -156,7 +156,7 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
   const Outcome outcome = grade(GetParam().has_bubblewrap ? 0 : 2, rubric, {right});
   if (GetParam().has_bubblewrap) return;
   expect_parts(outcome.err,
-               {"sandbox require: what does not work here: bubblewrap", "bwrap: Permission denied",
+               {"sandbox require: not available here: bubblewrap", "bwrap: Permission denied",
                 "sandbox available, which goes on with what does: ", GetParam().isolation()});
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
   run_bash(grading.write("probe.sh", GetParam().words() + "'" RAYCHECK_BINARY "' grade '" + rubric +

@@ -18,7 +18,7 @@ using scene::Dialect;
 constexpr int kUpToSpecular = 13;
 constexpr int kUpToReflected = 16;
 
-/// The line on which renderers of a dialect read how often a ray is reflected.
+/// The line from which renderers of a dialect read the number of reflections.
 std::string recursion_line(Dialect dialect, int level) {
   return fmt::format("{} {}", dialect == Dialect::kA ? "recursionLevel" : "recursionlevel", level);
 }
@@ -31,7 +31,7 @@ std::string number_text(double x, DriverNumbers numbers) {
   return {text.data(), end.ptr};
 }
 
-/// A position behind the eye, as far from it as what is looked at, and not the origin.
+/// A position behind the eye, as far from it as the look-at point, but not the origin.
 scene::Point3 light_position(const scene::Camera& camera) {
   const auto& E = camera.eye;
   const auto& A = camera.look_at;

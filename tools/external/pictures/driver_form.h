@@ -15,39 +15,39 @@ namespace raycheck::tools {
 
 inline constexpr std::array<std::string_view, 3> kDialectNames = {"A", "B", "C"};
 
-/// The light of a driver file, under which spheres reflect nothing.
+/// The light of a driver file, by which spheres reflect nothing.
 enum class DriverLight {
   kBehind,  ///< One, behind the eye and not at the origin.
   kNone
 };
 inline constexpr std::array<std::string_view, 2> kDriverLightNames = {"behind", "none"};
 
-/// How the numbers of a driver file are written: either reads back as the same double.
+/// How the numbers of a driver file are written; both read back as the same double.
 enum class DriverNumbers {
   kShortest,  ///< The shortest decimals, with an exponent where that is shorter.
   kFixed      ///< Never an exponent.
 };
 inline constexpr std::array<std::string_view, 2> kDriverNumberNames = {"shortest", "fixed"};
 
-/// The numbers that a sphere's line may have, the likeliest first.
+/// How many numbers a sphere's line may have, the likeliest first.
 inline constexpr std::array<int, 7> kSphereNumbers = {16, 17, 20, 13, 19, 18, 21};
 
-/// In which form a program reads driver files.
+/// The form in which a program reads driver files.
 struct DriverForm {
   scene::Dialect dialect = scene::Dialect::kB;
-  /// Of a sphere's line: centre, radius, ambient, diffuse and specular colour are 13, the share of
-  /// reflected light makes them 16; what comes after these (opacity, index of refraction) is 1.
+  /// How many numbers a sphere's line has: centre, radius, ambient, diffuse and specular colour are
+  /// 13, reflected light makes them 16; each further one (opacity, index of refraction) is 1.
   int sphere_numbers = 16;
   std::vector<std::string> extra_lines = {};  ///< As they stand: "recursionlevel 0".
   DriverLight light = DriverLight::kBehind;
   DriverNumbers numbers = DriverNumbers::kShortest;
-  /// The keywords in their order, `extra` standing for the extra lines; empty: the usual order.
+  /// The keywords in order, `extra` standing for the extra lines; empty: the usual order.
   std::vector<std::string> order = {};
 
   friend bool operator==(const DriverForm&, const DriverForm&) = default;
   /// "B, spheres of 16 numbers, recursionlevel 0, a light"
   std::string text() const;
-  /// All of it in one word or two, for command lines: "2020", "B:17:recursionlevel 0:no-light".
+  /// All of it as one argument of a command line: "2020", "B:17:recursionlevel 0:no-light".
   std::string name() const;
 };
 
@@ -61,7 +61,7 @@ struct DriverPreset {
 };
 std::span<const DriverPreset> driver_presets();
 
-/// The form of that name, in either case; empty where there is none.
+/// The form of this name, in upper or lower case; empty if there is none.
 std::optional<DriverForm> driver_preset(std::string_view name);
 
 /// Reads what DriverForm::name() writes: a preset, then parts behind colons, in any order: the
@@ -71,16 +71,16 @@ std::optional<DriverForm> driver_preset(std::string_view name);
 /// Errors: std::invalid_argument naming the part that is wrong.
 DriverForm driver_form(std::string_view name);
 
-/// In which form driver files are written for renderers.
+/// The form in which driver files are written for renderers.
 struct DriverRule {
   DriverForm form = {};
-  /// A renderer that does not read this one is given the others that are known.
+  /// A renderer that does not read this form is given the other known ones.
   bool tries_others = true;
-  bool is_asked_for = false;  ///< Otherwise it is only what is tried first.
+  bool is_asked_for = false;  ///< Otherwise it is merely tried first.
 };
 
-/// By the name of a preset, `auto`, or what driver_form() takes.
-/// Errors: std::invalid_argument that lists the names, or what driver_form() throws.
+/// Named by a preset, `auto`, or a text for driver_form().
+/// Errors: std::invalid_argument that lists the names, or as driver_form().
 DriverRule driver_rule(std::string_view name);
 
 /// The table [driver] of a rubric: a `preset`, as driver_rule() takes it, and whether `others` are
@@ -90,11 +90,11 @@ DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table
 /// The form of a dialect.
 DriverForm form_of(scene::Dialect dialect);
 
-/// Every form that programs are known to read, those like `first` before others; `first` leads.
+/// All forms that programs are known to read: `first`, then those like it, then the others.
 std::vector<DriverForm> known_forms(const DriverForm& first);
 
-/// A driver file whose ambient light is 1, whose light (if any) nothing reflects, and whose spheres
-/// have the ambient colours and no other. Domain: a scene with a camera, as many colours as
+/// A driver file with ambient light 1, a light (if any) that nothing reflects, and spheres that
+/// have these ambient colours and no others. Domain: a scene with a camera, as many colours as
 /// spheres, a form whose `order` is a permutation of the usual one.
 std::string driver_text(const scene::Scene& scene, const DriverForm& form,
                         const std::vector<Colour>& colours);

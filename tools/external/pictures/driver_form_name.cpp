@@ -16,7 +16,7 @@ constexpr std::string_view kAuto = "auto";
 constexpr std::string_view kNoLight = "no-light";
 constexpr std::string_view kLight = "light";
 constexpr std::string_view kOrder = "order=";
-/// What ends a part, and what shells take for something else in quotes of either kind.
+/// Characters that end a part, or that shells interpret within quotes of either kind.
 constexpr std::string_view kEncoded = ":%'\"$`\\!";
 
 std::string_view number_name(DriverNumbers numbers) {
@@ -30,7 +30,7 @@ bool is_count(std::string_view part) {
          std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Whether a part of a name is no extra line.
+/// Whether a part of a name is not an extra line.
 bool is_other_than_line(std::string_view part) {
   return is_count(part) || part == kNoLight || part == kLight || part.starts_with(kOrder) ||
          std::find(kDriverNumberNames.begin(), kDriverNumberNames.end(), part) !=
@@ -57,7 +57,7 @@ std::string line_of(std::string_view part) {
     const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
     if (digits.size() < 2 || read.ptr != digits.data() + 2) {
       throw std::invalid_argument(
-          fmt::format("'{}': write % as %25, or two hexadecimal digits behind it", part));
+          fmt::format("'{}': write % as %25, or two hexadecimal digits after it", part));
     }
     if (byte == '\n' || byte == '\r') {
       throw std::invalid_argument(fmt::format("'{}': an extra line is one line", part));

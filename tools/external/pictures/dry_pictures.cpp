@@ -12,14 +12,14 @@
 namespace raycheck::tools {
 namespace {
 
-/// A frame of one colour is a background.
+/// A frame this uniform in colour is a background.
 constexpr double kBackgroundShare = 0.9;
 
 /// A frame with at least this many colours, none of them on more than this share of it, is a sky.
 constexpr std::size_t kShadedColours = 12;
 constexpr double kShadedShare = 0.3;
 
-/// The colours of the frame around a picture.
+/// The colours along the border of a picture.
 struct Frame {
   std::size_t colours = 0, pixels = 0;
   Colour most;  ///< The most frequent one.
@@ -116,6 +116,7 @@ bool is_shaded_around(const ReadPicture& picture) {
 }
 
 double likeness(const ReadPicture& picture, const properties::ImageAnswer& truth) {
+  if (picture.pixels.empty()) return 0;
   const Colour background = background_of(picture);
   double both = 0, either = 0;
   for (std::size_t k = 0; k < picture.pixels.size(); ++k) {

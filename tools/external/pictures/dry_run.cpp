@@ -13,7 +13,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// How much more time a picture is given that is not made in the rubric's.
+/// How much longer a picture may take than the rubric allows.
 constexpr double kMoreTime = 4;
 
 /// A program whose picture is this much like the truth reads the form.
@@ -22,11 +22,11 @@ constexpr double kSurelyAlike = 0.95;
 /// The other channels of a pure colour are at most this part of the largest.
 constexpr double kNoChannel = 0.4;
 
-/// What became of the symmetric scene in one form.
+/// The result of drawing the symmetric scene in one form.
 struct Attempt {
   DriverForm form;
   std::optional<MadePicture> made;
-  Refusal failure;  ///< Where there is no picture.
+  Refusal failure;  ///< If there is no picture.
   Progress progress = Progress::kPicture;
   double like = 0;
   double seconds = 0;
@@ -102,7 +102,7 @@ class DryRunner {
   }
   double spent() const { return renderer_.program.spent->seconds(); }
 
-  /// The symmetric scene in a form.
+  /// Draws the symmetric scene in a form.
   Attempt attempt(const DriverForm& form) {
     ++tried_;
     return attempt_of(scene_, form);
@@ -149,7 +149,7 @@ class DryRunner {
     return best;
   }
 
-  /// Where the rule's form alone counts and is not read.
+  /// The form read, where the rule's form alone counts.
   std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
     if (rule_.tries_others || chosen.reads() || chosen.progress == Progress::kTimeUp) {
       return {};
@@ -163,15 +163,15 @@ class DryRunner {
                        rule_.form.text(), other.text());
   }
 
-  /// Why a picture is not made in time, and whether more would do.
+  /// Why a picture is not made in time, and whether more time helps.
   Refusal with_more_time(const Attempt& slow, DryRun& found) {
     const double seconds = renderer_.program.limits.seconds;
     renderer_.program.limits.seconds = kMoreTime * seconds;
     const auto began = std::chrono::steady_clock::now();
     const Attempt again = attempt(slow.form);
     if (!again.made) return slow.failure;
-    // Who computed less than it was allowed was stopped for waiting: then what passed is what it
-    // needs.
+    // A program stopped before it used its CPU time was stopped for waiting: it needs the time that
+    // passed.
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
     const double needed = again.seconds > seconds ? again.seconds : passed.count();
     found.needed_seconds = needed;
@@ -181,7 +181,7 @@ class DryRunner {
             {}};
   }
 
-  /// In which colour it shows spheres of one; empty where it fails or shows none.
+  /// The colour in which it shows spheres of a colour; empty if it fails or shows none.
   std::optional<Colour> shown(const Colour& colour, const DryRun& found) {
     const scene::Scene scene = middle_spheres();
     const std::vector<Colour> colours(scene.spheres.size(), colour);
@@ -196,8 +196,8 @@ class DryRunner {
     }
   }
 
-  /// Which channel shows red, green and blue. What shows no sphere in any colour is wrong in
-  /// something else, and says nothing of its colours.
+  /// Which channels show red, green and blue. A program that shows no sphere in any colour has
+  /// another fault, which says nothing of its colours.
   void find_colours(DryRun& found) {
     constexpr std::array<Colour, 3> kPure = {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
     std::array<std::optional<Colour>, 3> seen;

@@ -21,27 +21,27 @@ enum class Progress {
   kSpheres     ///< A picture that shows the spheres.
 };
 
-/// What a renderer reads and shows, found out before anything is judged.
+/// What a renderer reads and shows, determined before anything is judged.
 struct DryRun {
-  DriverForm driver = {};    ///< The form that it reads, or the first where it reads none.
+  DriverForm driver = {};    ///< The form that it reads, or the first if it reads none.
   ColourHabit colours = {};  ///< How it shows spheres.
-  double seconds = 0;        ///< Of the last picture that it made.
+  double seconds = 0;        ///< For the last picture that it made.
   Progress progress = Progress::kNothing;  ///< In that form.
-  std::string picture_name = {};           ///< Where its picture turns up; empty: as it was told.
-  std::string said = {};                   ///< Of what shows no sphere: its own words.
-  /// That a picture takes, where the rubric's reply_seconds are too few.
+  std::string picture_name = {};           ///< Where its picture is; empty: where it was told.
+  std::string said = {};                   ///< Its output if it shows no sphere.
+  /// Seconds per picture, if the rubric's reply_seconds are too few.
   std::optional<double> needed_seconds = {};
-  std::vector<std::string> notes;  ///< What is unlike what the rubric says, a sentence each.
-  /// That its pictures are black, or of one colour; false of it where it is judged on more than
-  /// this scene and has points.
+  std::vector<std::string> notes;  ///< Deviations from the rubric, a sentence each.
+  /// Says that its pictures are black, or of one colour; not true of a submission that gets points
+  /// on other scenes.
   std::string shows_nothing = {};
   std::optional<Refusal> refusal;  ///< Why nothing can be judged.
 
   bool shows_a_sphere() const { return progress == Progress::kSpheres; }
 };
 
-/// A picture shows the spheres of the dry run's scene where this share of what it or the truth
-/// shows is shown by both: other samples, or a step too many, leave more.
+/// A picture shows the spheres of the dry run's scene if this share of what it or the truth shows
+/// is shown by both: other samples, or a step too many, leave more.
 inline constexpr double kShownAlike = 0.6;
 
 /// Has a few small pictures made, of a scene on which most mistakes do not show: symmetric and

@@ -48,7 +48,7 @@ std::optional<FoundPicture> found_picture(const fs::path& folder, const std::str
     fs::path path;
   };
   std::vector<Found> pictures;
-  // A program may close its own folders to others.
+  // A program may leave its own folders unreadable.
   std::error_code error;
   fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
                                          error);

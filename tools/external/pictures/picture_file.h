@@ -9,20 +9,20 @@
 
 namespace raycheck::tools {
 
-/// The picture that a program made, and whether it is called as it was told.
+/// A picture that a program made, and whether it has the requested name.
 struct FoundPicture {
   std::filesystem::path path;
   bool is_named = true;
 };
 
 /// The picture that a program left in its folder, which held the driver file `scene` and no
-/// picture: the one of the name it was told; else one of a usual name (that of the driver file,
-/// out, output, image, picture, result); else the newest. PPM and PNG count, links do not. Empty
-/// where there is none.
+/// picture: the one with the requested name; else one of a usual name (that of the driver file,
+/// out, output, image, picture, result); else the newest. PPM and PNG count, links do not. Empty if
+/// there is none.
 std::optional<FoundPicture> found_picture(const std::filesystem::path& folder,
                                           const std::string& named, const std::string& scene);
 
-/// A picture as it is kept between runs, and read again; empty where a text is none.
+/// A picture as text, stored between runs, and read back; empty if a text is not one.
 std::string stored_text(const MadePicture& made);
 std::optional<MadePicture> stored_picture(std::string_view text);
 

@@ -18,18 +18,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a program that has ended. `most`: as large as its files may be.
+/// Reads an ended program's file. `most`: the largest size of its files.
 std::string read_made(const fs::path& path, std::uint64_t most) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
     throw std::runtime_error("its picture {image} is no file");
   }
-  // That it closed its picture is no failure of the machine.
+  // A picture that the program closed is not the machine's failure.
   chmod(path.c_str(), S_IRUSR | S_IWUSR);
   return file_bytes(path, most);
 }
 
-/// What this thread computes while it lives is a candidate's time.
+/// While it lives, this thread's CPU time is charged to the candidate.
 class ComputedFor {
  public:
   explicit ComputedFor(SpentTime& spent) : spent_(spent), before_(computed()) {}
@@ -66,7 +66,7 @@ MadePicture drawn(const Renderer& renderer, const std::string& driver, PictureSi
   }
   const auto found = found_picture(process.folder(), kImageFile, kSceneFile);
   const std::string said = said_text(process.said(), process.printed());
-  // What is whole counts, however the program ended afterwards.
+  // A complete picture counts, however the program ended.
   if (found && (!failure || failure->kind() == FailureKind::kEnded)) {
     const ComputedFor reading(*program.spent);
     try {
@@ -145,7 +145,7 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
     throw;
   } catch (const std::system_error& error) {
     if (!is_of_the_machine(error.code())) {
-      // A folder or a picture that the program has closed to others.
+      // The program made a folder or a picture unreadable.
       const std::string words = "its picture cannot be read: " + error.code().message();
       keep(words, FailureKind::kBadReply);
       throw std::runtime_error(words);

@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kFull = 255;
 
-/// A channel counts as a level where it is so near, in steps between levels.
+/// A channel this near to a level counts as that level, in steps between levels.
 constexpr double kNearLevel = 0.25;
-/// Where channels are all or nothing there is room for what a gamma or an offset adds.
+/// If channels are all or nothing, there is room for the effect of a gamma or an offset.
 constexpr double kNearAllOrNothing = 0.4;
 
 std::size_t power_of_3(std::size_t base) { return base * base * base; }
@@ -36,7 +36,7 @@ SphereColours::SphereColours(std::size_t count) : levels_(levels_for(count)) {
         std::lround(kFull * static_cast<double>(level) / static_cast<double>(levels - 1)));
   };
   for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t code = codes_[k % codes_.size()];  // of more than 195,000 some are alike
+    const std::size_t code = codes_[k % codes_.size()];  // beyond 195,000 some are equal
     colours_.push_back(
         {channel(code / levels / levels), channel(code / levels % levels), channel(code % levels)});
   }

@@ -16,27 +16,27 @@ inline constexpr std::size_t kMostSaturated = 6;
 /// How a renderer shows colours.
 struct ColourHabit {
   Colour background = {};  ///< Where it shows no sphere.
-  /// Which channel of the picture has the red, green and blue of a sphere.
+  /// Which channels of the picture show a sphere's red, green and blue.
   std::array<std::size_t, 3> channels = {0, 1, 2};
   bool tells_spheres = true;  ///< The hues of its pictures are those of the spheres.
 
   friend bool operator==(const ColourHabit&, const ColourHabit&) = default;
 };
 
-/// As many colours as there are spheres, each with a channel that is full, so that none is near
-/// black even where colours are read as whole numbers, and none grey, as where they are lost.
+/// A colour for each sphere, each with a full channel, so that none is near black even if colours
+/// are read as whole numbers, and none is grey, which would look like a lost colour.
 class SphereColours {
  public:
   explicit SphereColours(std::size_t count);
 
   const std::vector<Colour>& all() const { return colours_; }
-  /// The sphere whose colour a pixel shows, however dimmed; empty where it is near none's: some
-  /// sphere.
+  /// The sphere whose colour a pixel shows, however dimmed; empty if it is near no sphere's:
+  /// kSomeSphere.
   std::optional<std::size_t> sphere_of(const Colour& shown, const ColourHabit& habit) const;
 
  private:
   std::size_t levels_;              ///< Of a channel.
-  std::vector<std::size_t> codes_;  ///< In rising order: the digits of a colour's levels.
+  std::vector<std::size_t> codes_;  ///< Sorted; the digits encode a colour's levels.
   std::vector<Colour> colours_;
 };
 

@@ -17,7 +17,7 @@ inline constexpr std::string_view kFramesWord = "frames";
 /// Frames of library headers may lie inside those of the candidate, as in a comparison called by
 /// std::sort; this many frames reach its own code.
 inline constexpr std::size_t kMostFrames = 16;
-/// An offset is a space and at most 16 digits.
+/// An offset takes a space and at most 16 digits.
 inline constexpr std::size_t kMostFramesLine = kFramesWord.size() + 17 * kMostFrames + 1;
 
 /// The frames in the last such line of what a worker wrote; empty without such a line, or if it is
@@ -31,12 +31,12 @@ std::vector<std::uint64_t> frames_in(std::string_view text);
 /// calls this, so that a stack that is used up has its line, too.
 void report_deaths(int descriptor);
 
-/// Whose frames these are.
+/// Whose frames to report.
 /// Domain: what dlopen() returned.
 void follow(void* library);
 
-/// The same line of where an exception was thrown; empty where that is not known: it was thrown by
-/// none of the library's code, or others were thrown after it.
+/// The same line for where an exception was thrown; empty if unknown: it was not thrown by the
+/// library's code, or others were thrown since.
 std::string frames_of_throw(const std::exception& error);
 
 }  // namespace raycheck::tools

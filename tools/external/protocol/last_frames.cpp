@@ -19,22 +19,22 @@
 namespace raycheck::tools {
 namespace {
 
-/// Of any library: deeper ones are not looked at.
+/// Frames of any library; deeper ones are ignored.
 constexpr std::size_t kMostWalked = 256;
 /// Unwinding takes some KiB.
 constexpr std::size_t kAlternateStack = std::size_t{1} << 16;
 constexpr std::array kDeadly = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
 
-/// Where the library's code lies, and what its addresses begin at.
+/// Where the library's code is, and the base of its addresses.
 struct Code {
   std::uintptr_t base = 0, begin = 0, end = 0;
 };
 Code code;
 int descriptor = -1;
-/// What it dies of; 0 while it lives.
+/// The signal it dies of; 0 while it lives.
 volatile std::sig_atomic_t deadly_signal = 0;
 
-/// Frames of the library's code, the innermost first. Nothing here takes memory: it is used in
+/// Frames of the library's code, the innermost first. Nothing here allocates memory: it is used in
 /// signal handlers.
 struct Frames {
   std::array<std::uintptr_t, kMostFrames> offsets;
@@ -51,7 +51,7 @@ struct Frames {
   _Unwind_Reason_Code add(_Unwind_Context* context) {
     int is_at_fault = 0;
     std::uintptr_t address = _Unwind_GetIPInfo(context, &is_at_fault);
-    // What a frame returns to may be of the next line; it lies behind the call.
+    // The return address lies after the call and may belong to the next line.
     if (is_at_fault == 0) --address;
     if (address >= code.begin && address < code.end) offsets[count++] = address - code.base;
     return ++walked < kMostWalked && count < offsets.size() ? _URC_NO_REASON : _URC_END_OF_STACK;
@@ -59,7 +59,7 @@ struct Frames {
 };
 Frames of_death;
 
-/// The line that says frames, in place: without memory, too.
+/// The line with the frames, built in place: without memory, too.
 class Line {
  public:
   explicit Line(const Frames& frames) {
@@ -85,14 +85,14 @@ class Line {
 };
 
 void on_death(int signal) {
-  // A second time where the frames themselves cannot be read: what was found until then is said.
+  // If reading the frames crashes again, the frames found so far are written.
   if (deadly_signal == 0) {
     deadly_signal = signal;
     of_death.walk();
   }
   const Line line(of_death);
   if (write(descriptor, line.text().data(), line.text().size()) < 0) {
-    // Nobody listens.
+    // Nobody is listening.
   }
   sigset_t one;
   sigemptyset(&one);

@@ -20,7 +20,7 @@ using properties::SphereHits;
 constexpr std::array<std::string_view, 6> kFunctions = {"frame",     "pixel_point", "pixel_ray",
                                                         "focal_ray", "intersect",   "nearest"};
 
-/// How much of a line that is wrong an error shows.
+/// How much of a wrong line an error shows.
 constexpr std::size_t kShown = 60;
 
 std::vector<std::string_view> lines_of(std::string_view text) {
@@ -35,7 +35,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// What may stand in an error: what a terminal would not obey.
+/// A line as errors may show it: without terminal control sequences.
 std::string shown(std::string_view line) {
   std::string text(line.substr(0, kShown));
   for (char& c : text) {
@@ -191,7 +191,7 @@ Request::Request(std::string id, std::string_view function, const scene::Convent
   body_ = fmt::format("{}\n", function);
   add(fmt::format("conventions {} {} {} {} {}\n", name(conventions.rows), name(conventions.samples),
                   name(conventions.origin), name(conventions.root), name(conventions.tangent)));
-  // Who never heard of it is asked under the usual ones alone.
+  // Candidates that do not know it are asked under the usual roots only.
   if (!conventions.valid.is_usual()) add(roots_line(conventions.valid));
 }
 
@@ -266,7 +266,7 @@ void Reply::require_count(std::size_t count) const {
 
 namespace {
 
-/// Lines that are words in one way, two lines above them being the reply's head.
+/// Reads lines of equal format, after the two lines of the reply's head.
 template <class Read>
 auto read_lines(const std::vector<std::string_view>& lines, const Read& read) {
   std::vector<decltype(read(std::declval<Words&>()))> result;

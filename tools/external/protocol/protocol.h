@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines that raycheck and a candidate's process exchange, as docs/candidates.md has them.
+// The lines that raycheck and a candidate's process exchange, as specified in docs/candidates.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +25,7 @@ class ProtocolError : public std::runtime_error {
 
 inline constexpr int kProtocolVersion = 1;
 
-/// What a candidate says of itself.
+/// What a candidate says about itself.
 struct Introduction {
   std::string name;  ///< "-": none
   std::set<std::string> functions;
@@ -37,8 +37,8 @@ struct Introduction {
                                               .tangent = {},
                                               .valid = scene::ValidRoots{}};
   scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
-  std::optional<properties::Level> level;                  ///< Up to which cases it is to be right.
-  /// It is to be judged on scenes whose nonzero lengths lie between these.
+  std::optional<properties::Level> level;                  ///< The level that it must reach.
+  /// It is judged on scenes whose nonzero lengths lie between these.
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();
 };
@@ -60,9 +60,9 @@ class Request {
   Request& spheres(std::span<const scene::Sphere> spheres);
 
   const std::string& id() const { return id_; }
-  /// All of it.
+  /// The whole request.
   std::string text() const { return text_ + "end " + id_ + "\n"; }
-  /// What is asked, without the id.
+  /// The request without its id.
   const std::string& body() const { return body_; }
 
  private:

@@ -278,7 +278,7 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
   }
 }
 
-/// What libraries of versions 1 and 2 do not have.
+/// Missing in libraries of versions 1 and 2.
 void introduce_precision(const raycheck_candidate& candidate, Reply& reply) {
   switch (candidate.precision) {
     case RAYCHECK_PRECISION_DOUBLE:
@@ -317,7 +317,7 @@ void introduce_roots(const raycheck_candidate& candidate, Reply& reply) {
   }
 }
 
-/// What libraries of version 1 do not have.
+/// Missing in libraries of version 1.
 void introduce_contract(const raycheck_candidate& candidate, Reply& reply) {
   constexpr std::array<const char*, 4> kLevels = {nullptr, "ordinary", "demanding", "extreme"};
   if (candidate.level < 0 || candidate.level > 3) {
@@ -384,7 +384,7 @@ const raycheck_candidate& load(const char* path) {
 
 int main(int argc, char** argv) {
   if (argc != 2) give_up("usage: raycheck-worker LIBRARY.so");
-  // Replies have a stream of their own, before anything of the library runs.
+  // Replies get a separate stream before any code of the library runs.
   const int replies = dup(STDOUT_FILENO);
   if (replies < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) give_up(std::strerror(errno));
   Reply reply(fdopen(replies, "w"));

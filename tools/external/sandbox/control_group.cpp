@@ -47,7 +47,7 @@ bool has_word(const std::string& text, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// The number behind a name; 0 where it is not there.
+/// The number after a name; 0 if the name is missing.
 std::uint64_t value_of(const std::string& text, const std::string& name) {
   const std::vector<std::string> words = words_of(text);
   const auto at = std::find(words.begin(), words.end(), name);
@@ -58,13 +58,13 @@ std::uint64_t value_of(const std::string& text, const std::string& name) {
   return value;
 }
 
-/// At once, as the kernel wants it.
+/// In a single write, as the kernel requires.
 void write_value(const fs::path& path, const std::string& value) {
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   const ssize_t written = file < 0 ? -1 : write(file, value.data(), value.size());
   const int error = errno;
   if (file >= 0) close(file);
-  // Names of groups differ from run to run, reasons do not.
+  // Names of groups differ from run to run, error messages must not.
   if (written < 0) throw std::system_error(error, std::generic_category(), path.filename());
 }
 
@@ -85,7 +85,7 @@ fs::path new_group(const fs::path& path) {
   return path;
 }
 
-/// What /proc/self/mountinfo writes as \040 and the like.
+/// Decodes the \040 and similar escapes of /proc/self/mountinfo.
 std::string unescaped(const std::string& text) {
   constexpr std::size_t kDigits = 3;
   std::string result;
@@ -101,7 +101,7 @@ std::string unescaped(const std::string& text) {
   return result;
 }
 
-/// A group's folder, opened and held by its owner until it ends, however it does.
+/// A group's folder, opened and locked by its owner until that ends, in whatever way.
 int held_folder(const fs::path& group, int how) {
   const int folder = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0 || flock(folder, how | LOCK_NB) == 0) return folder;
@@ -109,9 +109,9 @@ int held_folder(const fs::path& group, int how) {
   return -1;
 }
 
-/// Those of no process that lives, as far as this one can see, and that nobody holds: a process of
-/// another namespace has other numbers. A number that is this one's was another's before. What
-/// still has processes in it stays.
+/// Removes groups whose process is dead, as far as this one can see, and that nobody holds: other
+/// namespaces have other ids. A group with this process's own id was an earlier one's. Groups that
+/// still have processes stay.
 void remove_dead_groups(const fs::path& own) {
   std::error_code error;
   for (fs::directory_iterator at(own, error), end; !error && at != end; at.increment(error)) {
@@ -131,13 +131,13 @@ void remove_dead_groups(const fs::path& own) {
   }
 }
 
-/// The place of this run's groups.
+/// The groups of this run.
 class RunGroups {
  public:
   RunGroups()
       : own_(own_control_group(text_of("/proc/self/mountinfo"), text_of("/proc/self/cgroup"))) {
     remove_dead_groups(own_);
-    // The root's alone has no type, and may hold processes beside groups with controllers.
+    // Only the root group has no type, and may hold processes beside groups with controllers.
     if (fs::exists(own_ / "cgroup.type")) move_to_leaf();
     const std::string offered = text_of(own_ / "cgroup.controllers");
     for (const char* name : {"memory", "pids", "cpu"}) {
@@ -148,7 +148,7 @@ class RunGroups {
     }
   }
   ~RunGroups() {
-    // In the root's group other runs may rely on what this one has enabled.
+    // In the root group other runs may use what this one has enabled.
     if (leaf_.empty()) return;
     for (const std::string& name : enabled_) try_value(own_ / kControllers, "-" + name);
     try_value(own_ / kProcesses, "0");
@@ -168,7 +168,7 @@ class RunGroups {
 
   std::string controllers() const { return text_of(own_ / kControllers); }
 
-  /// Groups of groups with controllers hold no processes.
+  /// A group whose subgroups have controllers may not hold processes.
   void move_to_leaf() {
     for (const std::string& one : words_of(text_of(own_ / kProcesses))) {
       if (one == std::to_string(getpid())) continue;
@@ -226,7 +226,7 @@ fs::path own_control_group(const std::string& mountinfo, const std::string& cgro
 }
 
 bool has_met_memory_limit(const std::string& events) {
-  // Kills are counted whoever ordered them; "oom" is counted where the limit is that was met.
+  // Kills are counted whatever their cause; "oom" is counted in the group whose limit was met.
   return value_of(events, "oom") > 0 && value_of(events, "oom_kill") > 0;
 }
 

@@ -26,7 +26,7 @@ namespace raycheck::tools {
 
 namespace {
 
-/// Folders in folders whose sizes are added up.
+/// How deep sizes of folders are added up, at most.
 constexpr int kMostDepth = 128;
 
 using Entries = std::unique_ptr<DIR, int (*)(DIR*)>;
@@ -50,8 +50,8 @@ int open_folder_in(int folder, const char* name) {
   return opened;
 }
 
-/// Removes what an open folder holds that is no folder with something in it; the name of one that
-/// is, if there is one. `failed`: something stays.
+/// Removes the files and empty folders in an open folder; returns the name of a nonempty folder in
+/// it, if any. `failed`: something could not be removed.
 std::string remove_entries(int folder, bool& failed) {
   const Entries entries = entries_of(openat(folder, ".", kOpenFolder));
   if (!entries) {
@@ -83,7 +83,7 @@ void add_up(int folder, int depth, DiskUse& use) {
     constexpr std::uint64_t kBlock = 512;
     const auto bytes = static_cast<std::uint64_t>(status.st_blocks) * kBlock;
     if (!S_ISDIR(status.st_mode)) {
-      // Of each name its part.
+      // Split among its names.
       use.bytes += bytes / std::max<std::uint64_t>(status.st_nlink, 1);
       continue;
     }
@@ -130,8 +130,8 @@ bool remove_tree(const std::filesystem::path& folder) {
   int here = open_folder_in(AT_FDCWD, folder.c_str());
   if (here < 0) return errno == ENOENT;
   bool failed = false;
-  // Down into a folder that holds something, up from one that is empty: one is open at a time, so
-  // that neither descriptors nor names of paths run out.
+  // Descends into nonempty folders and ascends from empty ones, with one open at a time, so that
+  // neither descriptors nor the length of paths run out.
   for (std::int64_t depth = 0;;) {
     const std::string below = remove_entries(here, failed);
     if (below.empty() && (depth == 0 || failed)) break;
@@ -163,10 +163,10 @@ namespace {
 
 constexpr std::uint64_t kBlock = 512;
 
-/// Lines of a process's mappings that are read: more has no program that is not hostile.
+/// How many lines of a process's mappings are read: only hostile programs have more.
 constexpr int kMostMappings = 4096;
 
-/// Its device and its number there.
+/// A file's device and inode.
 using Key = std::pair<dev_t, ino_t>;
 struct Size {
   std::uint64_t bytes = 0;
@@ -174,7 +174,7 @@ struct Size {
 };
 using Sizes = std::map<Key, Size>;
 
-/// What lies behind a link of /proc; whether that can be seen.
+/// Notes the file behind a link in /proc; false if it cannot be examined.
 bool take(const std::string& link, Sizes& sizes) {
   struct stat status {};
   if (stat(link.c_str(), &status) != 0) return false;
@@ -196,7 +196,7 @@ void take_open(const std::string& process, Sizes& sizes) {
   }
 }
 
-/// Two hexadecimal numbers with a mark between them.
+/// Two hexadecimal numbers with a separator.
 std::optional<std::pair<std::uint64_t, std::uint64_t>> pair_of(std::string_view text, char mark) {
   std::uint64_t first = 0, second = 0;
   constexpr int kBase = 16;
@@ -218,7 +218,7 @@ void take_mapped(const std::string& process, Sizes& sizes) {
     std::string range, rights, offset, device, name;
     ino_t inode = 0;
     words >> range >> rights >> offset >> device >> inode >> name;
-    // Links that only who administers the machine may follow.
+    // Only administrators may follow these links.
     if (take(process + "/map_files/" + range, sizes)) continue;
     const auto ends = pair_of(range, '-'), numbers = pair_of(device, ':');
     if (!words || !ends || !numbers) continue;

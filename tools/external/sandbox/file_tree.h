@@ -24,10 +24,10 @@ std::string file_bytes(const std::filesystem::path& file,
                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Removes a folder and all in it, however deep and whatever its permissions; links are not
-/// followed. Whether nothing is left.
+/// followed. True if nothing is left.
 bool remove_tree(const std::filesystem::path& folder);
 
-/// Removes all that lies in a folder.
+/// Removes everything in a folder.
 void empty_folder(const std::filesystem::path& folder);
 
 /// The most files and folders that are added up.
@@ -37,9 +37,9 @@ inline constexpr int kMostFiles = 32'768;
 struct DiskUse {
   std::uint64_t bytes = 0;
   int files = 0;              ///< And folders.
-  bool is_too_deep = false;   ///< Folders lie in folders too deep to be added up.
+  bool is_too_deep = false;   ///< Folders are nested too deep to be added up.
   bool are_too_many = false;  ///< There are more than are added up.
-  bool is_closed = false;     ///< A folder cannot be looked into.
+  bool is_closed = false;     ///< A folder cannot be read.
 };
 
 /// Links are not followed.

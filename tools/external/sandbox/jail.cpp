@@ -76,7 +76,7 @@ struct Limits {
   std::string group;
 };
 
-/// Whether it was a path.
+/// Reads paths only; else false.
 bool read_path(std::string_view name, std::string_view value, Limits& limits) {
   if (name == "reads") limits.rights.reads.emplace_back(value);
   if (name == "writes") limits.rights.writes.emplace_back(value);
@@ -117,28 +117,28 @@ void keep(const Limits& limits) {
                                 static_cast<pid_t>(limits.judge));
 }
 
-/// All is in place: what is said from now on is the program's.
+/// All is in place: what is written from now on is the program's.
 void say_ready(std::uint64_t error) {
   const auto descriptor = static_cast<int>(error);
   require(write(STDERR_FILENO, "", 1) == 1 && dup2(descriptor, STDERR_FILENO) >= 0, "error");
   close(descriptor);
 }
 
-/// As bubblewrap and shells have it.
+/// As in bubblewrap and shells.
 constexpr int kSignalled = 128;
 
 [[noreturn]] void end_as(int status) {
   _exit(WIFSIGNALED(status) ? kSignalled + WTERMSIG(status) : WEXITSTATUS(status));
 }
 
-/// Ends all that is left. Where that cannot be done it is killed itself, so that it shows.
+/// Ends all that is left. If that fails it kills itself, so that it shows.
 void end_all() {
   if (!raycheck::tools::end_children()) kill(getpid(), SIGKILL);
 }
 
-/// Waits for the child; what it left is killed.
+/// Waits for the child, then kills what that left.
 [[noreturn]] void wait_for(pid_t child, const sigset_t& awaited) {
-  // The child's end of these is the end of what it says.
+  // When the child closes these, its output must end.
   const int nothing = open("/dev/null", O_RDWR);
   for (int stream = 0; stream < 3; ++stream) dup2(nothing, stream);
   close_range(3, ~0U, 0);
@@ -156,7 +156,7 @@ void end_all() {
   }
 }
 
-/// fork() into a control group: to move there later would wait for all processors.
+/// fork() into a control group: moving there later would wait for all processors.
 pid_t fork_into(const std::string& group) {
   if (group.empty()) return fork();
   const int folder = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -172,10 +172,10 @@ pid_t fork_into(const std::string& group) {
   return child;
 }
 
-/// Goes on as a child of this process, which stays to take what that leaves behind: it ends as the
-/// child does, when nothing that the child started is left, and kills all of it when its own parent
-/// dies. `group`: the folder of the control group in which the child begins; empty: that of this
-/// process. False, with errno, where it cannot.
+/// Continues as a child of this process, which stays to collect what the child leaves behind: it
+/// ends as the child did, once nothing that the child started is left, and kills all of it when its
+/// own parent dies. `group`: the folder of the child's control group; empty: that of this process.
+/// On failure returns false, with errno.
 bool supervise(const std::string& group) {
   sigset_t awaited, before;
   sigemptyset(&awaited);
@@ -200,25 +200,25 @@ int main(int argc, char** argv) {
   require(prctl(PR_SET_PDEATHSIG, SIGKILL) == 0, "die with the parent");
   if (getpgrp() != getpid()) require(setpgid(0, 0) == 0, "group");
   require(close_range(kFirstClosed, ~0U, CLOSE_RANGE_UNSHARE) == 0, "close");
-  // Only supervisors outlive what they start, so that they can kill it all: its group is another.
+  // Only supervisors outlive what they start, to kill all of it: they need a separate group.
   if (limits.supervise != 0) {
     require(supervise(limits.group), "supervise");
     require(setpgid(0, 0) == 0, "supervise");
   } else if (!limits.group.empty()) {
     give_up("group", "needs supervise=1");
   }
-  // Ignored by raycheck, which says of programs that this ended them.
+  // raycheck ignores this signal, but reports that it ended a program.
   require(std::signal(SIGXFSZ, SIG_DFL) != SIG_ERR, "file");
   limit(RLIMIT_CORE, 0, "core");
-  // A second more until it is killed: the signal before that says why.
+  // It is killed one second later: the signal before that tells the reason.
   if (limits.cpu != 0) limit(RLIMIT_CPU, limits.cpu, "cpu", limits.cpu + 1);
   if (limits.memory != 0) limit(RLIMIT_AS, limits.memory, "memory");
   if (limits.file != 0) limit(RLIMIT_FSIZE, limits.file, "file");
   if (limits.files != 0) limit(RLIMIT_NOFILE, limits.files, "files");
-  // Before the limit on processes, which does not bind root.
+  // Before the limit on processes, which does not apply to root.
   if (limits.user != 0) become(limits.user);
   if (limits.processes != 0) limit(RLIMIT_NPROC, limits.processes, "processes");
-  // Both are lost with another user.
+  // A change of user resets both.
   require(prctl(PR_SET_PDEATHSIG, SIGKILL) == 0, "die with the parent");
   require(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0, "no new privileges");
   try {

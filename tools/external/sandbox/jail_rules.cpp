@@ -29,10 +29,10 @@ namespace {
 
 constexpr std::array kForbidden = {
     "socket", "connect", "bind", "listen", "accept", "accept4",
-    // To look into other processes.
+    // Access to other processes.
     "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "process_mrelease",
     "pidfd_getfd", "kcmp", "perf_event_open", "bpf", "userfaultfd", "io_uring_setup",
-    // What outlives the process.
+    // Things that outlive the process.
     "keyctl", "add_key", "request_key", "shmget", "shmat", "shmctl", "msgget", "msgsnd", "msgrcv",
     "msgctl", "semget", "semop", "semtimedop", "semctl", "mq_open", "mq_unlink",
     // Other file systems and namespaces.
@@ -41,29 +41,29 @@ constexpr std::array kForbidden = {
     "kexec_file_load", "init_module", "finit_module", "delete_module", "quotactl", "swapon",
     "swapoff", "reboot"};
 
-/// Of clone(): a namespace of its own, in which it would be root.
+/// Flags of clone(): a new namespace, in which the process would be root.
 constexpr std::initializer_list<std::uint64_t> kNamespaces = {
     CLONE_NEWUSER, CLONE_NEWNS,  CLONE_NEWPID,   CLONE_NEWNET,
     CLONE_NEWIPC,  CLONE_NEWUTS, CLONE_NEWCGROUP};
 
-/// Of fcntl() and ioctl(): signals from a stream to whom one likes, and words into a terminal.
-/// Headers have the first two for other sources alone.
+/// For fcntl() and ioctl(): signals from a stream to any process, and input injected into a
+/// terminal. Headers define the first two for other sources only.
 constexpr std::uint64_t kSetSignal = 10, kSetOwnerOfKind = 15, kSetOwnerOfStream = 0x8901,
                         kSetGroupOfSocket = 0x8902;
 
-/// Of ioctl(): room on disk beyond what a file may have, of fallocate() by an older name. Headers
-/// have them for programs of XFS alone.
+/// For ioctl(): older forms of fallocate(), which reserve disk space beyond a file's limit. Headers
+/// define them for XFS programs only.
 struct Room {
   std::array<char, 48> bytes;
 };
 constexpr std::array<std::uint64_t, 3> kReserve = {_IOW('X', 40, Room), _IOW('X', 42, Room),
                                                    _IOW('X', 57, Room)};
 
-/// Calls whose first argument is a process, 0 being the caller's own.
+/// Calls whose first argument is a process; 0 is the caller itself.
 constexpr std::array kOfAProcess = {"prlimit64",      "sched_setaffinity", "sched_setscheduler",
                                     "sched_setparam", "sched_setattr",     "migrate_pages",
                                     "move_pages"};
-/// Calls whose second argument is, and whose first says of what kind; this is "of a user".
+/// Calls whose second argument is an id, and whose first is its kind; this value means a user.
 struct OfAKind {
   const char* name;
   std::uint64_t user;
@@ -79,7 +79,7 @@ class Filter {
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
 
-  /// Where there is no argument: always. Calls that this machine has not are passed over.
+  /// Without conditions: always. Calls that this machine lacks are skipped.
   void forbid(const char* name, std::initializer_list<scmp_arg_cmp> where = {},
               int answer = EPERM) const {
     const int call = seccomp_syscall_resolve_name(name);
@@ -102,7 +102,7 @@ class Filter {
   scmp_filter_ctx context_;
 };
 
-/// The kernel takes only the lower half of an argument of 32 bits.
+/// The kernel uses only the lower half of a 32-bit argument.
 constexpr std::uint64_t kLowerHalf = 0xffffffff;
 
 scmp_arg_cmp is(unsigned argument, std::uint64_t value) {
@@ -112,8 +112,8 @@ scmp_arg_cmp is_not(unsigned argument, std::uint64_t value) {
   return {argument, SCMP_CMP_NE, value, 0};
 }
 
-/// kill() and rt_sigqueueinfo() for itself and its group alone. A filter of its own: a rule of the
-/// library compares an argument once.
+/// Allows kill() and rt_sigqueueinfo() to itself and its group only. A separate filter: the
+/// library's rules compare an argument only once.
 void keep_signals_in() {
   const auto own = static_cast<std::uint32_t>(getpid());
   constexpr std::uint32_t kTarget = offsetof(seccomp_data, args);  // its lower half
@@ -140,9 +140,9 @@ void forbid_calls(Reach reach, pid_t judge) {
   for (const std::uint64_t flag : kNamespaces) {
     filter.forbid("clone", {{0, SCMP_CMP_MASKED_EQ, flag, flag}});
   }
-  // Its flags lie in memory, where no filter sees them; libraries then take clone().
+  // Its flags are in memory, where no filter sees them; libraries then use clone().
   filter.forbid("clone3", {}, ENOSYS);
-  // Java's files need a pair of streams, which lead nowhere else; datagrams can be addressed.
+  // Java's files need a pair of stream sockets, which lead nowhere else; datagrams could.
   filter.forbid("socketpair", {is_not(1, SOCK_STREAM)});
   for (const std::uint64_t command : {std::uint64_t{F_SETOWN}, kSetSignal, kSetOwnerOfKind}) {
     filter.forbid("fcntl", {is(1, command)});
@@ -151,9 +151,9 @@ void forbid_calls(Reach reach, pid_t judge) {
        {kSetOwnerOfStream, kSetGroupOfSocket, std::uint64_t{TIOCSTI}, std::uint64_t{TIOCLINUX}}) {
     filter.forbid("ioctl", {is(1, request)});
   }
-  // What it has open is counted by who may look at it.
+  // Its open files are counted by a process that may inspect it.
   filter.forbid("prctl", {is(0, PR_SET_DUMPABLE)});
-  // The limit on the size of a file does not hold for these, and disks have that room at once.
+  // The file size limit does not apply to these, and they reserve disk space at once.
   for (const std::uint64_t mode :
        {std::uint64_t{FALLOC_FL_KEEP_SIZE}, std::uint64_t{FALLOC_FL_INSERT_RANGE}}) {
     filter.forbid("fallocate", {{1, SCMP_CMP_MASKED_EQ, mode, mode}}, EOPNOTSUPP);
@@ -184,12 +184,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As newer kernels than these headers have it: what is zero need not be known.
+/// As in kernels newer than these headers: fields that are zero need not be known.
 struct Attributes {
   std::uint64_t files = 0, network = 0, scopes = 0;
 };
 
-// What the kernel's ABI of this number brought.
+// The ABI versions in which the kernel added these.
 constexpr int kAbiRefer = 2, kAbiTruncate = 3, kAbiNetwork = 4, kAbiDevices = 5, kAbiScopes = 6;
 constexpr std::uint64_t kFirstRights = (std::uint64_t{1} << 13) - 1;
 constexpr std::uint64_t kRefer = std::uint64_t{1} << 13;
@@ -200,7 +200,7 @@ constexpr std::uint64_t kAbstractSocketsAndSignals = 3;
 
 constexpr std::uint64_t kReads =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-/// Of these rights files have their own; the others are those of folders.
+/// The rights that files have; the others are for folders only.
 constexpr std::uint64_t kOfFiles = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE |
                                    LANDLOCK_ACCESS_FS_READ_FILE | kTruncate | kDevices;
 
@@ -243,7 +243,7 @@ class Ruleset {
     if (failed != 0) fail(path);
   }
 
-  /// Of a folder with something hidden in it everything else, one by one.
+  /// For a folder with hidden parts, allows everything else in it one by one.
   void allow_reads(const fs::path& path, const std::vector<fs::path>& hidden) const {
     if (std::find(hidden.begin(), hidden.end(), path) != hidden.end()) return;
     const std::string below = path.string() + "/";

@@ -9,8 +9,8 @@ namespace raycheck::tools {
 
 /// Which processes a program can reach by their ids.
 enum class Reach {
-  kOwn,       ///< Its own alone: they have a namespace of their own, or another user.
-  kSchedule,  ///< All of its user, but signals reach its own alone.
+  kOwn,       ///< Only its own: they have a separate namespace, or user.
+  kSchedule,  ///< All of its user, but signals reach only its own.
   kSignal     ///< All of its user.
 };
 
@@ -24,7 +24,7 @@ enum class Reach {
 /// Errors: std::system_error.
 void forbid_calls(Reach reach, pid_t judge);
 
-/// What a program may do with files: by their absolute paths, folders with all that lies in them.
+/// What a program may do with files, by absolute paths; folders include all that lies in them.
 struct FileRights {
   std::vector<std::filesystem::path> reads;   ///< Reads and runs; missing ones are ignored.
   std::vector<std::filesystem::path> hidden;  ///< Parts of `reads` that it may not read.
@@ -32,9 +32,9 @@ struct FileRights {
   bool empty() const { return reads.empty() && writes.empty(); }
 };
 
-/// Keeps this process and what it starts to these files by Landlock, and from TCP where the kernel
-/// can do that (6.7). Returns whether signals are kept in, too (6.12).
-/// Errors: std::system_error where the kernel has no Landlock.
+/// Restricts this process and its descendants to these files by Landlock, and denies TCP if the
+/// kernel can (6.7). Returns whether signals are restricted, too (6.12).
+/// Errors: std::system_error if the kernel has no Landlock.
 bool keep_to_files(const FileRights& rights);
 
 }  // namespace raycheck::tools

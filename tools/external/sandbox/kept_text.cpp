@@ -8,7 +8,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Of the beginning, and of the end.
+/// Bytes kept of the beginning, and of the end.
 constexpr std::size_t kKept = 16384;
 constexpr std::size_t kLines = 12;
 constexpr std::size_t kLongestLine = 400;
@@ -18,7 +18,7 @@ std::string printable(std::string line) {
     if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f') c = '?';
   }
   if (line.size() <= kLongestLine) return line;
-  // Not in the middle of a letter of several bytes.
+  // Do not cut within a multi-byte character.
   std::size_t end = kLongestLine;
   while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;
   return line.substr(0, end) + " ...";
@@ -64,7 +64,7 @@ std::string KeptText::excerpt() const {
   std::size_t count = first.size();
   if (dropped_ != 0) {
     last = lines_of(end_);
-    // Cut where something is missing.
+    // The line is cut where text is missing.
     first.pop_back();
     last.erase(last.begin());
     count = std::max(lines_ + 1, first.size() + last.size());

@@ -65,14 +65,14 @@ fs::path adapters() {
 
 namespace {
 
-/// The program's standard error until all layers are in place; raycheck-jail leaves it open.
+/// Holds the program's standard error until all layers are in place; raycheck-jail leaves it open.
 constexpr int kKeptDescriptor = 3;
 /// Layers are in place after this many seconds, however busy the machine is, and say no more of why
 /// they are not.
 constexpr int kStartSeconds = 60;
 constexpr std::size_t kMostSaid = 4096;
 
-/// What the layers say, until they are in place.
+/// What the layers write before they are in place.
 class SaidBefore {
  public:
   SaidBefore() {
@@ -96,11 +96,11 @@ class SaidBefore {
   int read = -1, write = -1;
 };
 
-/// Java would take more addresses than there are for one process.
+/// By default Java would reserve more address space than one process may.
 constexpr const char* kJava =
     "JAVA_TOOL_OPTIONS=-Xmx512m -XX:+UseSerialGC -XX:ReservedCodeCacheSize=64m";
 
-/// Kernels from this one on count the processes of a user in each namespace of users apart.
+/// Since this kernel a user's processes are counted separately in each user namespace.
 constexpr int kCountsByNamespace[] = {5, 14};
 
 bool counts_by_namespace() {
@@ -111,7 +111,7 @@ bool counts_by_namespace() {
   return std::pair(major, minor) >= std::pair(kCountsByNamespace[0], kCountsByNamespace[1]);
 }
 
-/// The tasks that this user has now.
+/// The number of tasks that this user has now.
 std::uint64_t tasks_of_user() {
   std::uint64_t tasks = 0;
   std::error_code ignored;
@@ -127,9 +127,9 @@ std::uint64_t tasks_of_user() {
   return tasks;
 }
 
-/// The limit on processes that the kernel is told. It counts all of a user's, in the same namespace
-/// where it can; where it cannot, also those of candidates that run at the same time. What the user
-/// had before any of them is found out once: else each would raise the limit of the next.
+/// The process limit for the kernel. It counts all of the user's processes, per namespace if it
+/// can; if it cannot, also those of candidates that run at the same time. How many the user had
+/// before any candidate is determined once: else each would raise the limit of the next.
 std::uint64_t most_processes(const Confined& confined, std::uint64_t user) {
   const bool counts_its_own = user != 0 || (confined.layers.bubblewrap && counts_by_namespace());
   if (counts_its_own) return confined.limits.processes;
@@ -137,7 +137,7 @@ std::uint64_t most_processes(const Confined& confined, std::uint64_t user) {
   return others + confined.limits.processes * (1 + std::thread::hardware_concurrency());
 }
 
-/// Where bubblewrap may bind files, and where not.
+/// Arguments that make bubblewrap bind files, and hide some.
 void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
           std::vector<std::string>& arguments) {
   const auto add = [&](std::initializer_list<std::string> more) {
@@ -145,8 +145,8 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   };
   std::vector<fs::path> shown = system_paths();
   for (const fs::path& path : shown) add({"--ro-bind-try", path, path});
-  // A folder before what lies in it. bubblewrap lists the folders around those that it binds, which
-  // those of runs do not allow: where all around them is shown, an empty one takes their place.
+  // Folders come before what they contain. bubblewrap would list the folders around those that it
+  // binds, which run folders must not show: if their parent is visible, an empty one replaces it.
   std::vector<fs::path> readable = confined.readable;
   std::sort(readable.begin(), readable.end());
   const fs::path of_run = folder.parent_path();
@@ -157,7 +157,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
     add({"--tmpfs", of_run});
     is_emptied = true;
   }
-  // After that, for they may be copies that lie there.
+  // After that, because they may be copies inside it.
   for (const fs::path& path : own_paths()) {
     add({"--ro-bind", path, path});
     shown.push_back(path);
@@ -166,13 +166,13 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   add({"--ro-bind", jail, jail});
   shown.insert(shown.end(), confined.readable.begin(), confined.readable.end());
   for (const fs::path& hidden : hidden_paths()) {
-    // Already kept from that user, and from bubblewrap, which runs as it.
+    // Already closed to that user, and to bubblewrap, which runs as it.
     if (user != 0 && !others_may_enter(hidden.parent_path())) continue;
     for (const fs::path& one : shown) {
       std::error_code error;
       const fs::path real = fs::canonical(one, error);
       if (error || !(hidden.string() + "/").starts_with(real.string() + "/")) continue;
-      // What is a link outside, as /bin may be, is a folder of its own inside.
+      // A link outside, such as /bin, is a separate folder inside.
       const fs::path path = (one / hidden.lexically_relative(real)).lexically_normal();
       fs::is_directory(hidden) ? add({"--tmpfs", path, "--remount-ro", path})
                                : add({"--ro-bind", "/dev/null", path});
@@ -182,7 +182,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   if (is_emptied) add({"--remount-ro", of_run});
 }
 
-/// The same by Landlock.
+/// The same with Landlock.
 void rule(const Confined& confined, const fs::path& folder, std::vector<std::string>& arguments) {
   const auto add = [&](const char* what, const fs::path& path) {
     arguments.push_back(what + path.string());
@@ -215,7 +215,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
   if (!group.empty()) add({"group=" + group.string()});
   if (user != 0) add({fmt::format("user={}", user)});
   if (layers.bubblewrap) {
-    // Of the two places that take files besides its folder each has half of what it may have.
+    // Each of the two places for files outside its folder gets half of its disk limit.
     const std::string half = std::to_string(std::max<std::uint64_t>(1, limits.disk / 2));
     add({"--", "bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--proc", "/proc",
          "--dev", "/dev", "--remount-ro", "/dev", "--size", half, "--tmpfs", "/dev/shm", "--size",
@@ -223,7 +223,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
     bind(confined, folder, user, arguments);
     add({"--", jail});
   }
-  // In the namespace of users that bubblewrap made: outside, the user's other processes count too.
+  // In the user namespace that bubblewrap made: outside, the user's other processes count too.
   add({fmt::format("processes={}", most_processes(confined, user)),
        fmt::format("error={}", kKeptDescriptor)});
   if (layers.seccomp) add({"seccomp=1"});
@@ -234,7 +234,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
   return arguments;
 }
 
-/// Whether something is to be read, or the end, before a deadline.
+/// Whether a stream has data, or ends, before a deadline.
 bool is_heard(int stream, std::chrono::steady_clock::time_point until) {
   constexpr int kMilliseconds = 100;
   while (std::chrono::steady_clock::now() < until) {
@@ -245,7 +245,7 @@ bool is_heard(int stream, std::chrono::steady_clock::time_point until) {
   return false;
 }
 
-/// Waits until all layers are in place. Otherwise nothing of the process is left.
+/// Waits until all layers are in place. On an error no process is left.
 /// Errors: ProcessFailure with what the layers said; scene::Interrupted.
 void await_start(pid_t pid, int said) try {
   std::string text;
@@ -258,7 +258,7 @@ void await_start(pid_t pid, int said) try {
     if (!is_in_time) text += fmt::format("not within {} s", kStartSeconds);
     if (count <= 0) break;
     text.append(buffer.data(), static_cast<std::size_t>(count));
-    // What it says afterwards is of a program that is kept.
+    // From then on the output is a confined program's.
     if (text.find('\0') != std::string::npos) return;
     if (text.size() > kMostSaid) break;
   }
@@ -295,8 +295,8 @@ pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t use
   posix_spawn_file_actions_adddup2(&actions, streams.error, kKeptDescriptor);
   posix_spawn_file_actions_adddup2(&actions, said.write, STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  // A session and a group of its own from the start, so that it cannot join raycheck's, and none of
-  // the signals that raycheck ignores or blocks.
+  // A new session and group from the start, so that it cannot join raycheck's, and no signal
+  // ignored or blocked as in raycheck.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none, all;

@@ -19,13 +19,13 @@
 
 namespace raycheck::tools {
 
-/// What keeps a candidate in its place, beyond what always does: a session, a folder and an
-/// environment of its own, closed descriptors and limits on what it uses.
+/// The layers of a candidate's isolation, beyond what it always has: its own session, folder and
+/// environment, closed descriptors and limits on its resources.
 struct Layers {
   bool own_user = false;    ///< It runs as a user that owns nothing; raycheck is root.
-  bool seccomp = false;     ///< No sockets, no looking into other processes.
-  bool landlock = false;    ///< Of the file system what it needs; in place of bubblewrap.
-  bool bubblewrap = false;  ///< Namespaces of its own; of the file system what it needs.
+  bool seccomp = false;     ///< No sockets, no access to other processes.
+  bool landlock = false;    ///< Only the files that it needs; if bubblewrap is missing.
+  bool bubblewrap = false;  ///< Its own namespaces; only the files that it needs.
   /// A control group of its own, in which all processes are counted, killed and, where the kernel
   /// can do so, limited together.
   bool control_group = false, group_memory = false, group_processes = false;
@@ -33,13 +33,13 @@ struct Layers {
   std::string text() const;
 };
 
-/// A layer that a machine should have and that does not work there.
+/// A layer that a machine should have but that does not work.
 struct MissingLayer {
   std::string name;
-  std::string why;  ///< In the words of what failed.
+  std::string why;  ///< The error message of what failed.
 };
 
-/// The layers that work here, found out once, by trying, and those that do not.
+/// The layers that work here, found once by trying, and those that do not.
 struct LayersHere {
   Layers layers;
   std::vector<MissingLayer> missing;
@@ -51,17 +51,16 @@ const LayersHere& layers_here();
 
 /// Which layers to use.
 enum class Sandbox {
-  kRequire,    ///< All that there should be: a user of its own as root, seccomp, bubblewrap.
+  kRequire,    ///< All that should be there: a user of its own if root, seccomp, bubblewrap.
   kAvailable,  ///< Those that work here.
-  kNone        ///< Limits alone.
+  kNone        ///< Only limits.
 };
-/// Errors: std::invalid_argument where `kRequire` asks for what does not work here, naming it, why,
-/// and what does; and where the folder for temporary files cannot be used.
+/// Errors: std::invalid_argument if `kRequire` needs a layer that does not work here, naming it,
+/// why, and what does; and if the folder for temporary files is unusable.
 LayersHere chosen_layers(Sandbox sandbox);
 
-/// How long a candidate has taken in all, in seconds of CPU time. An answer of an earlier run takes
-/// what it took then, so that what is asked does not depend on what is known. One for all its
-/// processes and threads.
+/// A candidate's total CPU time in seconds. A stored answer counts the time it took then, so that
+/// what is asked does not depend on what is stored. Shared by all its processes and threads.
 class SpentTime {
  public:
   void add(double seconds) { seconds_.fetch_add(seconds); }
@@ -88,8 +87,8 @@ inline bool is_of_the_machine(const std::error_code& error) {
 /// by all its processes.
 class Surroundings {
  public:
-  /// `alone`: no other candidate runs beside it, so that what happens to it is its own doing, as
-  /// long as the machine has room.
+  /// `alone`: no other candidate runs beside it, so that whatever happens to it is its own fault,
+  /// as long as the machine has space.
   explicit Surroundings(bool alone) : alone_(alone) {}
   bool alone() const { return alone_; }
   /// The first cause is kept.
@@ -97,7 +96,7 @@ class Surroundings {
     const std::lock_guard lock(mutex_);
     if (cause_.empty()) cause_ = cause;
   }
-  /// Empty: none.
+  /// Empty if there is none.
   std::string cause() const {
     const std::lock_guard lock(mutex_);
     return cause_;
@@ -109,10 +108,10 @@ class Surroundings {
   std::string cause_;
 };
 
-/// Why nothing of an implementation can be judged.
+/// Why an implementation cannot be judged at all.
 struct Refusal {
   std::string why;   ///< One line.
-  std::string said;  ///< What a compiler said of it, or empty.
+  std::string said;  ///< What a compiler said about it, or empty.
 };
 
 /// The names of limits for those who set them, named when one is met; empty: not named.
@@ -129,9 +128,9 @@ struct Limits {
   /// waiting counts.
   double seconds = 10;
   std::uint64_t cpu_seconds = 600;
-  /// In bytes: each of addresses, together of the machine's memory.
+  /// In bytes: of address space for each, of physical memory for all together.
   std::uint64_t memory = std::uint64_t{4} << 30;
-  std::uint64_t disk = std::uint64_t{1} << 30;   ///< Together, in bytes.
+  std::uint64_t disk = std::uint64_t{1} << 30;   ///< In total, in bytes.
   std::uint64_t file = std::uint64_t{64} << 20;  ///< The largest file, in bytes.
   std::uint64_t files = 64;                      ///< Open at a time.
   std::uint64_t processes = 64;
@@ -144,22 +143,22 @@ struct Confined {
   std::vector<std::filesystem::path> readable;
   Layers layers;
   Limits limits;
-  /// What lies in its folder at the start: names and contents.
+  /// The files in its folder at the start: names and contents.
   std::vector<std::pair<std::string, std::string>> files = {};
-  /// And besides; null: nothing.
+  /// Further contents of it; null: none.
   std::shared_ptr<const StartingFolder> start = {};
-  /// Who is told where it fails for a cause outside it; null: nobody.
+  /// Is told about failures with a cause outside the candidate; null: nobody is.
   std::shared_ptr<Surroundings> surroundings = {};
-  /// Where its time is added up, together with that of its copies.
+  /// Where its time is added up, with that of its copies.
   std::shared_ptr<SpentTime> spent = std::make_shared<SpentTime>();
 };
 
 /// How a candidate's process failed.
 enum class FailureKind {
-  kSystem,    ///< The system refused something: it could not be started or asked.
-  kEnded,     ///< It ended before it had done what it should.
-  kTimeUp,    ///< No reply, or no end, in the time it has: to ask again costs as much.
-  kSaidMore,  ///< More than it was asked, or may say.
+  kSystem,    ///< The system refused something: it could not be started, or not be reached.
+  kEnded,     ///< It ended before it had finished its task.
+  kTimeUp,    ///< No reply, or no end, in time: asking again would cost as much.
+  kSaidMore,  ///< More output than asked for, or allowed.
   kBadReply,  ///< What it sent is not a reply, or not a picture.
   kNotAsked   ///< It was silent too often to be asked again.
 };
@@ -176,19 +175,19 @@ class ProcessFailure : public std::runtime_error {
   FailureKind kind_;
 };
 
-/// Where programs that are named without a folder are looked for.
+/// Where programs named without a folder are searched.
 inline constexpr std::string_view kProgramPath = "/usr/local/bin:/usr/bin:/bin";
 
 /// raycheck-jail or raycheck-worker.
 std::filesystem::path helper(const std::string& name);
 
-/// The folder in which this program and its helpers (raycheck-jail, raycheck-worker) lie.
+/// The folder of this program and its helpers (raycheck-jail, raycheck-worker).
 std::filesystem::path program_folder();
 /// The prefix of an installed program, whose libexec/raycheck holds the programs.
 std::filesystem::path prefix();
 
-/// Where the adapters of other languages are: beside an installed program, or in the sources that
-/// it was built of.
+/// The folder of the adapters for other languages: beside an installed program, or in the sources
+/// it was built from.
 std::filesystem::path adapters();
 
 /// A user id for each process that belongs to no account: made of this process's id and a counter
@@ -197,16 +196,16 @@ std::uint64_t next_user();
 /// Large ids do not work here.
 void use_small_users();
 
-/// What a program reads and writes: descriptors.
+/// The descriptors that a program reads and writes.
 struct Streams {
   int input, output, error;
 };
 
-/// Starts a program in its layers with these streams, in this folder, with next to no environment;
-/// returns when all layers are in place, so that what it does from then on is its own fault.
-/// `user`: 0 where it has none of its own; `group`: its control group, empty where it has none.
-/// Errors: ProcessFailure (kSystem) where it could not be
-/// started in all of them; it is never started in fewer.
+/// Starts a program in its layers with these streams, in this folder, with a nearly empty
+/// environment; returns once all layers are in place, so that what it does from then on is its own
+/// fault. `user`: 0 if it has no separate user; `group`: its control group, or empty.
+/// Errors: ProcessFailure (kSystem) if it could not be started in all layers; it is never started
+///         in fewer.
 pid_t launch(const Confined& confined, const std::filesystem::path& folder, std::uint64_t user,
              const std::filesystem::path& group, const Streams& streams);
 
@@ -214,8 +213,8 @@ pid_t launch(const Confined& confined, const std::filesystem::path& folder, std:
 /// (Node.js does not start where the last exists but is closed). Some may not exist.
 std::vector<std::filesystem::path> system_paths();
 
-/// What raycheck's helpers need besides the system: the adapters, and the libraries of a package
-/// where it brings some that they may read.
+/// What raycheck's helpers need besides the system: the adapters, and a package's libraries, if it
+/// has some that they may read.
 std::vector<std::filesystem::path> own_paths();
 
 /// What in all these gives away right answers or questions: raycheck itself, wherever programs are

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why `true` does not run in these layers; empty where it does.
+/// Why `true` does not run in these layers; empty if it does.
 std::string why_not(const Layers& layers) {
   try {
     Process process({.arguments = {"/bin/true"}, .readable = {}, .layers = layers, .limits = {}});
@@ -37,7 +37,7 @@ std::string why_not(const Layers& layers) {
   }
 }
 
-/// What names where temporary files go, and what it says; TMPDIR where nothing does.
+/// The variable that sets the folder of temporary files, and its value; TMPDIR if none does.
 std::pair<std::string, std::string> temporary_folder() {
   for (const char* name : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
     if (const char* const path = std::getenv(name)) return {name, path};
@@ -45,7 +45,7 @@ std::pair<std::string, std::string> temporary_folder() {
   return {"TMPDIR", fs::temp_directory_path()};
 }
 
-/// Whether build tools and shells take it for a part of a name wherever it stands.
+/// Whether build tools and shells take it literally wherever it stands in a name.
 bool is_plain(char c) {
   const auto byte = static_cast<unsigned char>(c);
   constexpr unsigned char kAscii = 0x80;
@@ -53,7 +53,7 @@ bool is_plain(char c) {
          std::string_view("/._-+,@=%").find(c) != std::string_view::npos;
 }
 
-/// Candidates are built and run there, by their own commands.
+/// Candidates are built and run there, by commands of their own.
 void check_temporary_folder() {
   const auto [name, path] = temporary_folder();
   auto fail = [&n = name, shown = path](const std::string& why) mutable {
@@ -65,7 +65,7 @@ void check_temporary_folder() {
   if (!path.starts_with('/')) fail("candidates run elsewhere, so that it has to begin with /");
   const auto odd = std::find_if_not(path.begin(), path.end(), is_plain);
   if (odd != path.end()) {
-    fail(fmt::format("its name has {}, which what builds candidates may take for the end of it",
+    fail(fmt::format("its name has {}, which build tools may take for its end",
                      std::isprint(static_cast<unsigned char>(*odd)) != 0 ? fmt::format("'{}'", *odd)
                                                                          : "a control character"));
   }
@@ -77,7 +77,7 @@ void check_temporary_folder() {
   }
 }
 
-/// Candidates are started by programs that are installed beside raycheck.
+/// Candidates are started by programs installed beside raycheck.
 void check_helpers() {
   for (const char* name : {"raycheck-jail", "raycheck-worker"}) {
     const fs::path path = program_folder() / name;
@@ -89,7 +89,7 @@ void check_helpers() {
   }
 }
 
-/// After all others: what keeps a program from files keeps it from those of its group.
+/// After all others: layers that keep a program from files keep it from its group's.
 void try_control_group(LayersHere& here) {
   Layers layers = here.layers;
   if (!layers.own_user && !layers.bubblewrap && !layers.landlock) {
@@ -163,7 +163,7 @@ LayersHere chosen_layers(Sandbox sandbox) {
     missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", name, why);
   }
   throw std::invalid_argument(fmt::format(
-      "sandbox require: what does not work here: {}. Make it work (bubblewrap is the Debian "
+      "sandbox require: not available here: {}. Make it work (bubblewrap is the Debian "
       "package of that name), or take sandbox available, which goes on with what does: {}",
       missing, here.layers.text()));
 }
@@ -190,7 +190,7 @@ std::vector<fs::path> system_paths() {
 std::vector<fs::path> own_paths() {
   std::vector<fs::path> paths = {adapters()};
   const fs::path libraries = prefix() / "lib";
-  // Where others may not read them they are of no use: what needs them runs as another user.
+  // If others may not read them they are useless: the programs that need them run as another user.
   if (fs::exists(libraries) && (geteuid() != 0 || others_may_read(libraries))) {
     paths.push_back(libraries);
   }
@@ -199,7 +199,7 @@ std::vector<fs::path> own_paths() {
 
 namespace {
 
-/// Raycheck's programs in a folder, but for those that run what someone else made.
+/// raycheck's programs in a folder, except those that run other people's code.
 void add_programs(const fs::path& folder, std::vector<fs::path>& programs) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {

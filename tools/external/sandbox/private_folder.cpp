@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kPrefix = "raycheck-run-";
-/// The file by which a run holds its folder. Folders of others may begin with the prefix, and have
-/// none.
+/// The file by which a run locks its folder. Others' folders may have the same prefix, but not this
+/// file.
 constexpr const char* kHeldBy = "held-by-raycheck";
 
 }  // namespace
@@ -77,7 +77,7 @@ fs::path readable_copy(const fs::path& path) {
 
 namespace {
 
-/// A new folder whose name begins so.
+/// A new folder with this prefix.
 fs::path new_folder(const fs::path& begin) {
   std::string name = begin.string() + "XXXXXX";
   if (mkdtemp(name.data()) == nullptr) {
@@ -86,8 +86,8 @@ fs::path new_folder(const fs::path& begin) {
   return name;
 }
 
-/// Takes hold of a run's folder by this file of it, until that is closed or this process ends; -1
-/// where another has it, or it is no run's. `create`: O_CREAT where it becomes one.
+/// Locks a run's folder by this file in it, until that is closed or this process ends; -1 if
+/// another holds it, or it is not a run's. `create`: O_CREAT to make it one.
 int hold(const fs::path& by, int create = 0) {
   const int opened = open(by.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | create, 0600);
   if (opened >= 0 && flock(opened, LOCK_EX | LOCK_NB) == 0) return opened;
@@ -95,7 +95,7 @@ int hold(const fs::path& by, int create = 0) {
   return -1;
 }
 
-/// Takes hold of a new folder. Others see the file by which it is held once it is.
+/// Locks a new folder. The lock file becomes visible to others once it is locked.
 int hold_new(const fs::path& folder) {
   const fs::path unseen = folder / "new";
   const int held = hold(unseen, O_CREAT);
@@ -103,8 +103,7 @@ int hold_new(const fs::path& folder) {
   return held;
 }
 
-/// Removes what runs left that were killed: folders of this user that runs have made and nobody
-/// holds.
+/// Removes what killed runs left behind: this user's run folders that nobody holds.
 void remove_left_overs(const fs::path& where) {
   std::error_code error;
   for (fs::directory_iterator at(where, error), end; !error && at != end; at.increment(error)) {
@@ -119,11 +118,11 @@ void remove_left_overs(const fs::path& where) {
   }
 }
 
-/// The folder that holds all those of this process, and goes with it.
+/// The folder that contains all those of this process, and is removed with it.
 class RunFolder {
  public:
   RunFolder() : path_(new_folder(fs::temp_directory_path() / kPrefix)), held_(hold_new(path_)) {
-    // Others may enter what they know of, and list nothing.
+    // Others may enter subfolders they know, but list nothing.
     fs::permissions(path_, fs::perms::others_exec, fs::perm_options::add);
     remove_left_overs(path_.parent_path());
   }

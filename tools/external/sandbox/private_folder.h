@@ -8,7 +8,7 @@
 
 namespace raycheck::tools {
 
-/// An empty folder, gone with the object.
+/// An empty folder, removed with the object.
 class PrivateFolder {
  public:
   PrivateFolder();
@@ -43,15 +43,15 @@ struct StartingFolder {
   struct File {
     std::string name;
     std::string text;
-    bool runs = false;  ///< Its mode says that it is a program.
+    bool runs = false;  ///< It is executable.
   };
-  std::vector<std::string> folders;  ///< Each behind those that it lies in.
+  std::vector<std::string> folders;  ///< Each after those that contain it.
   std::vector<File> files;           ///< Which it may change.
   std::vector<std::string> links;    ///< To files of these paths in `linked`, which it may read.
   std::shared_ptr<const PrivateFolder> linked;
 };
 
-/// Makes it in an empty folder, owned by `user` where that is not 0.
+/// Makes it in an empty folder, owned by `user` unless that is 0.
 /// Errors: std::system_error naming the part.
 void lay_out(const StartingFolder& start, const std::filesystem::path& folder, std::uint64_t user);
 

@@ -25,11 +25,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads of a stream at a time, together more than a pipe holds: what says ever more must not keep
-/// from looking at the time.
+/// Successive reads of a stream, together more than a pipe holds: endless output must not keep
+/// raycheck from checking the time.
 constexpr int kMostTurns = 64;
 
-/// Between two looks at whether a process has ended.
+/// Between two checks whether a process has ended.
 constexpr useconds_t kPause = 500;
 
 [[noreturn]] void fail_to_start(const std::string& what) {
@@ -56,7 +56,7 @@ struct Pipe {
   int read = -1, write = -1;
 };
 
-/// Whether a stream that cannot be read or written now may be so later, or is closed.
+/// Whether a stream that cannot be read or written now may be later, or is closed.
 bool is_passing(int error) { return error == EAGAIN || error == EINTR || error == EPIPE; }
 
 void close_once(int& descriptor) {
@@ -64,10 +64,10 @@ void close_once(int& descriptor) {
   descriptor = -1;
 }
 
-/// bubblewrap and shells make of a signal an exit code above this one.
+/// bubblewrap and shells turn a signal into an exit code above this one.
 constexpr int kSignalled = 128;
 
-/// What killed a process; 0 where it exited.
+/// The signal that killed a process; 0 if it exited.
 int signal_of(int status) {
   if (WIFSIGNALED(status)) return WTERMSIG(status);
   const int code = WEXITSTATUS(status);
@@ -86,7 +86,7 @@ std::string words_left() {
 
 std::string reason_ended(int status, const Limits& limits) {
   const int signal = signal_of(status);
-  // raycheck-jail itself, which ends otherwise by exit codes alone.
+  // raycheck-jail itself, which otherwise ends by exit codes only.
   if (WIFSIGNALED(status)) {
     return fmt::format(
         "lost its supervisor, which was killed by signal {} ({}): what it started may be left",
@@ -147,7 +147,7 @@ std::string said_text(const KeptText& said, const KeptText& printed) {
 }
 
 Process::Process(const Confined& confined) try : confined_(confined) {
-  // What a candidate that runs as the same user could otherwise look into.
+  // A candidate that runs as the same user could otherwise read raycheck's memory.
   prctl(PR_SET_DUMPABLE, 0);
   signal(SIGPIPE, SIG_IGN);
   if (confined.layers.own_user) {
@@ -189,8 +189,8 @@ bool Process::has_neighbours() const {
   return confined_.surroundings && !confined_.surroundings->alone();
 }
 
-/// Whether it has ended by itself; if so nothing of it is left: raycheck-jail sees to that, or is
-/// killed.
+/// Whether it has ended by itself; if so none of its processes is left: raycheck-jail ensures that,
+/// or is killed.
 bool Process::has_ended(int& status) {
   rusage used{};
   if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;
@@ -200,7 +200,7 @@ bool Process::has_ended(int& status) {
   return true;
 }
 
-/// Whether nothing of it is left.
+/// Whether all of it could be killed.
 bool Process::kill_all() {
   close_once(input_);
   bool is_done = true;
@@ -218,10 +218,10 @@ void Process::blame(FailureKind kind, const std::string& words) const {
   if (kind == FailureKind::kSystem && confined_.surroundings) confined_.surroundings->blame(words);
 }
 
-/// What it took is added up.
+/// Adds up the time it took.
 void Process::charge() { confined_.spent->add(watch_->taken()); }
 
-/// Stops it where it uses too much, or has taken its time.
+/// Stops it if it uses too much, or its time is up.
 void Process::look(const char* doing) {
   if (const auto stop = watch_->look(doing)) fail(stop->kind, stop->words);
 }
@@ -235,17 +235,17 @@ void Process::fail(FailureKind kind, const std::string& words) {
   throw ProcessFailure(of, all);
 }
 
-/// The failure of what ended otherwise than it should.
+/// Throws the failure of a process that ended abnormally.
 void Process::fail_with(int status) {
-  // Its own doing, however little the machine has left.
+  // Its own fault, however little memory the machine has left.
   if (group_ && group_->has_met_memory_limit()) {
     fail(FailureKind::kEnded, memory_words(confined_.limits));
   }
   const std::string words = reason_ended(status, confined_.limits);
   const std::string lack = lack_of_room(folder_.path());
   if (!lack.empty()) fail(FailureKind::kSystem, words + ": " + lack);
-  // Nothing here kills what has not failed: others may, or the system when memory is short. What
-  // does it to itself does it again when it is alone.
+  // raycheck kills only what has failed: others may kill it, or the system when memory is short. A
+  // program that kills itself does so again when it runs alone.
   const bool is_killed = signal_of(status) == SIGKILL;
   fail(is_killed && has_neighbours() ? FailureKind::kSystem : FailureKind::kEnded, words);
 }
@@ -260,7 +260,7 @@ void Process::fail_ended() {
   fail_with(status);
 }
 
-/// Takes what there is on the standard error.
+/// Reads what is available on standard error.
 void Process::listen() {
   std::array<char, 4096> buffer{};
   for (int turn = 0; turn < kMostTurns; ++turn) {
@@ -337,7 +337,7 @@ int Process::finish() {
     }
     if (ended) {
       if (signal_of(status) != 0) fail_with(status);
-      // However it ended: what it wrote may not be there.
+      // However it ended: some of its output may be missing.
       if (const std::string lack = lack_of_room(folder_.path()); !lack.empty()) {
         fail(FailureKind::kSystem, "ended when " + lack);
       }

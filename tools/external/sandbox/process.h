@@ -21,7 +21,7 @@ class KeptText {
  public:
   void append(std::string_view more);
   bool empty() const { return begin_.empty(); }
-  /// The beginning and the end, with a line between them that says how much is left out.
+  /// The beginning and the end, with a line between them that says how much is missing.
   std::string text() const;
   /// Its first and last few lines, and how much is left out between them; without what a
   /// terminal would obey.
@@ -29,18 +29,18 @@ class KeptText {
 
  private:
   std::string begin_, end_;
-  std::size_t lines_ = 0;    ///< Ends of lines, of all that was said.
+  std::size_t lines_ = 0;    ///< Line ends in all of the output.
   std::size_t dropped_ = 0;  ///< Bytes.
 };
 
-/// The end of what a program said, as a clause; empty where it was silent.
+/// The last line of a program's output, as a clause; empty if there is none.
 std::string last_line_text(const KeptText& said);
 
 /// Which limit a program that failed says that it met, as a clause; empty if it names no limit.
 std::string limit_text(const KeptText& said, const Limits& limits);
 
-/// What a finished program said: on the standard error, else on the standard output, as a clause
-/// with its first and last lines; empty where it was silent.
+/// A finished program's output, on standard error, else on standard output, as a clause with its
+/// first and last lines; empty if there is none.
 std::string said_text(const KeptText& said, const KeptText& printed);
 
 /// A process that is talked to through pipes, in a folder of its own. When it ends, so does
@@ -53,8 +53,8 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Sends a request and returns what is answered, up to and with the first line for which
-  /// `is_last` holds. Longer answers than `most_bytes` are failures.
+  /// Sends a request and returns the answer, up to and including the first line for which `is_last`
+  /// holds. Answers longer than `most_bytes` are failures.
   std::string exchange(std::string_view request,
                        const std::function<bool(std::string_view line)>& is_last,
                        std::size_t most_bytes);
@@ -62,10 +62,10 @@ class Process {
   const std::string& unfinished() const { return answer_; }
   /// Limits what is exchanged from now on to this many seconds of CPU time.
   void allow(double seconds) { confined_.limits.seconds = seconds; }
-  /// Closes its input and waits for its end; returns its exit code.
+  /// Closes its input and waits until it ends; returns its exit code.
   int finish();
-  /// What it wrote on the standard error, and, where it was waited for, on the standard output: the
-  /// beginning and the end of each.
+  /// What it wrote on standard error and, after finish(), on standard output: the beginning and the
+  /// end of each.
   const KeptText& said() const { return said_; }
   const KeptText& printed() const { return printed_; }
   const std::filesystem::path& folder() const { return folder_.path(); }

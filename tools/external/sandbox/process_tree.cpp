@@ -21,10 +21,10 @@
 namespace raycheck::tools {
 namespace {
 
-/// Between two looks at whether processes have ended, in microseconds.
+/// Between two checks whether processes have ended, in microseconds.
 constexpr useconds_t kPauseOfEnding = 500;
 
-/// As much as /proc gives of a file at a time, which is all of the short ones that are read here.
+/// What one read of a file in /proc returns: all of the short ones read here.
 std::string start_of(const std::string& path) {
   std::array<char, 4096> text{};
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
@@ -34,7 +34,7 @@ std::string start_of(const std::string& path) {
   return size <= 0 ? "" : std::string(text.data(), static_cast<std::size_t>(size));
 }
 
-/// Calls what with each number that names an entry of a folder.
+/// Calls what(number) for each number that names an entry of a folder.
 template <class What>
 void for_each_number(const std::string& folder, const What& what) {
   const std::unique_ptr<DIR, int (*)(DIR*)> entries(opendir(folder.c_str()), closedir);
@@ -47,7 +47,7 @@ void for_each_number(const std::string& folder, const What& what) {
   }
 }
 
-/// The fields of proc(5)'s /proc/PID/stat from the third on: names may hold anything before.
+/// The fields of proc(5)'s /proc/PID/stat from the third on: the name before may contain anything.
 std::vector<std::string_view> stat_fields(std::string_view line) {
   const std::size_t name_end = line.rfind(')');
   std::vector<std::string_view> fields;
@@ -82,13 +82,13 @@ std::optional<ProcessState> state_of(pid_t pid) {
   state.parent = static_cast<pid_t>(number_of(fields[kParent]));
   state.cpu_seconds = static_cast<double>(ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
   state.threads = number_of(fields[kThreads]);
-  // One whose first thread has ended looks dead while the others run.
+  // A process whose first thread has ended looks dead while others run.
   state.is_dead = fields[kState] == "X" || (fields[kState] == "Z" && state.threads <= 1);
   state.memory = number_of(fields[kMemory]) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   return state;
 }
 
-/// The children that a process has now, of all its threads: proc_pid_task_tid_children(5).
+/// A process's current children, of all its threads: proc_pid_task_tid_children(5).
 void add_children(pid_t pid, std::vector<pid_t>& to) {
   const std::string tasks = "/proc/" + std::to_string(pid) + "/task";
   for_each_number(tasks, [&](pid_t task) {
@@ -97,19 +97,18 @@ void add_children(pid_t pid, std::vector<pid_t>& to) {
   });
 }
 
-/// Kills what a process started, and they, as far as one walk finds them; returns whom. Nobody is
-/// asked for more than is needed to kill him: who starts another and ends is gone by then, and the
-/// other not yet found.
+/// Kills the descendants of a process that one walk finds; returns them. Reads nothing else about
+/// them: a process that forks and exits would be gone by then, and its child not yet found.
 std::vector<pid_t> kill_below(pid_t root) {
   std::vector<pid_t> killed;
   add_children(root, killed);
   for (std::size_t k = 0; k < killed.size(); ++k) {
-    // From then on it starts no other, so that those found next are all.
+    // From then on it starts no others, so the children found next are all.
     kill(killed[k], SIGKILL);
     add_children(killed[k], killed);
   }
   if (!killed.empty()) return killed;
-  // None, or the kernel does not list them.
+  // There are none, or the kernel does not list them.
   for (const ProcessState& one : process_tree(root)) {
     if (one.pid == root) continue;
     kill(one.pid, SIGKILL);
@@ -118,7 +117,7 @@ std::vector<pid_t> kill_below(pid_t root) {
   return killed;
 }
 
-/// Whether the machine has a thread that waits for a disk.
+/// Whether any thread of the machine waits for a disk.
 bool disks_keep_waiting() {
   std::ifstream file("/proc/stat");
   constexpr std::string_view kName = "procs_blocked ";
@@ -162,7 +161,7 @@ bool want_to_run(const std::vector<ProcessState>& processes) {
       sleeps = sleeps || (!fields.empty() && fields[0] == "D");
     });
   }
-  // A parent sleeps as deeply until its child of vfork() is another program.
+  // A parent is in the same state until its child from vfork() has called exec().
   return runs || (sleeps && disks_keep_waiting());
 }
 
@@ -193,7 +192,7 @@ bool end_children() {
       ended = waitpid(-1, nullptr, WNOHANG);
     } while (ended > 0);
     if (ended < 0 && errno == ECHILD) return true;
-    // At once where there are new ones, which start others until they are found.
+    // Without a pause if there are new ones, which start others until they are found.
     if (killed == before) usleep(kPauseOfEnding);
     before = std::move(killed);
   }
@@ -201,13 +200,13 @@ bool end_children() {
 }
 
 bool end_supervised(pid_t supervisor) {
-  // It need not wait for a processor until they end.
+  // The supervisor need not compete with them then.
   kill_below(supervisor);
   kill(supervisor, SIGTERM);
   const auto deadline = std::chrono::steady_clock::now() + 2 * kMostEnding;
   int status = 0;
   for (;;) {
-    // Whoever may signal it may have stopped it.
+    // A process that may signal it may have stopped it.
     kill(supervisor, SIGCONT);
     const pid_t ended = waitpid(supervisor, &status, WNOHANG);
     if (ended == supervisor) return !WIFSIGNALED(status);

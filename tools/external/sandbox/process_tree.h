@@ -8,13 +8,13 @@
 
 namespace raycheck::tools {
 
-/// A process as /proc has it.
+/// A process as shown in /proc.
 struct ProcessState {
   pid_t pid = 0, parent = 0;
-  bool is_dead = false;    ///< It only waits to be asked about.
-  double cpu_seconds = 0;  ///< Its own, and of children that it has waited for.
+  bool is_dead = false;    ///< It only waits to be reaped.
+  double cpu_seconds = 0;  ///< Of itself, and of children it has reaped.
   std::uint64_t threads = 0;
-  std::uint64_t memory = 0;  ///< In the machine's memory, in bytes; what is shared, too.
+  std::uint64_t memory = 0;  ///< Physical memory in bytes, including what is shared.
 };
 
 /// A process and all its living descendants. What a process leaves behind when it ends belongs to
@@ -29,7 +29,7 @@ bool want_to_run(const std::vector<ProcessState>& processes);
 
 /// What processes have in memory together, in bytes.
 struct MemoryUse {
-  std::uint64_t own = 0;     ///< And of programs and files.
+  std::uint64_t own = 0;     ///< Including programs and files.
   std::uint64_t shared = 0;  ///< Shared memory.
 };
 
@@ -43,9 +43,8 @@ inline constexpr std::chrono::seconds kMostEnding{20};
 /// kMostEnding. Domain: this process takes orphans and waits for nobody else.
 bool end_children();
 
-/// Ends a supervisor, a child of this process that ends all its own when it gets SIGTERM, and waits
-/// for it; twice kMostEnding at most. False where it was killed before it could see to that, or had
-/// to be.
+/// Ends a supervisor, a child of this process that ends its descendants on SIGTERM, and waits for
+/// it, at most twice kMostEnding. False if it was killed before it had done so, or had to be.
 bool end_supervised(pid_t supervisor);
 
 }  // namespace raycheck::tools

@@ -19,14 +19,14 @@ using std::chrono::duration_cast;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kInterval{100}, kLeastInterval{5};
-/// Looks in the time that a limit gives.
+/// Checks within a time limit.
 constexpr double kLooks = 10;
-/// A look takes at most this part of the time, but never waits for longer than that.
+/// Checking files takes at most 1/kShare of the time, but waits at most kMostInterval.
 constexpr int kShare = 10;
 constexpr std::chrono::steady_clock::duration kMostInterval = std::chrono::seconds(1);
-/// Processes that keep it, and are not its own: bubblewrap's and raycheck-jail.
+/// Processes of its isolation, not its own: bubblewrap's and raycheck-jail.
 constexpr std::uint64_t kOfLayers = 4;
-/// Who computes less than this share of a time has only waited.
+/// A program that computes less than this share of a time has only waited.
 constexpr double kNextToNothing = 0.01;
 
 std::uint64_t available_memory() {
@@ -71,8 +71,8 @@ Watch::Watch(pid_t root, fs::path folder, const Limits& limits, const ControlGro
   restart();
 }
 
-/// What they have computed by now; returns them. A process that is counted where it was and where
-/// it was waited for, or nowhere, is so at one look alone.
+/// Updates their CPU time so far; returns them. A process counted twice, as itself and as reaped,
+/// or not at all, is so at one check only.
 std::vector<ProcessState> Watch::count() {
   double computed = 0;
   std::vector<ProcessState> tree = process_tree(root_, &computed);
@@ -120,7 +120,7 @@ std::optional<Stop> Watch::excess(const std::vector<ProcessState>& tree) {
   std::uint64_t memory = nameless.in_memory;
   for (const ProcessState& one : tree) memory += one.memory;
   if (memory > limits_.memory) {
-    // What is mapped of shared memory was counted with each process.
+    // Mapped shared memory was counted with each process.
     const MemoryUse use = memory_together(tree);
     memory = use.own + std::max(use.shared, nameless.in_memory);
   }

@@ -24,11 +24,11 @@ inline constexpr double kBackstop = 10, kLeastBackstop = 1;
 
 class ControlGroup;
 
-/// What a program that meets its limit on memory is told: "was stopped: it uses more than 4096 MiB
+/// The message for a program that meets its memory limit: "was stopped: it uses more than 4096 MiB
 /// of memory (memory_mib)".
 std::string memory_words(const Limits& limits);
 
-/// "the machine has less than 256 MiB of disk left below /tmp"; empty where it has room.
+/// "the machine has less than 256 MiB of disk left"; empty if it has enough.
 std::string lack_of_room(const std::filesystem::path& folder);
 
 /// Why something was stopped.
@@ -41,13 +41,13 @@ struct Stop {
 /// CPU time; those that only wait are stopped as well, but much later.
 class Watch {
  public:
-  /// `group`: theirs, where they have one, which counts them exactly; else null. `has_neighbours`:
-  /// other candidates run beside it, so that it is no fault of its own where it only waits.
+  /// `group`: their control group, which measures them exactly; or null. `has_neighbours`: other
+  /// candidates run beside it, so that merely waiting may not be its own fault.
   Watch(pid_t root, std::filesystem::path folder, const Limits& limits, const ControlGroup* group,
         bool has_neighbours);
   /// Starts a new time limit.
   void restart();
-  /// Cheap where it is too early for the next look. `doing`: "gave no reply".
+  /// Cheap if the next check is not due. `doing`: "gave no reply".
   std::optional<Stop> look(const char* doing);
   /// Notes that it has said something: until then it may have waited to be read.
   void hear() { ran_ = Clock::now(); }
@@ -57,7 +57,7 @@ class Watch {
   /// least a tenth (kBackstop) of what it waited. A program stopped for its time has taken its
   /// limit.
   double taken() const;
-  /// How long to wait at most until the next look.
+  /// The longest wait until the next check.
   std::chrono::milliseconds until_next() const;
 
  private:
@@ -76,12 +76,12 @@ class Watch {
   bool has_neighbours_;
   Clock::duration interval_;
   Clock::time_point looked_, ran_, next_, next_at_files_;
-  double computed_ = 0;   ///< In seconds, as far as is known; what its layers did with it.
+  double computed_ = 0;   ///< In seconds, as far as known; including its layers.
   double before_ = 0;     ///< The same at the last restart.
   double until_ran_ = 0;  ///< And when it ran last.
-  double waited_ = 0;     ///< In seconds, from the last restart to the last look.
+  double waited_ = 0;     ///< In seconds, from the last restart to the last check.
   bool is_up_ = false;
-  DiskUse files_;  ///< At the last look at them.
+  DiskUse files_;  ///< When they were last checked.
 };
 
 }  // namespace raycheck::tools

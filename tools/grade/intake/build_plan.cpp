@@ -39,7 +39,7 @@ std::string sources_text(const HandedInFiles& files) {
   return text;
 }
 
-/// Programs of other machines that were handed in, as a reason why nothing runs.
+/// Programs for other machines in the submission, as a reason why nothing runs.
 std::string foreign_program(const HandedInFiles& files) {
   for (const auto& [name, file] : files) {
     if (file.text.starts_with("MZ")) return name + " is a program of Windows";

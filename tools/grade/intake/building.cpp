@@ -41,8 +41,8 @@ bool is_executable(const fs::path& path) {
          is_program_here(head_of(path));
 }
 
-/// The programs that a build made, those in its folder: tests last, names that the recipe has in
-/// its order, likelier names, newer ones.
+/// The programs that a build made in its folder: tests last, then by the recipe's order of names,
+/// likelier names, and age.
 std::vector<std::string> made_programs(const fs::path& folder,
                                        const std::vector<std::string>& likely) {
   std::set<std::tuple<bool, std::ptrdiff_t, int, fs::file_time_type::duration, std::string>> found;
@@ -92,7 +92,7 @@ std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& sub
   const bool makes_program = attempt.program == kMade;
   BuildWords words{attempt.repairs + attempt.words, attempt.shown};
   if (makes_program) {
-    // Programs, and libraries of theirs; not what compilers leave on the way.
+    // Programs and their libraries; not the intermediate files of compilers.
     words.keeps = [is_java = !attempt.main_class.empty()](const fs::path& file) {
       const std::string ending = file.extension().string();
       return (is_java && (ending == ".class" || ending == ".jar")) ||

@@ -12,18 +12,18 @@
 
 namespace raycheck::tools {
 
-/// What `{program}` of a built candidate is: the executable that was made.
+/// Stands for `{program}` of a built candidate: the executable that was made.
 inline constexpr std::string_view kMade = "{made}";
 
-/// A way to build what was handed in.
+/// A way to build a submission.
 struct BuildAttempt {
   std::string what;   ///< "its Makefile", "its sources"
   std::string shown;  ///< What is run, for who reads of it: "make", "g++ -O2 rt.cpp".
   /// The shell words, run in a copy of the folder: what removes and repairs files, then what
   /// builds; empty: nothing to build.
   std::string repairs, words;
-  std::string program;  ///< The words that start it; kMade where it is what was made.
-  /// What the executable is likely called, best first.
+  std::string program;  ///< Its command line; kMade for the executable that was made.
+  /// Likely names of the executable, best first.
   std::vector<std::string> made = {};
   std::vector<std::string> notes = {};
   /// That a build may make in place of an executable: "de.uni.Main"; empty: no Java.
@@ -36,8 +36,8 @@ struct BuildPlan {
   std::string why_none;
 };
 
-/// What can be built of the files of a submission: by its Makefile or CMakeLists.txt; else C and
-/// C++, Java, JavaScript, Python, in this order; else a program that was built before, or a script.
+/// How a submission's files can be built: by its Makefile or CMakeLists.txt; else C and C++, Java,
+/// JavaScript, Python, in this order; else a program that was built before, or a script.
 BuildPlan build_plan(const HandedInFiles& files);
 
 /// The class of the likeliest main of Java, with its package; empty: there is none.
@@ -47,7 +47,7 @@ std::string java_main_class(const HandedInFiles& files);
 std::string java_words(const std::string& folder, const std::vector<std::string>& jars,
                        const std::string& main_class);
 
-/// Each of the parts of build_plan() adds its ways to those before it.
+/// The parts of build_plan(); each adds its ways after those before it.
 void plan_make(const HandedInFiles& files, BuildPlan& plan);
 void plan_cmake(const HandedInFiles& files, BuildPlan& plan);
 void plan_c_family(const HandedInFiles& files, BuildPlan& plan);

@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 11> kLeftFolders = {
     ".vs",      "__pycache__", ".venv", "cmakefiles", ".ipynb_checkpoints"};
 constexpr std::array<std::string_view, 4> kLeftFiles = {".ds_store", "thumbs.db", "desktop.ini",
                                                         "cmakecache.txt"};
-/// Objects and precompiled headers, of whatever machine and compiler.
+/// Object files and precompiled headers, of any machine and compiler.
 constexpr std::array<std::string_view, 6> kLeftEndings = {".o",   ".obj", ".gch",
                                                           ".pch", ".pyc", ".pdb"};
 

@@ -15,30 +15,30 @@
 
 namespace raycheck::tools {
 
-/// How much is taken of what someone hands in.
+/// The largest submission that is accepted.
 struct IntakeLimits {
   std::uintmax_t mib = 64;
   std::size_t files = 10000;
 };
 
-/// A file as it was handed in.
+/// A submitted file.
 struct HandedInFile {
   std::string text;   ///< Its first 4 MiB.
-  bool runs = false;  ///< Its mode says that it is a program.
+  bool runs = false;  ///< It is executable.
 };
 
-/// By their paths in the submission: "src/rt.cpp".
+/// By path in the submission: "src/rt.cpp".
 using HandedInFiles = std::map<std::string, HandedInFile>;
 
-/// What is taken of a submission.
+/// The parts of a submission that are used.
 struct HandedInPaths {
-  std::map<std::string, std::filesystem::path> files;  ///< By their paths in it.
-  std::vector<std::string> folders;  ///< Their paths in it, in which there may be nothing.
+  std::map<std::string, std::filesystem::path> files;  ///< By path in the submission.
+  std::vector<std::string> folders;                    ///< Their paths in it; they may be empty.
 };
 
-/// The regular files of a submission, and its folders, without what archives, editors and
-/// compilers leave behind: __MACOSX, .git, virtual environments, objects, precompiled headers.
-/// Links are not followed: they may lead to what is not the submission's.
+/// The regular files of a submission, and its folders, without what archives, editors and compilers
+/// leave behind: __MACOSX, .git, virtual environments, objects, precompiled headers. Links are not
+/// followed: they may lead outside the submission.
 /// Errors: std::invalid_argument with what is wrong: no file or folder, or too large.
 HandedInPaths paths_of(const std::filesystem::path& path, const IntakeLimits& limits);
 
@@ -47,28 +47,27 @@ HandedInPaths paths_of(const std::filesystem::path& path, const IntakeLimits& li
 std::filesystem::path innermost(std::filesystem::path path,
                                 const std::function<bool(const std::string& name)>& is_meant);
 
-/// A digest of files, their names, contents, and which are programs, and of folders.
+/// A digest of files (names, contents, whether executable) and of folders.
 std::string digest_of(const HandedInPaths& paths);
 
-/// Files with their contents.
+/// Reads the files' contents.
 HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& paths);
 
 /// The code cells of a Jupyter notebook as one Python module: lines of magics (% and !) become
-/// `pass`, cells of other languages (%%bash) are left out. Empty where the text is no notebook.
+/// `pass`, cells of other languages (%%bash) are left out. Empty if the text is not a notebook.
 std::optional<std::string> notebook_module(std::string_view text);
 
-/// A file that is no picture, program or archive is listed from this size on.
+/// Files other than pictures, programs and archives are listed from this size on.
 inline constexpr std::uintmax_t kLargeFile = std::uintmax_t{256} << 10;
-/// Nobody writes longer lines by hand.
+/// No one writes longer lines by hand.
 inline constexpr std::size_t kLongLine = 4000;
 
 /// Whether a file begins as a picture does.
 bool is_picture(std::string_view text);
 
-/// What nobody sees through by reading a submission, and what may bring answers along that were
-/// computed elsewhere: programs, libraries, archives, pictures, large files, and texts with lines
-/// that nobody wrote. None of it is forbidden.
-/// `paths` are where the files lie.
+/// Files that cannot be understood by reading them, and may contain answers computed elsewhere:
+/// programs, libraries, archives, pictures, large files, and texts with lines that no one wrote.
+/// None is forbidden. `paths`: where the files lie.
 std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
                                      const std::map<std::string, std::filesystem::path>& paths);
 
@@ -79,10 +78,9 @@ inline constexpr std::size_t kMostInRunFolder = 100;
 inline constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;
 inline constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
 
-/// The folder in which a submission's renderer runs: it has the submission's own folders and files,
-/// but no picture, which would be taken for what it makes, nothing of the names that the driver
-/// file and the picture have there, and none of Eigen's and glm's headers. `copy`: where the files
-/// lie.
+/// The folder in which a submission's renderer runs: it has the submission's folders and files, but
+/// no picture, which could be taken for its output, no file named like the driver file or the
+/// picture, and no headers of Eigen and glm. `copy`: where the files lie.
 std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
                                                  const std::vector<std::string>& folders,
                                                  std::shared_ptr<const PrivateFolder> copy);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 std::string normal(const fs::path& path) { return path.lexically_normal().generic_string(); }
 
-/// The submission's files, found by whatever an include calls them.
+/// The submission's files, found by the names that includes use for them.
 class Headers {
  public:
   Headers(const HandedInFiles& files, const Vendored& vendored,
@@ -38,7 +38,7 @@ class Headers {
     return any_place(from, name, [&](const std::string& at) { return files_.contains(at); });
   }
 
-  /// The file that is meant by a name under which none is found.
+  /// The file meant by a name that matches none.
   std::optional<std::string> meant(const std::string& from, const std::string& name) const {
     std::optional<std::string> found;
     any_place(from, name, [&](const std::string& at) {
@@ -67,7 +67,7 @@ class Headers {
   std::map<std::string, std::vector<std::string>> by_base_;
 };
 
-/// "<Eigen/Dense>" of "../eigen-3.4/Eigen/Dense"; empty where it names neither library.
+/// "<Eigen/Dense>" for "../eigen-3.4/Eigen/Dense"; empty if it names neither library.
 std::string library_header(const std::string& name) {
   for (const std::string library : {"unsupported/Eigen/", "Eigen/", "glm/"}) {
     const std::size_t at = name.rfind("/" + library);

@@ -45,8 +45,8 @@ std::string without_magics(const std::string& cell) {
   return text;
 }
 
-/// The cells, not copied, since a copy of what is nested deeply overruns the stack; notebooks of
-/// before 2015 have them in worksheets, and their code in `input`.
+/// The cells, not copied, since copying deeply nested JSON overflows the stack; notebooks before
+/// 2015 have them in worksheets, and their code in `input`.
 std::vector<const Json*> cells_of(const Json& notebook) {
   std::vector<const Json*> cells;
   const auto add = [&](const Json& sheet) {

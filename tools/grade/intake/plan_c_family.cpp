@@ -18,7 +18,7 @@ constexpr const char* kSystemEigen = "/usr/include/eigen3";
 /// How many files with a main are tried.
 constexpr std::size_t kMostMains = 3;
 
-/// The folders with headers, of the submission and of what lies in it of others.
+/// The folders with headers: the submission's own, and those of libraries in it.
 std::vector<std::string> include_folders(const HandedInFiles& files, const Vendored& vendored) {
   std::vector<std::string> folders = {"."};
   const auto add = [&](const std::string& folder) {
@@ -37,7 +37,7 @@ std::vector<std::string> include_folders(const HandedInFiles& files, const Vendo
   return folders;
 }
 
-/// The submission's C and C++: what is included, repaired, and searched.
+/// The submission's C and C++: include folders, repairs and search paths.
 struct CSources {
   explicit CSources(const HandedInFiles& files)
       : vendored(vendored_in(files)),
@@ -49,7 +49,7 @@ struct CSources {
     for (const IncludeRepair& repair : repairs) notes.insert(repair.note());
     return {notes.begin(), notes.end()};
   }
-  /// For compilers that a Makefile calls: after the folders that it names itself.
+  /// For compilers called by a Makefile: searched after the folders that it names.
   std::string search_path() const {
     std::string path = "export CPATH=";
     for (const std::string& folder : include) path += "\"$PWD\"/" + single_quoted(folder) + ":";
@@ -78,7 +78,7 @@ std::string removal_words(const HandedInFiles& files) {
   return stale.empty() ? "" : "rm -f -- " + shell_words(stale) + "; ";
 }
 
-/// The file of one of these names that is closest to the top; empty: none, or several of a kind.
+/// The file with one of these names that is nearest to the top; empty if there is none, or a tie.
 std::string top_file(const HandedInFiles& files, const std::vector<std::string>& names,
                      const Vendored& vendored) {
   std::vector<std::string> found;
@@ -121,7 +121,7 @@ std::vector<std::string> made_by(const std::string& makefile) {
   return names;
 }
 
-/// What some sources are linked with besides.
+/// The libraries that some sources must be linked with.
 std::string libraries_of(const HandedInFiles& files, const std::vector<std::string>& sources) {
   std::string libraries = "-pthread -lm";
   std::set<std::string> headers;
@@ -147,7 +147,7 @@ std::string names_shown(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Compiles and links by the first standard that takes them; says what the newest said of them.
+/// Compiles and links with the first standard that works; otherwise shows the newest one's errors.
 BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
                       const std::vector<std::string>& sources) {
   constexpr const char* kProgram = "raycheck-built";
@@ -171,7 +171,7 @@ BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
           c.notes()};
 }
 
-/// A source and those of the files that its headers lead to: "vec.cpp" of "vec.h".
+/// A source and the sources that its headers lead to: "vec.cpp" for "vec.h".
 std::vector<std::string> reached_from(const std::string& main, const HandedInFiles& files,
                                       const std::vector<std::string>& others) {
   const auto stem = [](const std::string& name) {

@@ -28,7 +28,7 @@ std::vector<std::string> with_ending(const HandedInFiles& files,
   });
 }
 
-/// Those of the files that are started, by what they say, likeliest first; the only one is.
+/// The files that can be started, judging by their text, likeliest first; a single file always can.
 std::vector<std::string> starting(const HandedInFiles& files, std::vector<std::string> names,
                                   const std::vector<std::string>& signs) {
   if (names.size() == 1) return names;
@@ -50,8 +50,8 @@ std::vector<std::string> several_note(const std::vector<std::string>& names) {
   return {fmt::format("{} of its files could be started; this is {}", names.size(), names.front())};
 }
 
-/// The words of Java: names with their dots, and every other character that is no space. A regular
-/// expression would call itself for each space of a file that has a million.
+/// The words of Java: names with their dots, and every other character except spaces. A regular
+/// expression would recurse for each space of a file that has a million.
 std::vector<std::string_view> words_of_java(std::string_view text) {
   const auto is_of_name = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
@@ -84,7 +84,7 @@ bool has_java_main(const std::vector<std::string_view>& words) {
   return false;
 }
 
-/// The class that a Java file's main is of, with its package.
+/// The class with a Java file's main(), with its package.
 std::string main_class(const std::string& path, const std::vector<std::string_view>& words) {
   constexpr std::array<std::string_view, 4> kTypes = {"class", "record", "enum", "interface"};
   std::string package, first_class;
@@ -113,7 +113,7 @@ std::vector<std::string> java_mains(const HandedInFiles& files) {
   return mains;
 }
 
-/// What package.json says is started, if it was handed in.
+/// The script that package.json starts, if it was submitted.
 std::string of_package_json(const HandedInFiles& files) try {
   const auto package = files.find("package.json");
   if (package == files.end()) return "";

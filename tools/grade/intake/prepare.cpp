@@ -50,7 +50,7 @@ struct CopiedFiles {
   std::vector<OpaqueFile> opaque;
 };
 
-/// Copies a submission to a folder; a Jupyter notebook lies there as a module of Python too.
+/// Copies a submission to a folder; adds a Python module for each Jupyter notebook.
 CopiedFiles copied(const Submission& submission, const Rubric& rubric, const fs::path& folder) {
   const fs::path top = innermost(submission.path, [&](const std::string& name) {
     return std::any_of(rubric.forms.begin(), rubric.forms.end(),
@@ -88,7 +88,7 @@ std::vector<std::string> top_files(const HandedInFiles& files) {
   return names;
 }
 
-/// The form that fits, and the file that says so.
+/// The form that fits, and the file by which it does.
 std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric& rubric) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -103,7 +103,7 @@ std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric
   std::string asked;
   for (const Form& form : rubric.forms) asked += (asked.empty() ? "" : ", ") + form.has;
   refuse(asked.empty() ? "the rubric has no [[form]] of submissions"
-                       : fmt::format("it has none of the files that are asked for: {}", asked));
+                       : fmt::format("it has none of the required files: {}", asked));
 }
 
 /// The reason in one line; what a program said, in lines of its own.
@@ -133,7 +133,7 @@ RunOptions run_options(const Rubric& rubric, const Confinement& confinement) {
   return options;
 }
 
-/// A digest of all that the answers of what was built depend on, the requests aside.
+/// A digest of all that a program's answers depend on, except for the requests.
 std::string answers_key(const std::string& build, const CandidateSpec& program,
                         const Limits& limits) {
   return digest({build, program.text(),
@@ -203,7 +203,7 @@ class Preparing {
  private:
   const std::shared_ptr<const PrivateFolder>& folder() const { return made_in_ ? made_in_ : copy_; }
 
-  /// One of its programs, by what starts it. Errors: SubmissionError.
+  /// One of its programs, by its command line. Errors: SubmissionError.
   RunnableSubmission started(const std::string& by, const properties::RunControl& control) const {
     Preparation found = found_;
     CandidateSpec program = program_;
@@ -223,10 +223,10 @@ class Preparing {
                               ? compiled_external(program, options.folder / by, options)
                               : find_external(program, options);
       found.build_seconds = build_seconds_;
-      // The rubric says in which format it is judged, whatever it declares.
+      // The rubric sets the format it is judged in, whatever it declares.
       external.precision = scene::Precision::kDouble;
       RunnableSubmission runnable{std::move(external), std::move(found), is_stored_};
-      // The program's folder lasts as long as it; a library has one of its own.
+      // The program's folder must live as long as it; a library has its own.
       if (!runnable.external.folder) runnable.external.folder = folder();
       if (runnable.external.renderer) ask_in_its_form(runnable, control);
       return runnable;
@@ -235,7 +235,7 @@ class Preparing {
     }
   }
 
-  /// From the dry run on a renderer is asked as it reads and shows.
+  /// Asks a renderer as the dry run found it to read and show.
   void ask_in_its_form(RunnableSubmission& runnable, const properties::RunControl& control) const {
     Renderer renderer = *runnable.external.renderer;
     renderer.program.start = start_;
@@ -245,7 +245,7 @@ class Preparing {
     if (found.refusal) throw SubmissionError(in_one_line(*found.refusal), runnable.found);
     renderer.driver = found.driver;
     renderer.colours = found.colours;
-    // All that it is asked has an end of its own, the rubric's `seconds`.
+    // All its requests together end by the rubric's `seconds`.
     renderer.most_silences = std::numeric_limits<int>::max();
     External asked = rendering(runnable.external.name, std::move(renderer));
     asked.folder = runnable.external.folder;
@@ -260,7 +260,7 @@ class Preparing {
   CopiedFiles copied_;
   const Form* form_ = nullptr;
   std::string file_;
-  CandidateSpec program_;  ///< As the form has it, with {file}.
+  CandidateSpec program_;  ///< As in the form, with {file}.
   Preparation found_;
   std::string key_;  ///< Of what is built, in the store.
   Built made_;

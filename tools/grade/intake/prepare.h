@@ -16,22 +16,22 @@
 
 namespace raycheck::tools {
 
-/// How far a submission came, and what was found out on the way.
+/// How far a submission got, and what was learned on the way.
 struct Preparation {
-  /// The candidate as --candidate would have it; absent where no form fits.
+  /// The candidate as for --candidate; absent if no form fits.
   std::optional<CandidateSpec> program = {};
-  std::vector<std::string> files = {};  ///< The names of those at its top, notebooks' modules too.
-  bool built_automatically = false;     ///< Its form leaves to raycheck how it is built.
-  /// The shell words that built it; empty: nothing was to build, or raycheck compiled it.
+  std::vector<std::string> files = {};  ///< The names of those at the top, with notebooks' modules.
+  bool built_automatically = false;     ///< Its form lets raycheck find out how to build it.
+  /// The shell command that built it; empty: nothing had to be built, or raycheck compiled it.
   std::string build_words = {};
   std::optional<double> build_seconds = {};  ///< Absent: nothing was built that can be started.
-  /// What is worth knowing of how it was built: "its Makefile failed; built from its sources".
+  /// Remarks on the build: "its Makefile failed; built from its sources".
   std::vector<std::string> notes = {};
-  std::optional<DryRun> dry_run = {};  ///< Of a renderer.
+  std::optional<DryRun> dry_run = {};  ///< For a renderer.
   std::vector<OpaqueFile> opaque_files = {};
 };
 
-/// Why nothing can be asked of a submission.
+/// Why a submission cannot be judged.
 class SubmissionError : public std::invalid_argument {
  public:
   SubmissionError(Refusal refusal, Preparation found)
@@ -48,27 +48,27 @@ class SubmissionError : public std::invalid_argument {
   Preparation found_;
 };
 
-/// A submission in a folder that its program may read, built where its form says so.
+/// A submission in a folder that its program may read, built if its form says so.
 struct RunnableSubmission {
   External external;
   Preparation found;             ///< With a program.
-  bool build_is_stored = false;  ///< It was built by an earlier run, or for an equal submission.
+  bool build_is_stored = false;  ///< Built by an earlier run, or for an equal submission.
 };
 
-/// How a submission is kept, and who is told where it fails for a cause outside it.
+/// How a submission is isolated, and who is told about failures with an outside cause.
 struct Confinement {
   Layers layers;
   std::shared_ptr<Surroundings> surroundings = {};
 };
 
-/// Work on a submission, which ends too where it fails for a cause outside it.
+/// Control of work on a submission that also ends on an outside cause of failure.
 properties::RunControl until_blamed(const properties::RunControl& control,
                                     const Surroundings& surroundings);
 
-/// What is said where it did.
+/// The refusal for such a cause.
 Refusal outside_refusal(const std::string& cause);
 
-/// What a submission's program may use, by the names that the rubric has for it.
+/// The limits of a submission's program, with the rubric's names for them.
 Limits program_limits(const Rubric& rubric);
 
 /// Copies, builds and starts a submission, each step isolated like a candidate; a renderer makes a

@@ -23,7 +23,7 @@ bool is_called_a_picture(const std::string& path) {
          kPictureEndings.end();
 }
 
-/// Whether a run has another file of that name.
+/// Whether a run uses that name for another file.
 bool is_taken(const std::string& path) {
   const std::string top = path.substr(0, path.find('/'));
   return top == kSceneFile || top == kImageFile;
@@ -121,7 +121,7 @@ bool has_long_line(std::string_view text) {
   return false;
 }
 
-/// Empty where there is nothing to say of it.
+/// Empty for files that are not opaque.
 std::string kind_of(std::string_view text, std::uintmax_t bytes) {
   for (const Beginning& one : kBeginnings) {
     if (text.starts_with(one.bytes)) return std::string(one.kind);

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 5> kCpp = {".cpp", ".cc", ".cxx", ".c++",
 constexpr std::array<std::string_view, 7> kHeaderEndings = {".h",   ".hh",  ".hpp", ".hxx",
                                                             ".h++", ".ipp", ".inl"};
 
-/// The parts of a path's folder, in small letters.
+/// The components of a path's folder, in lower case.
 std::vector<std::string> folders_of(const std::string& path) {
   std::vector<std::string> parts;
   for (std::size_t at = 0, slash = 0; (slash = path.find('/', at)) != std::string::npos;

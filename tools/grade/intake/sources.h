@@ -8,17 +8,17 @@
 
 namespace raycheck::tools {
 
-/// Files' names as words of a shell.
+/// File names quoted for a shell.
 std::string shell_words(const std::vector<std::string>& names);
 
-/// A file's name as one of a candidate's words, which are split where no quotes are.
+/// A file name as one of a candidate's words, which are split outside quotes.
 std::string candidate_word(const std::string& name);
 
-/// In small letters, those of ASCII.
+/// In lower case, ASCII only.
 std::string lower_case(std::string text);
 
-/// The folder of a path, "" at the top; its last part; its ending as ".cpp", in small letters
-/// but for ".C".
+/// The folder of a path, "" at the top; its last component; its extension, ".cpp", in lower case
+/// except ".C".
 std::string folder_of(const std::string& path);
 std::string base_of(const std::string& path);
 std::string ending_of(const std::string& path);
@@ -28,13 +28,13 @@ bool is_c_or_cpp(const std::string& path);
 /// A source or a header of C or C++.
 bool is_c_family(const std::string& path);
 
-/// A text without comments of C, C++, Java and JavaScript; as many lines.
+/// A text without comments of C, C++, Java and JavaScript; keeps the line numbers.
 std::string without_comments(std::string_view text);
 
-/// Whether C or C++ says `int main(`.
+/// Whether C or C++ source contains `int main(`.
 bool defines_main(std::string_view text);
 
-/// An #include of a text.
+/// An #include in a text.
 struct IncludeLine {
   int line = 0;  ///< From 1.
   std::string name;
@@ -42,21 +42,21 @@ struct IncludeLine {
 };
 std::vector<IncludeLine> includes_of(std::string_view text);
 
-/// The folders that hold someone else's headers, Eigen and glm, which are no sources to compile.
+/// The folders of library headers, Eigen and glm, which are not sources to compile.
 struct Vendored {
-  std::vector<std::string> include;  ///< To look for headers in: what has Eigen/Dense below it.
-  std::vector<std::string> folders;  ///< Theirs as a whole.
+  std::vector<std::string> include;  ///< Include paths: those with Eigen/Dense below them.
+  std::vector<std::string> folders;  ///< The libraries' whole folders.
   bool has(const std::string& path) const;
 };
 Vendored vendored_in(const HandedInFiles& files);
 
-/// The names for which `holds`, of sources that are the submission's own: those of tests, examples
-/// and builds only where there are no others.
+/// The submission's own sources for which `holds`; those of tests, examples and builds only if
+/// there are no others.
 template <class Holds>
 std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored& vendored,
                                      const Holds& holds);
 
-/// Whether it lies below a folder of builds, tests or examples.
+/// Whether it lies in a folder of builds, tests or examples.
 bool is_aside(const std::string& path);
 
 /// How likely a file of this name starts a renderer, 0 for rt and raytracer; lower is likelier.
@@ -64,8 +64,8 @@ bool is_aside(const std::string& path);
 inline constexpr int kHardlyARenderer = 4;
 int likelihood_rank(const std::string& path);
 
-/// The names in the order in which a renderer is likely called so: main, rt, raytracer first, tests
-/// last, then those closer to the top.
+/// Sorts names by how likely they are a renderer's: main, rt, raytracer first, tests last, then
+/// those closer to the top.
 void sort_by_likelihood(std::vector<std::string>& names);
 
 /// An #include that names no file of the submission, with what it means, or one that is missing.
@@ -77,16 +77,16 @@ struct IncludeRepair {
   std::string note() const;
 };
 
-/// Includes of the submission's own files that lead nowhere where the file is known: of Eigen or
-/// glm in a folder that was not handed in, with backslashes, in capitals that the file does not
-/// have, or of the one file of that name in another folder. `include`: folders that are searched.
+/// Broken includes in the submission's files whose target is known: Eigen or glm in a folder that
+/// was not submitted, backslashes, wrong capitals, or the only file of that name in another folder.
+/// `include`: the folders that are searched.
 std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Vendored& vendored,
                                            const std::vector<std::string>& include);
 
 /// Those that GCC names in what it said: "did you forget to '#include <tuple>'?"
 std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said);
 
-/// Shell words that make them in a copy of the submission; empty where there are none.
+/// A shell command that makes them in a copy of the submission; empty if there are none.
 std::string repair_words(const std::vector<IncludeRepair>& repairs);
 
 template <class Holds>

@@ -14,14 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Absolute and without links, as far as it is there.
+/// Absolute, with links resolved as far as the path exists.
 fs::path resolved(const fs::path& path) {
-  // "results/" has an empty last part.
+  // "results/" has an empty last component.
   const fs::path whole = fs::weakly_canonical(fs::absolute(path));
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-/// Both resolved.
+/// Domain: both resolved.
 bool is_in(const fs::path& path, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
          folder.end();
@@ -35,7 +35,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
   std::map<std::string, std::string> known;
   for (const std::string& given : paths) {
     std::error_code error;
-    // A link is not followed: it may lead to someone else's.
+    // A link is not followed: it may lead to another's submission.
     fs::path path = fs::absolute(given).lexically_normal();
     if (!path.has_filename()) path = path.parent_path();
     if (!fs::exists(fs::symlink_status(path, error))) {

@@ -10,27 +10,27 @@
 
 namespace raycheck::tools {
 
-/// What someone handed in: a folder, or a single file.
+/// A submission: a folder, or a single file.
 struct Submission {
   std::string name;
   std::filesystem::path path;
 };
 
 /// The submissions by their names, which are those of the files or folders.
-/// Errors: std::invalid_argument where there is none of that path, two of one name, or one of a
-/// reserved name.
+/// Errors: std::invalid_argument if a path does not exist, two names are equal, or a name is
+/// reserved.
 std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
                                          const std::vector<std::string_view>& reserved);
 
-/// Throws std::invalid_argument where a folder of results, or one of a submission's name in it, is,
-/// holds or lies in what is handed in, whatever links lead there. It need not be there.
+/// Throws std::invalid_argument if the folder of results, or a submission's folder in it, is,
+/// contains or lies in a submission, also through links. It need not exist.
 void require_apart(const std::string& out, const std::vector<Submission>& submissions);
 
 /// How much is taken of a submission.
 IntakeLimits intake_limits(const SubmissionLimits& limits);
 
-/// Of its files' names and contents; where these cannot be read, of the reason.
-/// Errors: std::system_error where that is the machine's (is_of_the_machine).
+/// A digest of its files' names and contents or, if these cannot be read, of the reason.
+/// Errors: std::system_error if that is the machine's fault (is_of_the_machine).
 std::string digest(const Submission& submission, const SubmissionLimits& limits);
 
 }  // namespace raycheck::tools

@@ -16,8 +16,8 @@ using properties::Verdict;
 
 namespace {
 
-/// Whether an answer may be missing: decisions about the case are excused or undecided, and where
-/// one goes the other way there is a hit less to compare.
+/// Whether answers may be missing: if a decision about the case is excused or undecided and differs
+/// from raycheck's, there is a hit less to compare.
 bool may_miss_answers(Trial& trial) {
   for (const Law& law : properties::laws()) {
     if (!judges_decisions(law) || law.per == properties::Per::kImage) continue;
@@ -44,7 +44,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
     const std::uint64_t expected = examinee.pictures ? 0 : apply(*law, own_trial).compared();
     outcome.compared += verdict.compared();
     outcome.answers = outcome.answers || verdict.compared() > 0 || expected > 0;
-    // Who shows colours of its own does not tell which sphere it sees.
+    // A renderer with colours of its own does not tell which sphere it sees.
     const bool is_untold =
         examinee.pictures && !examinee.masks_only && the_case.scene.spheres.size() > 1;
     if (!verdict.holds()) {

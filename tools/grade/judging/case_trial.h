@@ -15,28 +15,28 @@
 
 namespace raycheck::tools {
 
-/// Who is judged, and how strictly.
+/// What is judged, and how strictly.
 struct Examinee {
   const properties::Candidate& candidate;
   const Tolerance& tolerance;
   bool pictures = false;
   bool masks_only = false;             ///< Whether a pixel shows a sphere, not which.
-  LastFailure last_failure = nullptr;  ///< Of someone else's candidate.
+  LastFailure last_failure = nullptr;  ///< For other people's candidates.
 
   properties::TrialOptions options(std::shared_ptr<properties::Truth> truth = nullptr) const {
     return {.max_error = tolerance.ulp, .truth = std::move(truth)};
   }
 };
 
-/// What became of a case.
+/// The outcome of a case.
 struct CaseOutcome {
   bool answers = false;  ///< There was something to ask.
   std::uint64_t compared = 0;
   properties::Verdict verdict;  ///< By all laws.
-  ItemReason unanswered;        ///< Why less was answered than asked.
+  ItemReason unanswered;        ///< Why some questions were not answered.
   const properties::Law* broken = nullptr;
   std::optional<properties::Discrepancy> discrepancy;
-  std::optional<FailureKind> failure;  ///< Of the candidate, where the law is broken by it.
+  std::optional<FailureKind> failure;  ///< The candidate's, if that is what breaks the law.
   bool is_answered() const { return unanswered.kind == ItemReason::Kind::kNone; }
   bool holds() const { return broken == nullptr && is_answered(); }
 };

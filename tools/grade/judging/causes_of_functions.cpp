@@ -17,7 +17,7 @@ using properties::Case;
 using properties::Explanation;
 using properties::Trial;
 
-/// Steps whose mistakes show in each other's answers: a camera's, then the hits, then the choice
+/// Groups of steps whose mistakes show in each other's answers: the camera's, the hits, the choice
 /// among them.
 int part_of(properties::Step step) {
   return step < properties::Step::kIntersect ? 0 : step == properties::Step::kIntersect ? 1 : 2;
@@ -29,7 +29,7 @@ std::vector<Case> cases_of(const ItemTrial& trial) {
   return cases;
 }
 
-/// None where the candidate fails, as the verdict says.
+/// None if the candidate fails; the verdict says so.
 std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candidate& candidate) {
   try {
     return properties::answer_causes(cases, candidate);
@@ -48,7 +48,7 @@ bool is_among(const Explanation& alternative, const AnswerCause& cause,
   });
 }
 
-/// Where roundings are a cause of all items together: of their formula it is said once.
+/// The cause that is roundings, if any, for all items together: it is reported once.
 const AnswerCause* roundings_of(const std::vector<AnswerCause>& causes) {
   const auto found = std::find_if(causes.begin(), causes.end(),
                                   [](const AnswerCause& one) { return one.roundings.has_value(); });
@@ -59,7 +59,7 @@ double apart(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b)) ? 0 : std::abs(a - b);
 }
 
-/// What is left of a direction that has none: not a number, or zero where a division is guarded.
+/// Whether a vector has no direction: it is NaN, or zero if the division was guarded.
 bool is_none(const scene::Vector3& direction) {
   const auto& [x, y, z] = direction;
   return std::isnan(x + y + z) || (x == 0 && y == 0 && z == 0);
@@ -75,7 +75,7 @@ bool are_alike(const scene::Ray& a, const scene::Ray& b) {
           std::max({apart(D.x, E.x), apart(D.y, E.y), apart(D.z, E.z)}) <= allowed);
 }
 
-/// Its rays, or none where it fails to answer.
+/// The candidate's rays; empty if it fails.
 std::optional<std::vector<scene::Ray>> rays_of(Trial& trial) {
   try {
     return trial.rays();
@@ -85,7 +85,7 @@ std::optional<std::vector<scene::Ray>> rays_of(Trial& trial) {
 }
 
 /// Whether a candidate's rays are those that a mistake makes, so that nothing else is wrong with
-/// them. Where those have no directions, it may well fail.
+/// them. If those have no directions, it may fail, too.
 bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& cases,
                    const Candidate& candidate) {
   Candidate mistaken = mistake.candidate;
@@ -108,8 +108,8 @@ bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& 
 
 std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate& candidate,
                                            std::vector<ItemTrial>& trials) {
-  // Bonus items ask for more than right formulas: what is wrong there is not held against what
-  // explains the others.
+  // Bonus items ask for more than right formulas: their errors do not count against what explains
+  // the other items.
   std::vector<Case> all, ordinary;
   for (std::size_t k = 0; k < trials.size(); ++k) {
     const std::vector<Case> cases = cases_of(trials[k]);

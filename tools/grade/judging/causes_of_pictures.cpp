@@ -29,10 +29,10 @@ bool shows_something(const ImageAnswer& image) {
          std::any_of(image.begin(), image.end(), [](auto& sphere) { return !sphere; });
 }
 
-/// Whether it made a picture of the right size.
+/// Whether the picture has the right size.
 bool is_picture(const FailedCase& one) { return one.shown && !one.shown->sides_exchanged; }
 
-/// What a fault leaves of the pixels of an item's wrong pictures.
+/// How much of an item's wrong pictures a fault does not explain.
 struct Agreement {
   std::uint64_t wrong = 0, left = 0;
   bool shows = false;  ///< Some failing case shows a sphere and a background.
@@ -60,9 +60,8 @@ Agreement agreement(const Fault& fault, const ItemTrial& trial, bool masks_only)
   return found;
 }
 
-/// A fault that shows something in so many failing pictures explains those, too, in which it shows
-/// nothing; another one, under which all but these is black, explains too little for others'
-/// points.
+/// A fault that shows something in at least this many failing pictures also explains the black
+/// ones; one that makes nearly all pictures black explains too little to cost others' points.
 constexpr int kFewestShown = 3;
 
 bool shows_enough(const Fault& fault, const std::vector<ItemTrial>& trials) {
@@ -75,7 +74,7 @@ bool shows_enough(const Fault& fault, const std::vector<ItemTrial>& trials) {
   return shown >= kFewestShown;
 }
 
-/// The smallest part of a fault that makes all that is wrong with an item.
+/// The smallest part of a fault that explains all errors of an item.
 ItemCause cause_of(const Fault& fault, const ItemTrial& trial, bool masks_only) {
   std::vector<Fault> parts;
   for (const Mistake* mistake : fault) parts.push_back({mistake});
@@ -87,8 +86,8 @@ ItemCause cause_of(const Fault& fault, const ItemTrial& trial, bool masks_only) 
   return {};
 }
 
-/// What explains all pictures, or, where nothing does, all but those of bonus items, which ask for
-/// more than right formulas.
+/// What explains all pictures or, failing that, all except those of bonus items, which ask for more
+/// than right formulas.
 Causes causes_of(const Rubric& rubric, const std::vector<ItemTrial>& trials) {
   const auto of = [&](bool with_bonus) {
     std::vector<ShownPicture> pictures;
@@ -101,15 +100,15 @@ Causes causes_of(const Rubric& rubric, const std::vector<ItemTrial>& trials) {
   const Causes all = of(true);
   if (all.kind == CauseKind::kUnknown) return of(false);
   if (!all.imprecision || all.alternatives.empty()) return all;
-  // Beside the mistakes that all other items tell, roundings may explain the bonus; one mistake
-  // more, seen there alone, and roundings explain nearly anything.
+  // Roundings may explain the bonus on top of the mistakes known from the other items; together
+  // with another mistake, seen only there, they would explain nearly anything.
   const Causes ordinary = of(false);
   const bool is_more = !ordinary.alternatives.empty() &&
                        all.alternatives.front().size() > ordinary.alternatives.front().size();
   return is_more ? ordinary : all;
 }
 
-/// A camera whose numbers differ, and what a mistake reads of it.
+/// A camera whose numbers all differ, to see how a mistake reads them.
 scene::Camera numbered_camera() {
   scene::Camera camera;
   camera.near = -3;
@@ -122,7 +121,7 @@ scene::Camera numbered_camera() {
   return camera;
 }
 
-/// How a mistake takes near and the bounds.
+/// How a mistake reads near and the bounds.
 struct Reading {
   bool turns_near = false;     ///< near has another sign.
   bool orders_bounds = false;  ///< The bounds are those given, in another order.
@@ -139,7 +138,7 @@ Reading reading_of(const Mistake& mistake) {
   return {false, std::is_permutation(taken.begin(), taken.end(), bounds.begin())};
 }
 
-/// Whether who reads another form of driver files rightly might show the same: dialects differ in
+/// Whether correct code for another form of driver files might show the same: dialects differ in
 /// the sign of d and in the order of the bounds.
 bool is_of_driver_files(const Causes& causes) {
   return std::any_of(causes.alternatives.begin(), causes.alternatives.end(),
@@ -151,8 +150,8 @@ bool is_of_driver_files(const Causes& causes) {
                      });
 }
 
-/// A near of the wrong sign in files of one dialect is that of the other, whose bounds are in
-/// another order: of who was found to read a dialect only both are known.
+/// A near with the wrong sign in one dialect is right in the other, whose bounds have another
+/// order: if the dialect was found by trial, the mistake is worded as both.
 const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
   if (!reading_of(*mistake).turns_near) return mistake;
   const auto worded = [&](const char* sentence) {
@@ -169,9 +168,9 @@ const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
   return dialect == scene::Dialect::kA ? &kBoundsOfA : &kBoundsOfB;
 }
 
-/// Of an item that fails.
+/// How an item fails.
 struct FailedHow {
-  bool wrong = false, exchanged = false, failed = false;  ///< Some of its pictures, or all.
+  bool wrong = false, exchanged = false, failed = false;  ///< Some pictures, or all.
 };
 
 FailedHow failed_how(const ItemTrial& trial) {
@@ -182,7 +181,7 @@ FailedHow failed_how(const ItemTrial& trial) {
   return how;
 }
 
-/// The sentence of what pictures are, whatever they are to show; empty: they are no such.
+/// The sentence for pictures that are alike whatever the scene; empty if they are not.
 std::string sentence_of_kind(Causes causes) {
   causes.exchanged = 0;
   const std::vector<properties::Explanation> said = properties::explanations(causes);
@@ -191,8 +190,8 @@ std::string sentence_of_kind(Causes causes) {
 
 bool masks_only(const Item& item) { return item.pictures && item.pictures->masks_only; }
 
-/// The roundings that make an item's wrong pictures, with a part of the fault or without, and names
-/// it.
+/// Finds and names the roundings that explain an item's wrong pictures, with or without a part of
+/// the fault.
 ItemCause name_imprecision(const Causes& causes, bool masks_only, ItemTrial& trial) {
   if (!causes.imprecision) return {};
   std::vector<Fault> faults = {{}};
@@ -222,7 +221,7 @@ ItemCause name_imprecision(const Causes& causes, bool masks_only, ItemTrial& tri
   return {};
 }
 
-/// What makes an item's wrong pictures, and names it.
+/// Finds and names the cause of an item's wrong pictures.
 ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemTrial& trial) {
   if (causes.kind == CauseKind::kImprecise) return name_imprecision(causes, masks_only, trial);
   if (causes.kind != CauseKind::kExplained) {
@@ -236,7 +235,7 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
   if (cause.fault.empty()) return name_imprecision(causes, masks_only, trial);
   cause.is_all = cause.is_all || is_shown;
   const Agreement found = agreement(cause.fault, trial, masks_only);
-  // A part of a fault has its own sentence, the whole one all that could be meant.
+  // A part of a fault is named by its own sentence, the whole by all alternatives.
   std::vector<Fault> alternatives = causes.alternatives;
   if (cause.fault.size() < fault.size()) {
     alternatives.clear();
@@ -253,7 +252,7 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
   return cause;
 }
 
-/// Whether a program makes no picture of any scene that an item does not ask about any more.
+/// Whether a program would fail on all scenes that an item was not asked about any more.
 bool fails_on_all(const properties::ShapeCause& shape, const std::vector<scene::Scene>& scenes) {
   return std::all_of(scenes.begin(), scenes.end(), shape.is);
 }

@@ -11,7 +11,7 @@ using properties::Quantity;
 
 namespace {
 
-/// What costs one item its points.
+/// The reason why one item loses its points.
 using Charge = std::variant<const Mistake*, OtherCause>;
 
 std::vector<Charge> charges(const ItemCause& cause) {
@@ -59,7 +59,7 @@ void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
   for (std::size_t k = 0; k < trials.size(); ++k) {
     ItemGrade& grade = trials[k].grade;
     const std::vector<Charge> its = charges(causes[k]);
-    // What is given besides is earned by right answers alone.
+    // Bonus points are earned by right answers only.
     const bool follows = grade.state == ItemState::kFails && !rubric.items[k].bonus &&
                          causes[k].is_all && !its.empty() &&
                          std::all_of(its.begin(), its.end(),

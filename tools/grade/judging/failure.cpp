@@ -23,13 +23,13 @@ using properties::Trial;
 using properties::Verdict;
 using properties::Wrong;
 
-/// Simpler cases tried in place of a failing one: of functions, of programs that fail altogether,
-/// and of pictures, for each of which a program is started.
+/// How many simpler cases are tried in place of a failing one: for functions, for programs that
+/// fail entirely, and for pictures, each of which starts a program.
 constexpr int kTries = 400;
 constexpr int kTriesOfFailures = 40;
 constexpr int kTriesOfPictures = 60;
 
-/// The step from a scene to what is seen that a wrong quantity shows to be wrong.
+/// The step of the computation that a wrong quantity shows to be wrong.
 std::string step_that_gives(properties::Quantity quantity) {
   using properties::Quantity;
   switch (quantity) {
@@ -44,8 +44,8 @@ std::string step_that_gives(properties::Quantity quantity) {
   }
 }
 
-/// Whether a camera still looks the way in which another does, its bounds in the same order: what
-/// programs may rely on.
+/// Whether a camera still looks in the same direction as another, with its bounds in the same
+/// order, which programs may rely on.
 bool is_alike(const scene::Scene& now, const scene::Scene& before) {
   if (!before.camera) return true;
   const scene::Camera& a = *now.camera;
@@ -54,7 +54,7 @@ bool is_alike(const scene::Scene& now, const scene::Scene& before) {
          (a.bottom < a.top) == (b.bottom < b.top);
 }
 
-/// Whether a picture is what a fault makes, but for a pixel.
+/// Whether a picture is what a fault makes, up to one pixel.
 bool is_made_by(const properties::Fault& fault, const Case& the_case, const Candidate& candidate) {
   scene::Scene scene = the_case.scene;
   scene.conventions = candidate.declared.over(scene.conventions);
@@ -74,7 +74,7 @@ std::optional<std::string> first_wrong_step(Trial& trial) {
   return {};
 }
 
-/// An answer, as far as the candidate gives one.
+/// An answer, if the candidate gives one.
 template <class Ask>
 auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
   try {
@@ -84,7 +84,7 @@ auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
   }
 }
 
-/// What the candidate answers about one ray of a trial, up to the stage of the law that it broke.
+/// The candidate's answers about one ray of a trial, up to the stage of the law that it broke.
 RayAnswers ray_answers(Trial& trial, std::size_t ray, const Law& broken) {
   const Candidate& candidate = trial.candidate();
   RayAnswers answers;
@@ -122,8 +122,8 @@ RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& 
   return ray_answers(of_place, std::size_t{0}, broken);
 }
 
-/// Both pictures of a case; empty where the candidate draws none. A renderer that drew it last is
-/// not started again.
+/// Both pictures of a case; empty if the candidate draws none. A renderer whose last picture it is
+/// does not run again.
 std::optional<ComparedPictures> compared_pictures(const Case& the_case, const Examinee& examinee) {
   const scene::Conventions& conventions = the_case.scene.conventions;
   ComparedPictures pictures;
@@ -156,7 +156,7 @@ Case simplest(const FailedCase& first, const ItemExaminee& who, const properties
   const Examinee examinee = who.examinee();
   const bool failed = first.discrepancy.wrong == Wrong::kFailed;
   const int tries = failed ? kTriesOfFailures : who.pictures ? kTriesOfPictures : kTries;
-  // A picture is judged in every pixel.
+  // Every pixel of a picture is judged.
   const auto whole = [&](Case the_case) {
     if (who.pictures) the_case.pixels = properties::all_pixels(*the_case.scene.camera);
     return the_case;
@@ -186,7 +186,7 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
   if (first.failure != FailureKind::kTimeUp) {
     const Verdict verdict = apply(*first.broken, trial);
     if (verdict.holds()) return {};
-    // Asked again, a program that failed may not be asked at all.
+    // A program that failed may not be asked again at all.
     if (d.wrong != Wrong::kFailed) d = verdict.worst(1).front();
   }
   FailingCase failing{

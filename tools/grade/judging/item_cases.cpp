@@ -51,7 +51,7 @@ ItemCase ItemCases::of_scene(std::size_t k) const {
   return {cases.from(0, cases.rays_judged()), {.scene = scene.name}};
 }
 
-/// A submission that heeds no conventions is right under the default ones.
+/// A submission that ignores conventions is right under the defaults.
 std::optional<ItemCase> ItemCases::of_source(std::size_t k) const {
   const properties::ChosenSource& source = properties::chosen_by(task_.sources, seeds_[k]);
   ItemCase found{source.make(seeds_[k]), {.source = std::string(source.name()), .number = k + 1}};
@@ -59,7 +59,7 @@ std::optional<ItemCase> ItemCases::of_source(std::size_t k) const {
   if (!pictures_) return found;
   const auto& camera = found.the_case.scene.camera;
   if (!camera || camera->width > kMostGradedPixels / camera->height) return {};
-  // Of more spheres not every renderer's colours tell which is seen.
+  // With more spheres not all renderers' colours tell which is seen.
   auto& spheres = found.the_case.scene.spheres;
   if (spheres.size() > kMostSaturated) spheres.resize(kMostSaturated);
   found.the_case.pixels = properties::all_pixels(*camera);

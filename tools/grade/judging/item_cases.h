@@ -11,14 +11,14 @@
 
 namespace raycheck::tools {
 
-/// A case of an item, and where it comes from.
+/// A case of an item, and its origin.
 struct ItemCase {
   properties::Case the_case;
   CaseOrigin origin;
 };
 
-/// The cases of an item, by their numbers: its scenes, those of pictures varied as the item says,
-/// then random ones. All follow from a seed.
+/// The cases of an item, by their numbers: its scenes (for pictures varied as the item says), then
+/// random ones. All follow from a seed.
 class ItemCases {
  public:
   /// `declared`: the conventions under which the submission is judged, in a format that every case
@@ -28,7 +28,7 @@ class ItemCases {
             scene::Precision precision = scene::Precision::kDouble);
 
   std::size_t size() const { return task_.scenes.size() + seeds_.size(); }
-  /// Empty where there is nothing to ask: the format cannot hold it, say.
+  /// Empty if there is nothing to ask: the format cannot hold the case, for example.
   std::optional<ItemCase> operator[](std::size_t k) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-// Which mistakes the items of a submission fail by. Internal to grading.
+// The mistakes by which the items of a submission fail. Internal to grading.
 
 #include <optional>
 #include <string>
@@ -19,28 +19,28 @@ enum class OtherCause { kRoundings, kSidesExchanged, kShapeOfScenes };
 
 /// Why an item fails.
 struct ItemCause {
-  properties::Fault fault = {};         ///< Of its wrong answers. None: not known.
+  properties::Fault fault = {};         ///< Of its wrong answers. Empty: unknown.
   std::vector<OtherCause> others = {};  ///< What else it fails by.
-  /// It has nothing else wrong, and enough is seen to tell.
+  /// Nothing else is wrong with it, and enough is seen to say so.
   bool is_all = false;
 };
 
-/// The step that an item is about, that of what its laws judge first; empty: of no one step.
+/// The step that an item is about, which its laws judge first; empty if it is about several.
 std::optional<properties::Step> step_of(const Item& item);
 
-/// What the wrong pictures of a renderer come of, all items together, and names it in each.
-/// Nothing is named that another form of driver files makes where it is not known which one is
-/// read; where it was found, one mistake in it may be another in another form, and is worded as
+/// Finds the causes of a renderer's wrong pictures, over all items together, and names them in
+/// each. If it is unknown which form of driver files is read, nothing is named that another form
+/// explains; if it was found by trial, a mistake that is another one in another form is worded as
 /// both. Domain: a trial for each item of the rubric.
 std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
                                           scene::Dialect dialect, std::vector<ItemTrial>& trials);
 
-/// The same of functions.
+/// The same for functions.
 std::vector<ItemCause> causes_of_functions(const Rubric& rubric,
                                            const properties::Candidate& candidate,
                                            std::vector<ItemTrial>& trials);
 
-/// On which scenes a renderer makes no picture, where that is known of all items together.
+/// Which scenes a renderer makes no picture of, if all items together tell.
 std::optional<properties::ShapeCause> shape_of_failures(const std::vector<ItemTrial>& trials);
 
 /// Lets each mistake, and all else that is known, cost one item alone: of those that

@@ -10,15 +10,15 @@ namespace {
 using properties::ShownPicture;
 using properties::Verdict;
 
-/// So many failing cases of an item of functions are kept to find the mistake that explains them.
+/// How many failing cases of an item of functions are kept to find the mistake behind them.
 constexpr std::size_t kKeptCases = 8;
 
-/// After so many cases of an item on which a program fails altogether, or does not end in time, the
-/// others are not asked.
+/// After this many cases of an item on which a program fails entirely, or does not end in time, the
+/// others are skipped.
 constexpr int kMostFailures = 8;
 constexpr int kMostSilentCases = 3;
 
-/// A quantity of which every answer has an excuse and none is right: excuses alone earn nothing.
+/// A quantity whose answers are all excused and never right: excuses alone earn nothing.
 std::optional<properties::Quantity> never_right(const Verdict& verdict) {
   for (const auto& [quantity, tally] : verdict.tallies()) {
     properties::Answered all;
@@ -38,7 +38,7 @@ bool never_hits(const Verdict& verdict) {
   return hits.asked > 0 && hits.right == 0;
 }
 
-/// Whether of most pixels that show a sphere it is told which.
+/// Whether most pixels that show a sphere tell which one.
 bool tells_spheres(const ShownPicture& picture) {
   const auto& image = picture.image;
   const auto spheres =
@@ -70,7 +70,7 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExami
     all.merge(std::move(outcome.verdict));
     if (!outcome.answers) continue;
     std::optional<ShownPicture> picture;
-    // It was just drawn, and is not again; what does not end is not waited for twice.
+    // It was just drawn and is reused; a timeout is not waited for twice.
     const bool is_silent = outcome.failure == FailureKind::kTimeUp;
     if (who.pictures && !is_silent)
       picture = properties::shown_picture(item_case->the_case.scene, who.candidate);
@@ -106,7 +106,7 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExami
     }
   }
   if (grade.cases == 0 && is_untold) {
-    // Nobody can say that it is wrong, or right.
+    // It cannot be called wrong, or right.
     grade.points = 0;
     grade.state = ItemState::kNotAsked;
     grade.reason = {.kind = ItemReason::Kind::kOtherColours};

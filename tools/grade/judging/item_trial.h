@@ -1,7 +1,7 @@
 #pragma once
 
-// The cases of one item, asked and judged; what its points are is said when all items are known.
-// Internal to grading.
+// The cases of one item, asked and judged; its points follow once all items are known. Internal to
+// grading.
 
 #include <functional>
 #include <optional>
@@ -18,25 +18,25 @@ struct FailedCase {
   ItemCase item_case;
   const properties::Law* broken = nullptr;
   properties::Discrepancy discrepancy;
-  /// How the candidate failed, where it did.
+  /// How the candidate failed, if it did.
   std::optional<FailureKind> failure = {};
-  /// What a renderer showed of it; empty where it made no picture. It may have exchanged sides.
+  /// A renderer's picture of it; empty if there is none. Its sides may be exchanged.
   std::optional<properties::ShownPicture> shown = {};
 };
 
-/// What became of an item's cases.
+/// The outcome of an item's cases.
 struct ItemTrial {
-  ItemGrade grade;                 ///< Without a score, and without what only all items tell.
-  std::vector<FailedCase> failed;  ///< In order; of functions the first alone.
-  /// What a renderer showed of all its cases.
+  ItemGrade grade;                 ///< Without a score, and what depends on all items.
+  std::vector<FailedCase> failed;  ///< In order; for functions only the first.
+  /// A renderer's pictures of all its cases.
   std::vector<properties::ShownPicture> pictures;
-  /// The scenes that it was not asked about any more.
+  /// The scenes that were not asked about any more.
   std::vector<scene::Scene> not_asked;
 };
 
-/// Who is judged on an item, in the item's own units.
+/// The candidate for an item, in the item's own units.
 struct ItemExaminee {
-  properties::Candidate candidate;  ///< Held to what the item tolerates.
+  properties::Candidate candidate;  ///< With the item's tolerance.
   properties::Candidate masked;     ///< The same; of its pictures only the mask may count.
   Tolerance tolerance;
   bool pictures = false;

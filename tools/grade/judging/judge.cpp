@@ -17,7 +17,7 @@ namespace {
 using properties::Candidate;
 using properties::Fault;
 
-/// The candidate, of whose pictures only the mask counts: whether a pixel shows a sphere, not
+/// The candidate, with only the mask of its pictures counting: whether a pixel shows a sphere, not
 /// which.
 Candidate masked(Candidate candidate) {
   candidate.image = [image = candidate.image](const scene::Scene& scene,
@@ -31,7 +31,7 @@ Candidate masked(Candidate candidate) {
   return candidate;
 }
 
-/// All that a submission is asked, item by item.
+/// Asks a submission everything, item by item.
 class Judge {
  public:
   Judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
@@ -47,8 +47,8 @@ class Judge {
         spent_(std::move(judged.spent)),
         before_(spent_ ? spent_->seconds() : 0) {
     candidate_.declared = rubric.conventions.over(candidate_.declared);
-    // Roots that count, or a domain, that a submission states for itself would excuse it from what
-    // the rubric asks.
+    // Valid roots, or a domain, that a submission declares itself would excuse it from what the
+    // rubric asks.
     candidate_.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
     candidate_.smallest_length = candidate_.smallest_camera_length =
         std::min(candidate_.smallest_length, properties::kSmallestJudgedLength);
@@ -65,7 +65,7 @@ class Judge {
       causes = pictures_ ? causes_of_pictures(rubric_, form_known_, dialect_, trials)
                          : causes_of_functions(rubric_, candidate_, trials);
     } catch (const scene::Interrupted&) {
-      // They are not known, then.
+      // Then they are unknown.
     }
     charge_once(rubric_, causes, trials);
     std::vector<ItemGrade> grades;
@@ -84,7 +84,7 @@ class Judge {
   }
 
  private:
-  /// Why no more is to be asked, if so.
+  /// Why to stop asking, if there is a reason.
   ItemReason reason_to_stop() const {
     if (control_.interrupted()) return {.kind = ItemReason::Kind::kInterrupted};
     if (!spent_ || spent_->seconds() - before_ < rubric_.seconds) return {};
@@ -142,7 +142,7 @@ class Judge {
     }
   }
 
-  /// Items that it needs and that have not all points leave it out.
+  /// Leaves an item out if another one that it needs lacks points.
   static void leave_out_what_needs_others(const Item& item, const std::vector<ItemGrade>& before,
                                           ItemGrade& grade) {
     if (grade.state == ItemState::kNotAsked) return;

@@ -11,28 +11,28 @@
 
 namespace raycheck::tools {
 
-/// What is known of the form of a renderer's driver files.
+/// What is known of a renderer's form of driver files.
 enum class FormKnown {
-  kGiven,  ///< It is the one that the rubric asks for: to read another is a mistake.
-  kFound,  ///< Of several it is the one in which a picture shows the scene.
-  kNot     ///< None was found that is read.
+  kGiven,  ///< The rubric requires it: reading another one is a mistake.
+  kFound,  ///< Of several, the one whose picture shows the scene.
+  kNot     ///< None that it reads was found.
 };
 
-/// Who is judged.
+/// What is judged.
 struct JudgedSubmission {
   properties::Candidate candidate;
-  bool pictures = false;  ///< It is asked for pictures, otherwise for functions.
+  bool pictures = false;  ///< It is asked for pictures, not for functions.
   FormKnown form_known = FormKnown::kGiven;
   scene::Dialect dialect = scene::Dialect::kB;  ///< Of its driver files.
-  LastFailure last_failure = nullptr;           ///< Set where the candidate fails.
-  /// Of its processes; null: its time is not limited.
+  LastFailure last_failure = nullptr;           ///< Set when the candidate fails.
+  /// Its processes' time; null: unlimited.
   std::shared_ptr<const SpentTime> spent = nullptr;
 };
 
-/// Asks a candidate what the items of a rubric ask, and judges all answers together: a mistake
-/// costs the points of one item, whatever else fails by it. The cases follow from the seed; what
-/// the candidate declares yields to the rubric's conventions. A case holds where the laws hold and
-/// the candidate answers all that raycheck's own methods answer.
+/// Asks a candidate all items of a rubric, and judges the answers together: a mistake costs the
+/// points of one item, whatever else fails by it. The cases follow from the seed; the rubric's
+/// conventions override those that the candidate declares. A case holds if the laws hold and the
+/// candidate answers all that raycheck's own methods answer.
 std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
                              const properties::RunControl& control);
 

@@ -11,7 +11,7 @@ namespace {
 
 using properties::Candidate;
 
-/// What is asked beyond what was asked then.
+/// Thrown for questions that were not asked then.
 struct NotAsked : std::runtime_error {
   NotAsked() : std::runtime_error("it was not asked") {}
 };

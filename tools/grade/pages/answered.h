@@ -8,12 +8,11 @@
 
 namespace raycheck::tools {
 
-/// How pages call a submission to its student.
+/// What pages call the student's own submission.
 inline constexpr const char* kYours = "yours";
 
-/// What a submission answered about a failing case, as a method that gives the same answers to the
-/// same questions: nothing is run. It is held to what the item tolerates; null where no answers are
-/// kept, or they are withheld.
+/// A submission's answers about a failing case, as a method that repeats them: nothing is run. The
+/// item's tolerance applies; null if no answers are kept, or they are withheld.
 std::shared_ptr<const Implementation> answered(const FailingCase& failing,
                                                const Tolerance& tolerance, const Layers& isolation);
 

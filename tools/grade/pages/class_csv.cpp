@@ -19,8 +19,8 @@ std::string csv_note(const SubmissionGrade& grade) {
 
 }  // namespace
 
-/// A row a submission, a column an item; where it could not be judged no points but those that the
-/// rubric gives for that.
+/// A row per submission, a column per item; without points if it could not be judged, except those
+/// that the rubric gives for that.
 std::string class_csv(const ClassGrade& graded) {
   std::string text = "submission,score,points";
   for (const Item& item : graded.rubric.items) text += "," + csv_cell(item.name);
@@ -39,8 +39,8 @@ std::string class_csv(const ClassGrade& graded) {
   return text;
 }
 
-/// A row an item: students asked, those with all points, and the points; a row a mistake: students
-/// who make it; and how many could not be judged.
+/// A row per item: students asked, those with all points, and the points; a row per mistake:
+/// students who make it; and how many could not be judged.
 std::string statistics_csv(const ClassGrade& graded) {
   std::string text = "kind,name,students,full_points,share_full,median_points,points\n";
   for (const ItemStatistics& one : item_statistics(graded)) {

@@ -50,7 +50,7 @@ std::string distribution(const ClassGrade& graded) {
   return html + "</table>\n";
 }
 
-/// A row on what an item tests, and why.
+/// A row about what an item tests, and why.
 std::string about(const Item& item) {
   std::string html;
   for (const std::string& text : {item.asks, item.why}) {
@@ -93,7 +93,7 @@ std::string link(const SubmissionGrade& grade) {
   return fmt::format("<a href=\"{}\">{}</a>", address_of(grade, kReportFile), escaped(grade.name));
 }
 
-/// A link to a submission's page of figures; empty where its student has none.
+/// A link to a submission's page of figures; empty if its student gets none.
 std::string figures_link(const ClassGrade& graded, const SubmissionGrade& grade) {
   if (!has_figures(student_grade(graded.rubric, grade, HiddenBy::kUs))) return "";
   return fmt::format(" <a href=\"{}\" aria-label=\"figures of {}\">figures</a>",
@@ -108,7 +108,7 @@ std::string links(const Submissions& members) {
   return "<p>" + html + "</p>\n";
 }
 
-/// The smallest case of a mistake, to look at and to take along.
+/// The smallest case of a mistake, to look at and to download.
 std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
   const FailingCase& failing = *item.failing;
   const std::string name = file_name(item.name);
@@ -159,7 +159,7 @@ std::string not_judged(const ClassGrade& graded) {
   return html;
 }
 
-/// What several submissions have in common: items of which they give the same wrong answer to the
+/// What several submissions have in common: items in which they give the same wrong answer to the
 /// same case.
 struct Alike {
   Submissions members;
@@ -181,7 +181,7 @@ std::vector<Alike> find_alike(const ClassGrade& graded) {
     }
     for (const auto& [wrong, members] : by_answer) {
       if (members.size() < 2) continue;
-      // A lambda cannot capture a structured binding by clang 14.
+      // clang 14 cannot capture a structured binding in a lambda.
       auto known = std::find_if(found.begin(), found.end(), [&these = members](const Alike& one) {
         return one.members == these;
       });
@@ -196,7 +196,7 @@ std::vector<Alike> find_alike(const ClassGrade& graded) {
   return found;
 }
 
-/// Empty where they differ.
+/// Empty if they differ.
 std::string mistake_of_all(const Submissions& members) {
   const std::string mistake = mistake_text(*members.front());
   const bool is_same = std::all_of(members.begin(), members.end(), [&](const auto* member) {
@@ -257,7 +257,7 @@ std::string everyone(const ClassGrade& graded) {
   return html + "</table></div>\n";
 }
 
-/// What reading a submission does not show.
+/// Files that reading does not explain.
 std::string opaque(const ClassGrade& graded) {
   constexpr std::size_t kMostListed = 8;
   std::string rows;
@@ -305,8 +305,8 @@ std::string summary(const ClassGrade& graded) {
 
 }  // namespace
 
-/// A self-contained page for instructors: the scores, the items that fail most, the mistakes that
-/// most make, the submissions that fail on the same case in the same way.
+/// A self-contained page for instructors: the scores, the items that fail most, the most frequent
+/// mistakes, the submissions that fail on the same case in the same way.
 std::string class_page(const ClassGrade& graded) {
   return page(graded.rubric.title, summary(graded) + distribution(graded) + failing_items(graded) +
                                        mistakes(graded) + alike(graded) + not_judged(graded) +

@@ -12,7 +12,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A line a submission, and its mistake.
+/// A line per submission, and its mistake.
 std::string submission_lines(const ClassGrade& graded) {
   std::size_t width = 0;
   for (const SubmissionGrade& grade : graded.submissions) {
@@ -75,7 +75,7 @@ std::string cause_text(const SubmissionChange& change, ChangeCause cause) {
   return "isolated otherwise";
 }
 
-/// Whose points are others than before, and why.
+/// Whose points changed, and why.
 std::string changes_text(const ClassChanges& changes) {
   std::string text = fmt::format("{} of {} changed since {}", changes.changed.size(),
                                  count_text(changes.compared, "submission"), changes.against);
@@ -92,7 +92,7 @@ std::string changes_text(const ClassChanges& changes) {
       text += "    " + cause_text(change, cause) + "\n";
     }
     if (change.causes.empty()) {
-      text += "    nothing that is known of changed: asked again, it answers otherwise\n";
+      text += "    no known input changed: asked again, it answers differently\n";
     }
   }
   return text;

@@ -15,13 +15,13 @@
 namespace raycheck::tools {
 namespace {
 
-/// Spheres of a ray that have a panel: the one at issue, then the others in their order.
+/// How many spheres of a ray have panels: the one in question, then the others in order.
 constexpr std::size_t kMostSpheresShown = 8;
 
-/// What was judged, with the others that the ray may meet.
+/// What was judged, and the other spheres that the ray may meet.
 std::vector<Selection> wanted_of(const FailingCase& failing) {
   std::vector<Selection> wanted = selections_of(failing.the_case, failing.answer.place);
-  // The submission's answers are kept of this ray alone.
+  // The submission's answers are stored for this ray only.
   wanted.resize(std::min<std::size_t>(wanted.size(), 1));
   if (wanted.empty() || !failing.answers || !failing.answers->hits) return wanted;
   Selection other = wanted.front();
@@ -43,8 +43,7 @@ std::string sentence_of(const Item& item, const WrongAnswer& answer) {
   return text;
 }
 
-/// Whether a step of what is shown first goes wrong: how several answers are related, no step
-/// tells.
+/// Whether a step of the first selection is wrong; relations of several answers show in no step.
 bool goes_wrong(const SceneView& shown) {
   if (shown.panels.empty()) return false;
   const auto& methods = shown.panels.front().report.methods;
@@ -90,7 +89,7 @@ bool has_figures(const StudentGrade& grade) {
 }
 
 ViewDocument figures_document(const StudentGrade& grade) {
-  // A page that is begun is made, whoever interrupts the run: it takes no longer than that.
+  // A page once begun is finished despite interrupts: it does not take long.
   const std::function<bool()> never = [] { return false; };
   const scene::Interruptible until_done(never);
   ViewDocument document;

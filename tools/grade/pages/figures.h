@@ -1,6 +1,6 @@
 #pragma once
 
-// The failing cases of functions, to look at.
+// Figures of failing cases of functions.
 
 #include <cstddef>
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace raycheck::tools {
 
-/// Whether item k has a figure: it was asked for functions, and fails on a case of which the
-/// student is told what is exact.
+/// Whether item k has a figure: it asks for functions, and fails on a case whose exact answer the
+/// student is told.
 bool has_figure(const StudentGrade& grade, std::size_t k);
 bool has_figures(const StudentGrade& grade);
 
-/// A scene and a finding for every item that has a figure, in their order, with what the submission
-/// answered: nothing is run.
+/// A scene and a finding for every item that has a figure, in order, with the submission's answers:
+/// nothing is run.
 ViewDocument figures_document(const StudentGrade& grade);
 
-/// Where the page has the figure of an item, by its place among those that have one.
+/// The link to an item's figure, by its index among those with figures.
 std::string figure_address(std::size_t finding);
 
 }  // namespace raycheck::tools

@@ -7,7 +7,7 @@
 
 namespace raycheck::tools {
 
-/// A whole page that needs nothing besides itself, for narrow and for wide screens.
+/// A self-contained page, for narrow and wide screens.
 std::string page(std::string_view title, std::string_view body);
 
 /// A link that saves a text as a file.

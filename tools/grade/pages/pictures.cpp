@@ -19,7 +19,7 @@ using properties::ImageAnswer;
 using properties::kSomeSphere;
 using Sphere = ImageAnswer::value_type;
 
-/// The colours of Okabe and Ito, which the colour-blind tell apart; black is the background.
+/// Okabe and Ito's colours, which colour-blind readers tell apart; black is the background.
 constexpr std::array<Colour, 7> kColours = {{{230, 159, 0},
                                              {86, 180, 233},
                                              {0, 158, 115},
@@ -30,7 +30,7 @@ constexpr std::array<Colour, 7> kColours = {{{230, 159, 0},
 constexpr Colour kSomeColour = {255, 255, 255};
 constexpr Colour kQuiet = {60, 60, 60};
 
-/// A picture on a page is at most so tall, in rem.
+/// The largest height of a picture on a page, in rem.
 constexpr double kTallest = 20;
 
 /// A pixel in the picture of differences is a mark this many pixels across and down, so that marks
@@ -58,13 +58,13 @@ constexpr Mark kOther = {
     "=",
     "another sphere is shown"};
 
-/// Null where a pixel is right.
+/// Null if the pixel is right.
 const Mark* mark_of(const Sphere& got, const Sphere& exact) {
   if (got == exact || (got == kSomeSphere && exact)) return nullptr;
   return !got ? &kMissing : !exact ? &kSurplus : &kOther;
 }
 
-/// A picture of the case's camera, its lines from the top.
+/// A picture by the case's camera, top line first.
 struct Canvas {
   explicit Canvas(const FailingCase& failing)
       : width(failing.the_case.scene.camera->width),
@@ -150,7 +150,7 @@ std::string difference_html(const FailingCase& failing, std::string_view whose) 
                     difference_text(failing, whose), caption);
 }
 
-/// Which colour is which sphere; empty where pictures do not tell.
+/// Which colour is which sphere; empty if pictures do not tell.
 std::string legend_html(const ComparedPictures& pictures) {
   std::set<std::size_t> shown = spheres_of(pictures.got);
   if (pictures.exact) shown.merge(spheres_of(*pictures.exact));
@@ -165,7 +165,7 @@ std::string legend_html(const ComparedPictures& pictures) {
   return "<p>" + html + "</p>\n";
 }
 
-/// Another order of a picture's pixels, that mistakes make.
+/// A permutation of a picture's pixels that mistakes cause.
 struct Rearrangement {
   const char* words;
   bool is_of_squares;
@@ -192,7 +192,7 @@ constexpr Rearrangement kRearrangements[] = {
      }},
 };
 
-/// Whether every pixel is that of the expected picture, rearranged.
+/// Whether every pixel equals the expected picture's, rearranged.
 bool is_rearranged(const Canvas& canvas, const ComparedPictures& pictures,
                    const Rearrangement& order) {
   if (order.is_of_squares && canvas.width != canvas.height) return false;

@@ -21,7 +21,7 @@ std::string row(std::string_view term, std::string_view text) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escaped(text));
 }
 
-/// A file's text, closed at first.
+/// A file's text, collapsed at first.
 std::string file_html(const std::string& name, const std::string& text) {
   return "<details class=\"file\"><summary>" + escaped(name) + "</summary><pre>" + escaped(text) +
          "</pre></details>\n";

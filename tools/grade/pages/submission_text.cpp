@@ -20,7 +20,7 @@ std::string line_text(const std::string& name) {
 
 namespace {
 
-/// What the dry run found out, a line each.
+/// The dry run's remarks, one per line.
 std::string notes_text(const SubmissionGrade& grade) {
   std::string text;
   for (const std::string& note : grade.notes) text += "  " + line_text(note) + "\n";

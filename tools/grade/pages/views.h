@@ -9,18 +9,18 @@
 
 namespace raycheck::tools {
 
-/// A view of a graded class, for instructors: what the command prints under `--format NAME`, or
-/// what lies in the file NAME beside the submissions' folders.
+/// A view of a graded class, for instructors: what the command prints with `--format NAME`, or the
+/// file NAME beside the submissions' folders.
 struct ClassView {
   std::string_view name;
   std::string (*render)(const ClassGrade&);
 };
 
-/// What the command prints; the first where nothing else is asked for.
+/// What the command can print; the first by default.
 std::span<const ClassView> printed_views();
 std::span<const ClassView> class_files();
 
-/// What a course's system reads of each submission, results.json, under `--format NAME`.
+/// The file results.json of each submission for a course's system, with `--format NAME`.
 struct ResultsFormat {
   std::string_view name;
   HiddenBy hidden_by;
@@ -32,8 +32,8 @@ std::span<const ResultsFormat> results_formats();
 inline constexpr const char* kReportFile = "report.html";
 inline constexpr const char* kFiguresFile = "figures.html";
 
-/// What a student reads: a page of all items, self-contained but for its links to the other one,
-/// and figures of the failing cases of functions; empty where there are none.
+/// A student's pages: one of all items, self-contained except for links to the other one, and one
+/// of figures of failing cases of functions; empty if there are none.
 struct StudentPages {
   std::string report, figures;
 };

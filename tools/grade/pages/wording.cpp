@@ -42,7 +42,7 @@ std::string answer_text(const WrongAnswer& answer) {
 
 std::string got_text(const WrongAnswer& answer) {
   if (answer.quantity == Quantity::kRefusal) return "";
-  // Some sphere, of which a picture does not tell which it is.
+  // Some sphere; the picture does not tell which.
   const bool is_untold = answer.quantity == Quantity::kNearestSphere &&
                          answer.wrong == Wrong::kFalseHit && answer.got.empty();
   return is_untold ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
@@ -61,7 +61,7 @@ std::string reason_text(const ItemReason& reason) {
     case Kind::kNotInPictures:
       return "a picture does not show it";
     case Kind::kOfRenderers:
-      return "it is asked of renderers only";
+      return "only renderers are asked this";
     case Kind::kNeeds:
       if (reason.item.empty()) return "it needs other items";
       return fmt::format("it needs '{}', which {}{}", reason.item,
@@ -70,7 +70,7 @@ std::string reason_text(const ItemReason& reason) {
       return reason.item.empty() ? "from the mistake of another item"
                                  : fmt::format("from the mistake of '{}'", reason.item);
     case Kind::kTimeUp:
-      return fmt::format("time is up: a submission has {} s for all that it is asked",
+      return fmt::format("time is up: a submission has {} s for all of its questions",
                          reason.seconds);
     case Kind::kInterrupted:
       return "interrupted";
@@ -99,7 +99,7 @@ std::string mistake_text(const SubmissionGrade& grade) {
   struct Said {
     std::string sentence;
     int items = 0;
-    bool costs = false;  ///< Some item its points.
+    bool costs = false;  ///< Some item's points.
   };
   std::vector<Said> all;
   for (const ItemGrade& item : grade.items) {
@@ -115,7 +115,7 @@ std::string mistake_text(const SubmissionGrade& grade) {
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Said& a, const Said& b) { return a.items > b.items; });
-  // The most frequent is named, and what costs points besides.
+  // The most frequent one is named, and all others that cost points.
   std::string text;
   for (const Said& one : all) {
     if (text.empty() || one.costs) text += (text.empty() ? "" : "; and ") + one.sentence;

@@ -12,7 +12,7 @@
 
 namespace raycheck::tools {
 
-/// At most two decimals, none that say nothing: "7", "2.5".
+/// At most two decimals, without trailing zeros: "7", "2.5".
 std::string points_text(double points);
 
 /// "scene frame.toml", "course, random case 7"
@@ -36,7 +36,7 @@ std::string mistake_text(const SubmissionGrade& grade);
 /// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
 std::string state_text(const ItemGrade& grade);
 
-/// "time is up after 60 s: robustness not judged"; empty where all that it was to be asked was.
+/// "time is up after 60 s: robustness not judged"; empty if everything was asked.
 std::string time_up_text(const SubmissionGrade& grade);
 
 /// What a submission has, its bonus aside; "-" of one that could not be judged and for which the
@@ -48,29 +48,29 @@ std::string of_points_text(const SubmissionGrade& grade);
 /// "could not be judged: 'make' exited with 2". Domain: a submission that could not.
 std::string not_judged_text(const SubmissionGrade& grade);
 
-/// Why nothing could be run, and what the compiler said.
+/// Why nothing could be run, with the compiler's output.
 std::string refusal_text(const Refusal& refused);
 
 /// The sentence of a failing case's law.
 std::string law_text(const FailingCase& failing);
-/// The case as a TOML scene; as a driver file, empty where it has no camera.
+/// The case as a TOML scene; as a driver file; empty without a camera.
 std::string scene_text(const FailingCase& failing);
 std::string driver_file_text(const FailingCase& failing, const DriverForm& form);
 
 /// "built in 3.2 s, 4 from the store, judged in 0.5 s"
 std::string times_text(const GradingTimes& times);
 
-/// What isolated submissions: "isolated by: seccomp, bubblewrap", and what did not work here, and
+/// What isolated submissions: "isolated by: seccomp, bubblewrap", with what did not work here, and
 /// why.
 std::string isolation_text(const LayersHere& isolation);
 
-/// A name without what a terminal would obey.
+/// A name without terminal control sequences.
 std::string line_text(const std::string& name);
 
-/// A line an item, and the mistake, for who looks at one submission; `items` are those of it.
+/// A line per item, and the mistake, for reading one submission; `items` are its items.
 std::string submission_text(const std::vector<const Item*>& items, const SubmissionGrade& grade);
 
-/// What was asked in item k and became of it, as lines.
+/// What item k asked, and its outcome, in lines.
 std::string item_text(const StudentGrade& all, std::size_t k);
 
 /// A command line, and what it is for.
@@ -79,20 +79,20 @@ struct HomeCommand {
   std::string words;
 };
 
-/// Those that build the submission as it was built here, and repeat the failing case of item k, its
-/// files beside the submission's; empty where it has none.
+/// Commands that build the submission as it was built here, and repeat item k's failing case, with
+/// its files beside the submission's; empty if it has none.
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);
 
-/// What grades the submission again, as far as it is shown, in its folder.
+/// Grades the submission again, as far as students may see, in its folder.
 HomeCommand command_for_all(const StudentGrade& grade);
 
 /// "12 of 441 pixels differ: yours is the expected picture mirrored left to right", `whose` being
-/// "yours"; empty where there are no pictures, or what is exact is withheld.
+/// "yours"; empty if there are no pictures, or the exact one is withheld.
 std::string difference_text(const FailingCase& failing, std::string_view whose = "yours");
 
-/// What the submission drew, what is expected and where they differ, beside each other: spheres in
-/// colours that the colour-blind tell apart, differences by marks. What is withheld is not there;
-/// empty where there are no pictures.
+/// The submission's picture, the expected one and their differences, side by side: spheres in
+/// colours that colour-blind readers can distinguish, differences as marks. Withheld ones are left
+/// out; empty if there are no pictures.
 std::string pictures_html(const FailingCase& failing, std::string_view whose = "yours");
 
 }  // namespace raycheck::tools

@@ -31,7 +31,7 @@ std::optional<EarlierGrade> earlier_grade(const std::filesystem::path& folder) {
 
 namespace {
 
-/// The items whose digests differ, and those of one side only.
+/// The items whose digests differ, and those on one side only.
 std::vector<std::string> changed_items(const GradeInputs& before, const GradeInputs& now) {
   std::vector<std::string> names;
   for (const auto& [item, digest] : now.items) {

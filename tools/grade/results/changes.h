@@ -1,6 +1,6 @@
 #pragma once
 
-// Scores beside those of an earlier grading, and why they changed.
+// Scores compared with those of an earlier grading, and why they changed.
 
 #include <cstdint>
 #include <filesystem>
@@ -16,20 +16,20 @@ namespace raycheck::tools {
 /// The file of a submission's results that records its grade.
 inline constexpr const char* kRecordFile = "result.json";
 
-/// What is known of a grade of an earlier run.
+/// What is known about an earlier run's grade.
 struct EarlierGrade {
   std::optional<double> score;  ///< Absent: it could not be judged.
   std::vector<std::pair<std::string, double>> items;
   std::uint64_t seed = 0;
   std::string isolation;
-  std::optional<GradeInputs> inputs;  ///< Absent: by a raycheck that did not write them.
+  std::optional<GradeInputs> inputs;  ///< Absent: written by an older raycheck.
 };
 
-/// The grade that the results of a submission have, of this and of earlier shapes of records; empty
-/// where there is none, or it was not finished.
+/// The grade in a submission's results, in this or an earlier shape of records; empty if there is
+/// none, or it is unfinished.
 std::optional<EarlierGrade> earlier_grade(const std::filesystem::path& folder);
 
-/// Empty where no points changed.
+/// Empty if no points changed.
 std::optional<SubmissionChange> change_of(const EarlierGrade& earlier, const SubmissionGrade& now);
 
 }  // namespace raycheck::tools

@@ -24,7 +24,7 @@ std::string digest_of(const fs::path& name, const std::string& text) {
   return digest({name.generic_string(), text});
 }
 
-/// Whether there is something of that name, were it a link to nothing.
+/// Whether something has that name, even a dangling link.
 bool is_there(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(fs::symlink_status(path, ignored));
@@ -80,7 +80,7 @@ void OwnFiles::list(const std::string& digest) {
 
 void OwnFiles::write(const fs::path& name, const std::string& text) {
   require_own(name);
-  // Listed first: what is cut between the two is no file that nobody knows.
+  // Listed first: after an interruption between the two no file is unknown.
   list(digest_of(name, text));
   OutputFile("out", out_ / name).write(text);
 }

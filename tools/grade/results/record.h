@@ -9,10 +9,10 @@
 
 namespace raycheck::tools {
 
-/// Changes with the shape of records: those of another shape are graded again.
+/// Changes with the format of records: submissions with other records are graded again.
 inline constexpr std::string_view kRecordShape = "record 11";
 
-/// All that is known of a submission's grade, as JSON: for instructors, since it has what is
+/// All that is known of a submission's grade, as JSON: for instructors, as it includes what is
 /// withheld from students, and for the next run.
 Json record_json(const SubmissionGrade& grade);
 
@@ -25,8 +25,8 @@ SubmissionGrade read_record(std::string_view text);
 /// Of a record the inputs alone. Errors: std::exception.
 GradeInputs inputs_of_record(const Json& json);
 
-/// A picture as runs of equal pixels: "12x- 3x0 4x?" are twelve that show none, three of sphere 0,
-/// and four of some sphere.
+/// A picture as runs of equal pixels: "12x- 3x0 4x?" are twelve without a sphere, three of sphere
+/// 0, and four of some sphere.
 std::string runs_of(const properties::ImageAnswer& image);
 /// Reads what runs_of() wrote. Errors: std::logic_error where it is no such text, or of more pixels
 /// than pictures have.

@@ -13,7 +13,7 @@ bool is_visible(const Rubric& rubric, const std::string& item) {
   });
 }
 
-/// How wrong an answer is tells the right one.
+/// The size of the error would tell the right answer.
 void withhold_exact(WrongAnswer& answer) {
   answer.exact.reset();
   answer.error.reset();

@@ -8,20 +8,20 @@
 
 namespace raycheck::tools {
 
-/// Who keeps students from items that they are not to see yet, or ever.
+/// Who hides items that students may not see yet, or ever.
 enum class HiddenBy {
-  kUs,          ///< Visible items alone are there.
-  kOtherSystem  ///< All are there; of hidden ones what became of them, without any case.
+  kUs,          ///< Only visible items are included.
+  kOtherSystem  ///< All are included; hidden ones with their outcome, but no cases.
 };
 
-/// What a student may be given of a grade: what is withheld is no longer in it, so that no view of
-/// it can tell.
+/// The part of a grade that a student may see: what is withheld is not in it, so that no view can
+/// reveal it.
 struct StudentGrade {
   std::string rubric;              ///< The name of its file.
-  std::string dialect;             ///< What its [driver] gave way to; or empty.
+  std::string dialect;             ///< What overrode its [driver]; or empty.
   std::string title;               ///< Of the rubric.
-  SubmissionGrade submission;      ///< Its items alone that may be seen; without seed and key.
-  std::vector<const Item*> items;  ///< Of the rubric, one for each of these.
+  SubmissionGrade submission;      ///< With visible items only; without seed and key.
+  std::vector<const Item*> items;  ///< The rubric's, one for each of these.
   std::size_t unlisted = 0;        ///< Items in the score that are not among them.
 };
 

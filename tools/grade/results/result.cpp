@@ -24,7 +24,7 @@ properties::Candidate tolerated(properties::Candidate candidate, const Tolerance
 }
 
 std::string plain_text(const std::string& said) {
-  // How compilers quote.
+  // Quotes as compilers print them.
   static const std::regex quotes("\xe2\x80[\x98\x99]");
   std::string text = std::regex_replace(without_private_folders(said), quotes, "'");
   for (char& c : text) {

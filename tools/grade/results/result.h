@@ -1,6 +1,6 @@
 #pragma once
 
-// What grading finds out, as data; views (views.h) make words of it.
+// The results of grading, as data; views (views.h) put them into words.
 
 #include <array>
 #include <cstdint>
@@ -21,18 +21,18 @@
 
 namespace raycheck::tools {
 
-/// The candidate held to what an item tolerates.
+/// The candidate with the tolerance of an item.
 properties::Candidate tolerated(properties::Candidate candidate, const Tolerance& tolerance);
 
-/// What someone's program or compiler said, without the names of raycheck's private folders and
-/// without what is not ASCII.
+/// The output of a program or compiler, without the names of raycheck's private folders and
+/// non-ASCII characters.
 std::string plain_text(const std::string& said);
 
 /// Where a case comes from: a scene of the rubric, or a source of random cases.
 struct CaseOrigin {
-  std::string scene = {};    ///< As the rubric calls it; empty: a random case.
+  std::string scene = {};    ///< Its name in the rubric; empty: a random case.
   std::string source = {};   ///< "course", "distance@3"
-  std::uint64_t number = 0;  ///< Of a random case, from 1.
+  std::uint64_t number = 0;  ///< Of the random case, from 1.
 };
 
 /// An answer that breaks a law.
@@ -44,26 +44,26 @@ struct WrongAnswer {
   std::string symbol;                        ///< Of the numbers: "s", "Q"; or empty.
   std::vector<double> got;                   ///< Empty: a miss, or no number.
   std::optional<std::vector<double>> exact;  ///< As for got; absent: withheld.
-  /// In the quantity's unit, of a number that is off; absent: withheld, or right or wrong.
+  /// In the quantity's unit, for a number; absent: withheld, or a decision.
   std::optional<double> error;
-  std::optional<double> condition;  ///< The condition number, where it was worked out.
-  scene::Precision precision = scene::Precision::kDouble;  ///< What the unit is of.
+  std::optional<double> condition;                         ///< The condition number, if computed.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format of the unit.
 };
 
-/// A picture and what it is to show, pixel by pixel, in the order of the case's conventions; of an
-/// item that judges masks kSomeSphere stands for every sphere.
+/// A picture and what it should show, pixel by pixel, in the order of the case's conventions; if an
+/// item judges masks, kSomeSphere stands for every sphere.
 struct ComparedPictures {
   properties::ImageAnswer got;
   std::optional<properties::ImageAnswer> exact;  ///< Absent: withheld.
 };
 
-/// What a submission answered about one ray of a case, as it was judged; of what it was not asked,
-/// or did not answer, nothing.
+/// A submission's answers about one ray of a case, as judged; empty where it was not asked, or did
+/// not answer.
 struct RayAnswers {
   std::optional<properties::FrameAnswer> frame = {};
   std::optional<scene::Point3> pixel_point = {};
-  std::optional<scene::Ray> ray = {};  ///< Of a pixel.
-  /// Of that ray or the given one with each sphere that it is said to meet, by the sphere's index.
+  std::optional<scene::Ray> ray = {};  ///< For a pixel.
+  /// The hits of that ray, or of the given one, by the index of the sphere.
   std::optional<std::map<std::size_t, properties::HitAnswer>> hits = {};
 };
 
@@ -73,15 +73,14 @@ struct FailingCase {
   CaseOrigin origin;
   std::optional<std::string> step;  ///< The first step that goes wrong: "direction".
   WrongAnswer answer;
-  properties::Case the_case;  ///< No pixels: of a picture, all of them.
-  /// Of a program that drew a picture of the case; as many pixels as its camera has.
+  properties::Case the_case;  ///< No pixels: all of them, for a picture.
+  /// For a program that drew a picture of the case; as many pixels as its camera has.
   std::optional<ComparedPictures> pictures = {};
-  /// Of functions, about the ray of the answer's place, or the first; absent: withheld.
+  /// For functions, about the ray at the answer's place, or the first; absent: withheld.
   std::optional<RayAnswers> answers = {};
 };
 
-/// The first wrong answer, before the case was made smaller: the same for submissions that go wrong
-/// alike.
+/// The first wrong answer, before the case was shrunk: equal for submissions with equal errors.
 struct FirstWrongAnswer {
   CaseOrigin origin;
   WrongAnswer answer;
@@ -92,7 +91,7 @@ struct FirstWrongAnswer {
 struct ExplainingMistake {
   std::string sentence;
   std::uint64_t wrong = 0, explained = 0;
-  /// Where it is several mistakes at once, the sentence of each.
+  /// If it is several mistakes at once, their sentences.
   std::vector<std::string> parts = {};
 
   std::vector<std::string> each() const {
@@ -100,13 +99,13 @@ struct ExplainingMistake {
   }
 };
 
-/// What became of an item.
+/// The outcome of an item.
 enum class ItemState {
   kHolds,
   kFails,
-  kFollows,   ///< It fails by a mistake alone that costs another item its points.
+  kFollows,   ///< Its only mistake costs another item its points.
   kLeftOut,   ///< A prerequisite failed.
-  kNotAsked,  ///< Not of this form of submission.
+  kNotAsked,  ///< Not for this form of submission.
   kNotJudged  ///< Time was up, or it was interrupted.
 };
 inline constexpr std::array<std::string_view, 6> kItemStateNames = {
@@ -120,23 +119,23 @@ struct ItemReason {
   enum class Kind {
     kNone,
     kNotInPictures,     ///< A picture does not show it.
-    kOfRenderers,       ///< It is asked of renderers only.
-    kNeeds,             ///< Another item, which has not all points.
+    kOfRenderers,       ///< Only renderers are asked for it.
+    kNeeds,             ///< Another item lacks points.
     kFollows,           ///< From the mistake of another item.
-    kTimeUp,            ///< For all that the submission is asked.
+    kTimeUp,            ///< For all of the submission's questions.
     kInterrupted,       ///< The run was.
     kOtherColours,      ///< A picture's colours do not tell which sphere is seen.
-    kUnanswered,        ///< Less is answered than a law asks.
+    kUnanswered,        ///< Less is answered than a law requires.
     kNothingToCompare,  ///< There were no cases.
-    kNeverRight,        ///< Every answer about some quantity has an excuse, and none is right.
+    kNeverRight,        ///< All answers about some quantity are excused, none right.
     kNothingRuns        ///< Nothing of the submission could be run.
   };
   Kind kind = Kind::kNone;
   std::string item = {};                ///< The one that it needs; empty: withheld.
-  ItemState state = ItemState::kFails;  ///< What became of that.
-  double seconds = 0;                   ///< That it had.
+  ItemState state = ItemState::kFails;  ///< The outcome of that.
+  double seconds = 0;                   ///< The time that it had.
   std::string law = {}, said = {};      ///< Which law was not answered, and why.
-  std::string quantity = {};            ///< Of which no answer was right.
+  std::string quantity = {};            ///< It had no right answer.
 };
 inline constexpr std::array<std::string_view, 12> kReasonNames = {
     "",           "not in pictures",    "of renderers", "needs",
@@ -147,11 +146,11 @@ struct ItemGrade {
   std::string name;
   ItemState state = ItemState::kNotJudged;
   ItemReason reason;
-  double points = 0;  ///< To be had; 0 where it is not asked.
+  double points = 0;  ///< The maximum; 0 if not asked.
   double score = 0;
   bool bonus = false;
-  bool pictures = false;    ///< It was asked for pictures, otherwise for functions.
-  std::uint64_t cases = 0;  ///< Of which something was asked.
+  bool pictures = false;    ///< It was asked for pictures, not for functions.
+  std::uint64_t cases = 0;  ///< Those that asked something.
   std::uint64_t held = 0;
   std::uint64_t comparisons = 0;
   std::vector<ExplainingMistake> mistakes;
@@ -159,62 +158,61 @@ struct ItemGrade {
   std::optional<FirstWrongAnswer> first_wrong;
 };
 
-/// A file of a submission that cannot be seen through by reading it.
+/// A file of a submission that cannot be understood by reading it.
 struct OpaqueFile {
   std::string name;
   std::string kind;  ///< "picture"
   std::uintmax_t bytes = 0;
 };
 
-/// What a grade depends on besides its seed and how the submission was isolated: digests, to tell
-/// what has changed since.
+/// What a grade depends on besides its seed and the submission's isolation: digests that tell what
+/// has changed since.
 struct GradeInputs {
   std::string raycheck;                      ///< Its version, and that of records.
   std::string submission;                    ///< Its files.
-  std::string rubric;                        ///< What it says beside its items.
+  std::string rubric;                        ///< The rubric outside its items.
   std::map<std::string, std::string> items;  ///< By name: what each asks, with its scenes.
 };
 
 struct SubmissionGrade {
   std::string name;
-  std::string key;  ///< Of all that the grade depends on.
+  std::string key;  ///< Of everything the grade depends on.
   GradeInputs inputs;
-  std::optional<CandidateSpec> program;  ///< As it was run; absent where none was found.
-  /// The shell words that built it, in a copy of its folder; empty: nothing was to build, or
+  std::optional<CandidateSpec> program;  ///< As it was run; absent if none was found.
+  /// The shell command that built it, in a copy of its folder; empty: nothing had to be built, or
   /// raycheck compiled it.
   std::string build_words = {};
-  DriverForm driver = {};  ///< Of a renderer: how its driver files are written.
-  /// What the dry run found out, and what is worth knowing of how it was built, a sentence each.
+  DriverForm driver = {};  ///< For a renderer: how its driver files are written.
+  /// Remarks on the dry run and the build, a sentence each.
   std::vector<std::string> notes = {};
   std::vector<OpaqueFile> opaque_files = {};  ///< For instructors to look at.
   Layers isolation;
   std::optional<Refusal> refused;
-  /// To make it run, and to ask it all that the rubric asks.
+  /// To make it run, and to ask everything in the rubric.
   double build_seconds = 0, judge_seconds = 0;
-  bool build_is_stored =
-      false;  ///< What was built by an earlier run, or of equal files, was taken.
+  bool build_is_stored = false;  ///< The build of an earlier run, or of equal files, was used.
   std::uint64_t seed = 0;
   bool finished = false;
-  double points = 0;  ///< Of items that are asked, bonus aside.
+  double points = 0;  ///< Of the items asked, without bonus.
   double score = 0;
   double bonus = 0;  ///< Of the score, what comes on top of the points.
   std::vector<ItemGrade> items;
 };
 
-/// Otherwise its points say nothing: nothing of it ran.
+/// Otherwise its points mean nothing: nothing of it ran.
 inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refused; }
 
-/// What a run took for the submissions that it graded itself, added up.
+/// The total times of a run for the submissions that it graded itself.
 struct GradingTimes {
   double build_seconds = 0, judge_seconds = 0;
-  std::uint64_t stored_builds = 0;  ///< Submissions that were not built, but taken from the store.
+  std::uint64_t stored_builds = 0;  ///< Submissions whose build was in the store.
 };
 
 /// What differs between two gradings of a submission.
 enum class ChangeCause {
   kSubmission,  ///< Its files.
   kItems,       ///< Items of the rubric.
-  kRubric,      ///< What the rubric says beside its items.
+  kRubric,      ///< The rubric outside its items.
   kSeed,
   kRaycheck,  ///< Its version.
   kIsolation
@@ -225,7 +223,7 @@ constexpr std::string_view name(ChangeCause cause) {
   return kChangeCauseNames[static_cast<std::size_t>(cause)];
 }
 
-/// Points before and now. Absent: it could not be judged, or the item was not there.
+/// Points before and now. Absent: it could not be judged, or the item did not exist.
 struct ScoreChange {
   std::string name;
   std::optional<double> before, now;
@@ -235,14 +233,14 @@ struct ScoreChange {
 struct SubmissionChange {
   ScoreChange score;
   std::vector<ScoreChange> items;         ///< Those whose points changed.
-  std::vector<ChangeCause> causes;        ///< Empty: it answers otherwise when it is asked again.
-  std::vector<std::string> rubric_items;  ///< Those that the rubric changed, added or left out.
+  std::vector<ChangeCause> causes;        ///< Empty: it answers differently each time.
+  std::vector<std::string> rubric_items;  ///< Those that the rubric changed, added or removed.
 };
 
-/// A class beside an earlier grading.
+/// A class compared with an earlier grading.
 struct ClassChanges {
   std::string against;                       ///< The folder of that.
-  std::uint64_t compared = 0, new_ones = 0;  ///< Submissions with a grade there, and without.
+  std::uint64_t compared = 0, new_ones = 0;  ///< Submissions with and without a grade there.
   std::vector<SubmissionChange> changed;
 };
 
@@ -250,13 +248,13 @@ struct ClassChanges {
 struct ClassGrade {
   Rubric rubric;
   std::string out;                           ///< Where the results are; empty: nowhere.
-  std::vector<SubmissionGrade> submissions;  ///< In the order given; those that were reached.
+  std::vector<SubmissionGrade> submissions;  ///< In the given order, as far as reached.
   std::optional<LayersHere> isolation = {};  ///< Absent: none was run.
-  std::uint64_t reused = 0;                  ///< Of those, graded by an earlier run.
-  std::uint64_t not_graded = 0;  ///< For causes outside them, which may have gone next time.
+  std::uint64_t reused = 0;                  ///< Those graded by an earlier run.
+  std::uint64_t not_graded = 0;              ///< For outside causes, which may be gone next time.
   bool interrupted = false;
   std::optional<GradingTimes> times = {};    ///< Absent: nothing was run.
-  std::optional<ClassChanges> changes = {};  ///< Where an earlier grading is given.
+  std::optional<ClassChanges> changes = {};  ///< If there is an earlier grading.
 };
 
 }  // namespace raycheck::tools

@@ -7,13 +7,13 @@
 namespace raycheck::tools {
 namespace {
 
-/// Spheres, then pixels.
+/// By spheres, then pixels.
 std::pair<std::size_t, std::int64_t> size_of(const FailingCase& failing) {
   const scene::Scene& scene = failing.the_case.scene;
   return {scene.spheres.size(), scene.camera ? scene.camera->width * scene.camera->height : 0};
 }
 
-/// Counts an item of a student that a mistake explains.
+/// Counts a student's item that a mistake explains.
 void add(const std::string& sentence, const ItemGrade& item, const SubmissionGrade& grade,
          std::vector<MistakeStatistics>& all) {
   auto known = std::find_if(all.begin(), all.end(), [&](const MistakeStatistics& other) {

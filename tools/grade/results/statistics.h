@@ -16,17 +16,17 @@ using Submissions = std::vector<const SubmissionGrade*>;
 /// Those that could be judged, or those that could not, in the order of the class.
 Submissions submissions_that(const ClassGrade& graded, bool are_judged);
 
-/// The middle value, or the mean of the two in the middle; empty of none.
+/// The middle value, or the mean of the two in the middle; empty if there is none.
 std::optional<double> median(std::vector<double> values);
 
 /// How a class did on an item.
 struct ItemStatistics {
   const Item* item = nullptr;
-  std::size_t asked = 0;  ///< Of those that could be judged.
-  std::size_t full = 0;   ///< All its points.
+  std::size_t asked = 0;  ///< Of the submissions that could be judged.
+  std::size_t full = 0;   ///< With all its points.
   std::size_t failing = 0;
-  std::size_t left_out = 0;      ///< Or not judged, since time was up.
-  std::optional<double> median;  ///< Of the points; empty where nobody was asked.
+  std::size_t left_out = 0;      ///< Or not judged, as time was up.
+  std::optional<double> median;  ///< Of the points; empty if nobody was asked.
 };
 /// In the order of the rubric. Domain: grades of `graded.rubric`, which outlives the result.
 std::vector<ItemStatistics> item_statistics(const ClassGrade& graded);
@@ -34,11 +34,10 @@ std::vector<ItemStatistics> item_statistics(const ClassGrade& graded);
 /// A mistake, and who makes it.
 struct MistakeStatistics {
   std::string sentence;
-  Submissions students;  ///< With an item whose wrong answers it explains.
-  /// Of the failing cases that it explains the one with the fewest spheres, then pixels; null where
-  /// there is none.
+  Submissions students;  ///< Those with an item whose wrong answers it explains.
+  /// The failing case that it explains with the fewest spheres, then pixels; null if there is none.
   const ItemGrade* smallest = nullptr;
-  const SubmissionGrade* whose = nullptr;  ///< Of the smallest case; null likewise.
+  const SubmissionGrade* whose = nullptr;  ///< Whose smallest case it is; null likewise.
 };
 /// Most students first.
 std::vector<MistakeStatistics> mistake_statistics(const ClassGrade& graded);

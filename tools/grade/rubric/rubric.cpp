@@ -26,10 +26,10 @@ constexpr double kMostSeconds = 86400;
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr std::int64_t kMostCases = 1000000;
 constexpr std::int64_t kMostOfLimit = std::int64_t{1} << 20;
-/// File systems take 255 bytes at most.
+/// File systems allow at most 255 bytes.
 constexpr std::size_t kLongestName = 80;
 
-/// Without comments, and with its keys in one order.
+/// Without comments, with keys in canonical order.
 std::string toml_text(const toml::table& table) {
   std::ostringstream text;
   text << table;

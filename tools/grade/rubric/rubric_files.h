@@ -17,22 +17,22 @@ namespace raycheck::tools {
 /// Their names, without ".toml", in order.
 std::vector<std::string> shipped_rubrics();
 
-/// Where the one of that name lies, with or without ".toml"; empty: there is none.
+/// The path of the one with this name, with or without ".toml"; empty: there is none.
 std::optional<std::filesystem::path> shipped_rubric(const std::filesystem::path& name);
 
-/// Where a scene lies that one of them names so; empty: there is none.
+/// The path of a scene that one of them names; empty: there is none.
 std::optional<std::filesystem::path> shipped_scene(const std::filesystem::path& name);
 
-/// The list `vary` of an item's pictures: in what its scenes differ from seed to seed.
+/// The list `vary` of an item's pictures: how its scenes vary with the seed.
 /// Errors: scene::SceneFileError naming file, line, field and value.
 std::vector<properties::Variation> read_variations(const scene::TomlFields& fields,
                                                    const scene::TomlFields::Field& field);
 
-/// SHA-256 of texts, in hexadecimal; no two lists of texts run together.
+/// SHA-256 of texts, in hexadecimal; different lists never hash the same bytes.
 std::string digest(const std::vector<std::string>& texts);
 
-/// The seed of a submission: HMAC-SHA-256 of its name under a secret, its first 64 bits. Whoever
-/// does not know the secret cannot foresee it.
+/// The seed of a submission: the first 64 bits of HMAC-SHA-256 of its name under a secret,
+/// unpredictable without the secret.
 std::uint64_t secret_seed(std::string_view secret, std::string_view name);
 
 }  // namespace raycheck::tools

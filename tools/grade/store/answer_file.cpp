@@ -17,9 +17,9 @@ namespace {
 
 constexpr std::string_view kFirstLine = "raycheck answers 2";
 constexpr int kQuickly = 1;  ///< zlib's level
-/// More than kMostKept bytes of answers and their heads take.
+/// More than kMostKept bytes of answers with their headers.
 constexpr std::size_t kMostUnpacked = 2 * AnswerFile::kMostKept;
-/// What an answer that is no failure is written as.
+/// The kind written for an answer that is not a failure.
 constexpr int kAnswered = -1;
 
 /// "DIGEST KIND SECONDS SIZE", the text.
@@ -61,7 +61,7 @@ std::string packed(const std::string& text) {
   return bytes;
 }
 
-/// Empty where they are no such bytes.
+/// Empty if these are not such bytes.
 std::string unpacked(const std::string& bytes, std::size_t size) {
   std::string text(size, '\0');
   uLongf made = size;
@@ -70,7 +70,7 @@ std::string unpacked(const std::string& bytes, std::size_t size) {
   return result == Z_OK && made == size ? text : "";
 }
 
-/// What a file says, where it is as it was written.
+/// The answers in a file, if it is intact.
 std::map<std::string, StoredAnswer> answers_in(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string head, digested;
@@ -99,7 +99,7 @@ AnswerFile::~AnswerFile() {
                            text.size()) +
                bytes);
   } catch (const std::exception&) {
-    // What is not kept is asked again.
+    // What is not stored is asked again.
   }
 }
 

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 constexpr const char* kFiles = "files";       ///< The folder of what was built.
 constexpr const char* kRecord = "made.json";  ///< What is known of it.
 
-/// Of its contents, and whether it is a program.
+/// A digest of its contents and executable bit.
 std::string digest_of(const fs::path& path) {
   const bool runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
   return digest({runs ? "runs" : "", file_bytes(path)});
@@ -84,7 +84,7 @@ Built Store::built(const std::string& key, const fs::path& to, const std::functi
   try {
     keep(key, to, made);
   } catch (const std::exception&) {
-    // What is not kept is built again.
+    // What is not stored is built again.
   }
   return made;
 }
@@ -102,7 +102,7 @@ std::optional<Built> Store::find(const std::string& key, const fs::path& to) con
                    made.at("notes").get<std::vector<std::string>>()};
     }
   } catch (const std::exception&) {
-    // It is not as it was kept.
+    // It has changed since it was stored.
   }
   empty_folder(to);
   return {};
@@ -136,10 +136,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes with what is kept of builds and answers.
+/// Changes with the format of stored builds and answers.
 constexpr std::string_view kStoreShape = "store 1";
 
-/// As kProgramPath has them.
+/// As in kProgramPath.
 constexpr const char* kFolders[] = {"/usr/local/bin", "/usr/bin"};
 constexpr const char* kPrograms[] = {"g++",   "gcc",  "c++",  "cc",     "clang++",
                                      "clang", "ld",   "make", "cmake",  "ninja",
@@ -147,7 +147,7 @@ constexpr const char* kPrograms[] = {"g++",   "gcc",  "c++",  "cc",     "clang++
 constexpr const char* kVersionHeaders[] = {"/usr/include/eigen3/Eigen/src/Core/util/Macros.h",
                                            "/usr/include/glm/detail/setup.hpp"};
 
-/// Empty where there is no such file.
+/// Empty if there is no such file.
 std::vector<std::string> identity(const fs::path& path) {
   std::error_code error;
   const fs::path file = fs::canonical(path, error);

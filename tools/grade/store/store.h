@@ -14,31 +14,29 @@
 
 namespace raycheck::tools {
 
-/// What was made of a submission.
+/// The result of building a submission.
 struct Built {
-  /// What starts it, or the library's name, from its folder; of several programs likelier ones
-  /// first.
+  /// Its command lines, or the library's name, relative to its folder; likelier programs first.
   std::vector<std::string> programs = {""};
-  std::string words = {};  ///< The shell words that built it; empty: nothing was to build.
-  /// What who reads the grade should know: "its Makefile failed; built from its sources".
+  std::string words = {};  ///< The shell command that built it; empty: nothing to build.
+  /// Remarks for readers of the grade: "its Makefile failed; built from its sources".
   std::vector<std::string> notes = {};
 };
 
 /// A digest of raycheck's version and of the compilers and interpreters of this machine that builds
-/// and programs use, and of Eigen and glm: which files they are, how large and of which time.
-/// Another version is another file.
+/// and programs use, and of Eigen and glm: their files, sizes and times. Another version is another
+/// file.
 std::string toolchain();
 
-/// The answers of one program in one compressed file, which is read at first and written when the
-/// object goes, if there are new ones. A file that is not as it was written counts as none. For all
-/// threads.
+/// The answers of one program in one compressed file, read by the constructor and written by the
+/// destructor, if there are new ones. A damaged file counts as missing. Thread-safe.
 class AnswerFile : public AnswerStore {
  public:
   explicit AnswerFile(std::filesystem::path path);
   ~AnswerFile() override;
 
   std::optional<StoredAnswer> find(const std::string& request) const override;
-  /// Answers beyond kMostKept bytes together are not kept.
+  /// Drops answers beyond kMostKept bytes in total.
   void keep(const std::string& request, StoredAnswer answer) override;
   static constexpr std::size_t kMostKept = std::size_t{64} << 20;
 
@@ -50,22 +48,22 @@ class AnswerFile : public AnswerStore {
   bool is_new_ = false;
 };
 
-/// The folder below the results in which a store lies; no submission is called so.
+/// A store's folder, below the results; no submission may have this name.
 inline constexpr std::string_view kStoreFolder = ".raycheck";
 
-/// What was built of submissions and what their programs answered, by all that it depends on, from
-/// one run to the next. The keys are digests. For all threads.
+/// Submissions' builds and their programs' answers, kept from run to run, by digests of all that
+/// they depend on. Thread-safe.
 class Store {
  public:
-  /// Makes the folder, for its owner alone. Errors: std::invalid_argument.
+  /// Makes the folder, accessible to its owner only. Errors: std::invalid_argument.
   explicit Store(const std::filesystem::path& out);
 
-  /// What was built, its files copied to the empty folder `to`; where it is not there, or not as it
-  /// was kept, `make` builds it there. Equal things are built once at a time. `is_stored` is set.
+  /// A build, its files copied to the empty folder `to`; if it is missing or damaged, `make` builds
+  /// it there. Equal builds run only once at a time. Sets `is_stored`.
   Built built(const std::string& key, const std::filesystem::path& to,
               const std::function<Built()>& make, bool& is_stored);
 
-  /// The answers of a program, the same for all who ask at a time.
+  /// The answers of a program, one object for all concurrent users.
   std::shared_ptr<AnswerStore> answers(const std::string& key);
 
  private:

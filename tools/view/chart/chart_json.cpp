@@ -13,7 +13,7 @@ Json errors_json(const ChartPoint::Errors& errors) {
           {"front", errors.is_front}};
 }
 
-/// A mark that says which decisions are wrong, and what it says.
+/// A mark for wrong decisions, and its meaning.
 struct Mark {
   const char *standing, *text;
 };
@@ -47,7 +47,7 @@ Json time_json(const ChartTime& time) {
           {"told", fmt::format("{:.3g}", time.ratio)}};
 }
 
-/// What there is to say of a method's run time, where others have one.
+/// Remarks on a method's run time, if others have one.
 std::string time_text(const ChartSeries& series, const ChartFacet& facet) {
   if (facet.baseline.empty()) return {};
   if (!series.time) return series.note.empty() ? "no run time was taken" : series.note;

@@ -245,7 +245,7 @@ void require_plottable(const std::string& path) {
   if (!folder.empty() && !fs::is_directory(folder)) {
     throw std::invalid_argument("plot " + path + ": there is no folder " + folder.string());
   }
-  const OutputFile tried("plot", path);  // hours of work do not end in a file that is not written
+  const OutputFile tried("plot", path);  // so that hours of work do not end with an unwritable file
 }
 
 std::string gnuplot_script(const std::vector<ChartFacet>& facets, const std::string& path) {

@@ -20,7 +20,7 @@ bool may_count(const reference::ExactRay& ray, const scene::Sphere& sphere,
   return is_asked && ray.counts(sphere, at, conventions.valid) == reference::RootCounts::kYes;
 }
 
-/// How the whole line meets a sphere, behind the ray's origin too.
+/// How the whole line meets a sphere, also behind the ray's origin.
 reference::HitClass class_of_line(const reference::ExactRay& ray, const scene::Sphere& sphere) {
   scene::Conventions anywhere;
   anywhere.valid.t_min = std::numeric_limits<double>::lowest();
@@ -35,7 +35,7 @@ Enclosure3 foot_of(const reference::ExactRay& ray, const scene::Sphere& sphere, 
   return {origin.x + v * direction.x, origin.y + v * direction.y, origin.z + v * direction.z};
 }
 
-/// Both with as many digits as tell them apart, written alike, and six at least.
+/// Both numbers in the same format, with enough digits to distinguish them, at least six.
 std::array<std::string, 2> told_apart(double a, double b) {
   constexpr int kFewestDigits = 6, kMostDigits = 17;
   for (int digits = kFewestDigits;; ++digits) {
@@ -47,9 +47,9 @@ std::array<std::string, 2> told_apart(double a, double b) {
   }
 }
 
-/// A direction square to a ray, towards a centre; where the ray goes through it, any.
+/// A direction at right angles to a ray, towards a centre; any if the ray passes through that.
 Drawn across(const Drawn& direction, const Drawn& foot, const Drawn& centre, const Drawn& origin) {
-  constexpr double kTooNear = 0x1p-30;  // of the way: less of it may be what rounding left
+  constexpr double kTooNear = 0x1p-30;  // relative distance; less may be rounding error
   Drawn square;
   double least = kTooNear * length_of(centre - origin);
   for (const Drawn& way : {centre - foot, Drawn{0, 1, 0}, Drawn{0, 0, 1}}) {
@@ -57,13 +57,13 @@ Drawn across(const Drawn& direction, const Drawn& foot, const Drawn& centre, con
     if (length_of(square) > least) break;
     least = kTooNear;
   }
-  constexpr double kSteps = 1e6;  // to a unit: it says only from where one looks
+  constexpr double kSteps = 1e6;  // per unit: it only sets the viewing direction
   const Drawn finest = (kSteps / length_of(square)) * square;
   return {std::round(finest[0]) / kSteps, std::round(finest[1]) / kSteps,
           std::round(finest[2]) / kSteps};
 }
 
-/// Puts the roots on a ray's line into its drawing.
+/// Adds the roots on a ray's line to its drawing.
 void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const scene::Sphere& sphere,
                const scene::Conventions& conventions, PanelDrawing& drawing) {
   const auto line = class_of_line(ray, sphere);
@@ -90,9 +90,9 @@ void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const sc
   }
 }
 
-/// From where to where the line is drawn that holds these places: a little beyond the last.
+/// Sets the ends of the line through these places: a little beyond the last.
 void add_ends(PanelDrawing& drawing) {
-  constexpr double kBeyond = 1.2;  // times the way to the last
+  constexpr double kBeyond = 1.2;  // times the distance of the last
   const Drawn origin = drawing.places.front().second;
   double first = 0, last = 0;
   Drawn behind = origin;

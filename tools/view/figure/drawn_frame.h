@@ -8,8 +8,8 @@
 
 namespace raycheck::tools {
 
-/// Where drawn coordinates have their origin, and how they are scaled: by a power of two, which
-/// brings the camera's image plane, or without one the first ray's way to the first sphere, near 1.
+/// The origin of drawn coordinates, and their scale: a power of two that makes the distance of the
+/// camera's image plane, or without one of the first sphere from the first ray's origin, about 1.
 class DrawnFrame {
  public:
   explicit DrawnFrame(const scene::Scene& scene);
@@ -17,7 +17,7 @@ class DrawnFrame {
   const scene::Point3& origin() const { return origin_; }
   int exponent() const { return exponent_; }
 
-  /// Exact but for one rounding; infinite where the scaled coordinate leaves the double range.
+  /// Exact up to one rounding; infinite if the scaled coordinate leaves the double range.
   Drawn point(const scene::Point3& point) const;
   double length(double length) const;
   /// A point that is known by enclosures of any precision, to within 2^-40 of its distance from the
@@ -29,7 +29,7 @@ class DrawnFrame {
   int exponent_ = 0;
 };
 
-/// A direction of length about 1, whatever the length of `v` is.
+/// A direction of length about 1, whatever the length of `v`.
 Drawn unit(const scene::Vector3& v);
 inline Drawn unit(const scene::UnitVector3& v) { return {v.x, v.y, v.z}; }
 

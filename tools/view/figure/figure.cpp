@@ -12,13 +12,13 @@
 namespace raycheck::tools {
 namespace {
 
-/// What reaches farther than so many sizes of the frustum is left out of views of the whole.
+/// Views of the whole leave out what extends beyond this many times the frustum's size.
 constexpr double kOrdinary = 50;
-/// More are thinned, and the figure says so.
+/// More are thinned out, and the figure says so.
 constexpr std::int64_t kMostPixelsAcross = 96, kMostRaysAcross = 24;
-/// Given rays times spheres, up to which it is looked for where each ray ends.
+/// Up to this many given rays times spheres each ray is drawn to its hit.
 constexpr double kMostMet = 1 << 22;
-/// Doubles near a centre are |C| 2^-52 apart: of a smaller sphere, in |C|, nothing can be drawn.
+/// Doubles near a centre are |C| 2^-52 apart: a sphere smaller than this times |C| cannot be drawn.
 constexpr double kLeastDrawn = 0x1p-40;
 
 DrawnCamera drawn_camera(const scene::Scene& scene, const DrawnFrame& frame) {
@@ -43,7 +43,7 @@ DrawnCamera drawn_camera(const scene::Scene& scene, const DrawnFrame& frame) {
   drawn.first = frame.point([&](int bits) { return first.enclose(bits).pixel_point(); });
   drawn.column = across * drawn.U;
   drawn.row = (from_top ? -up : up) * drawn.V;
-  const double beside = at_edges ? 0.5 : 0;  // of a cell: every sample's is whole
+  const double beside = at_edges ? 0.5 : 0;  // of a cell, so that each sample's cell is whole
   drawn.window = {drawn.left - beside * across, drawn.right + beside * across,
                   drawn.bottom - beside * up, drawn.top + beside * up};
   for (double& side : drawn.window) side /= std::abs(drawn.near);
@@ -81,8 +81,8 @@ void add_corners(Figure& figure, const std::string& plane, const std::array<Draw
 }
 
 void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene) {
-  constexpr double kEnlarged = 1.5;                      // the view plane, of which a part is drawn
-  constexpr double kAxisLength = 0.4, kUpLength = 1.35;  // of the way to the plane; of an axis
+  constexpr double kEnlarged = 1.5;                      // the view plane, partly drawn
+  constexpr double kAxisLength = 0.4, kUpLength = 1.35;  // of the plane's distance; of an axis
   const scene::Camera& given = *scene.camera;
   const DrawnCamera& camera = *(figure.camera = drawn_camera(scene, frame));
   const double axis = kAxisLength * std::abs(camera.near);

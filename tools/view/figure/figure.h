@@ -10,24 +10,24 @@
 
 namespace raycheck::tools {
 
-/// What is drawn of a scene: at most `most_spheres` of its spheres.
+/// The figure of a scene, with at most `most_spheres` of its spheres.
 /// Domain: a valid scene.
 Figure figure_of(const scene::Scene& scene, std::size_t most_spheres);
 
-/// What is drawn of one ray and a sphere (null: none) under the conventions of the scene.
+/// The drawing of a ray and a sphere (null: none) under the scene's conventions.
 PanelDrawing drawing_of(const DrawnFrame& frame, const reference::ExactRay& ray,
                         const scene::Sphere* sphere, const scene::Conventions& conventions);
 
 /// What every figure draws between, at and beside named places.
 Json parts_json();
 
-/// What a scene's figure is drawn of.
+/// The data from which a scene's figure is drawn.
 Json figure_json(const SceneView& view);
 
 Json drawing_json(const PanelDrawing& drawing);
 
-// What figures draw between, at and beside the places that have a name: the same in every page. A
-// part is drawn where all its places are there, and its layer is switched on.
+// What figures draw between, at and beside named places: the same in every page. A part is drawn if
+// all its places exist, and its layer is switched on.
 
 /// From place to place.
 struct PartLine {
@@ -46,13 +46,13 @@ struct PartMark {
 struct PartName {
   std::string_view layer;
   std::vector<std::string_view> at;
-  std::string_view text;  ///< Unless the place brings its own.
+  std::string_view text;  ///< Unless the place has its own.
   std::string_view colour;
 };
 
 const std::vector<PartLine>& part_lines();
 const std::vector<PartMark>& part_marks();
-/// The most important first: the last are left out where there is no room.
+/// The most important first: the last are dropped if there is no room.
 const std::vector<PartName>& part_names();
 
 }  // namespace raycheck::tools

@@ -10,7 +10,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A number that is drawn; null where no double is left of it.
+/// A drawn number; null if it is not a finite double.
 Json drawn(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json drawn(const Drawn& point) { return is_finite(point) ? Json(point) : Json(nullptr); }
 Json drawn(const std::optional<Drawn>& point) { return point ? drawn(*point) : Json(nullptr); }
@@ -45,7 +45,7 @@ Json camera_json(const DrawnCamera& drawn_camera, const scene::Scene& scene) {
             {"larger", drawn_camera.larger_counts}}}};
 }
 
-/// Of each sphere how many pixels see it; empty where that is not known.
+/// How many pixels see each sphere; empty if unknown.
 std::vector<std::uint64_t> seen_by(const SceneView& view) {
   std::vector<std::uint64_t> pixels(view.seen.empty() ? 0 : view.figure.spheres.size());
   for (const SeenRun& run : view.seen) {

@@ -12,8 +12,8 @@ const ALL = 0; // severities together, where there are run times
 
 const isTimed = (facet) => facet.baseline !== "";
 
-/// What is looked at: a facet (a stage's methods on a family), one of its quantities, a quantile, a severity. A dial's
-/// severity is the store's scene.
+/// The chart's selection: a facet (a stage's methods on a family), one of its quantities, a quantile, a severity. A
+/// dial's severity follows the store's scene.
 export function mountChart(root, { chart, dial }, store) {
   const state = { facet: chart.facets[0], quantity: 0, share: chart.share, severity: ALL };
   const [heading, controls] = [element("h2", { id: `${root.id}-heading` }), element("div", { class: "fields" })];
@@ -56,7 +56,7 @@ export function mountChart(root, { chart, dial }, store) {
   atEachWidth(body, show);
 }
 
-/// The choices that a facet has.
+/// Fills in a facet's choices.
 function fillChoices(state, controls, chart, dial, store, set) {
   const { facet } = state;
   const stops = facet.severities;
@@ -73,7 +73,7 @@ function fillChoices(state, controls, chart, dial, store, set) {
     dial !== null || (isTimed(facet) && stops.length > 1) ? state.slider : null);
 }
 
-/// What marks and lines mean, who is not drawn, and every method.
+/// What marks and lines mean, which methods are not drawn, and all methods.
 function legendOf(state, { key }) {
   const { facet: { series, key: lines } } = state;
   const entry = (number, standing, text) => [svg("svg", { class: "chip-mark", viewBox: "0 0 16 16",
@@ -88,7 +88,7 @@ function legendOf(state, { key }) {
       { type: "button", class: "chip", "data-method": number }, entry(number, "right", brief(name)))))];
 }
 
-/// All families of the stage, where there are several; each leads to its own chart.
+/// All families of the stage, if there are several; each links to its own chart.
 function smallCharts(state, chart, set) {
   const facets = chart.facets.filter(({ stage }) => stage === state.facet.stage);
   if (facets.length === 1) return [];
@@ -105,7 +105,7 @@ function titleOf({ facet, quantity, share, severity }, chart) {
   return `${facet.title}${where}: ${error} against ${isTimed(facet) ? "run time" : "severity"}`;
 }
 
-/// A trace of every method of a facet that has something to draw; those that are the same share one.
+/// A trace for every method of a facet with something to draw; equal methods share one.
 function tracesOf({ facet, quantity, share, severity }) {
   const placeOf = (x, point) => ({ x, y: point?.errors[quantity].at[share] ?? null, standing: point?.standing });
   const traces = facet.series.map(({ name, number, time, points }) => (isTimed(facet)
@@ -121,7 +121,7 @@ function tracesOf({ facet, quantity, share, severity }) {
   });
 }
 
-/// A facet as a plot; small, with the axes of `others`, where those are given.
+/// A facet as a plot; a small one with the axes of `others` if these are given.
 function facetPlot(state, chart, dial, width, others) {
   const { facet, quantity, share, severity } = state;
   const isSmall = others !== undefined;
@@ -139,7 +139,7 @@ function facetPlot(state, chart, dial, width, others) {
     unit: `${chart.shares[share]} error, ${facet.quantities[quantity].unit}`, under: facet.under });
 }
 
-/// What a method's mark says, in a sentence.
+/// The meaning of a method's mark, in a sentence.
 function figuresText({ text, points }, { facet, quantity, share, severity }, chart) {
   const { unit, error } = facet.quantities[quantity];
   const told = (point) => point?.errors[quantity].told[share] ?? "-";

@@ -7,7 +7,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// zlib looks back so far.
+/// How far back zlib looks.
 constexpr std::size_t kWindow = 1 << 15;
 
 const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }

@@ -24,33 +24,33 @@ function filled(node, attributes, children) {
   return node;
 }
 
-/// Gives `target` other children; the one that had the focus has it still, by its id.
+/// Replaces the children of `target`; the focused one keeps the focus, by its id.
 export function refill(target, ...children) {
   const focused = target.contains(document.activeElement) ? document.activeElement.id : "";
   target.replaceChildren(...children.flat(Infinity).filter((child) => child !== null));
   if (focused !== "") document.getElementById(focused)?.focus();
 }
 
-/// MathML that raycheck made of its own numbers.
+/// MathML that raycheck made from its own numbers.
 export function mathematics(mathml) {
   return document.adoptNode(new DOMParser().parseFromString(mathml, "text/html").body.firstElementChild);
 }
 
-/// "r^2 - v" with a raised 2, a minus, Greek letters: how formulas are told in a line.
+/// "r^2 - v" with a raised 2, a minus, Greek letters: formulas within a line.
 export function formula(text) {
   const signs = { alpha: "\u03b1", beta: "\u03b2", "-": "\u2212", " . ": " \u00b7 ", " x ": " \u00d7 " };
   const told = text.replace(/\balpha\b|\bbeta\b|-| \. | x /g, (word) => signs[word]);
   return told.split(/\^(\d)/).map((part, k) => (k % 2 === 1 ? element("sup", {}, part) : part));
 }
 
-/// A name that is too long is cut short, with how long it is.
+/// Cuts a name that is too long, and tells its length.
 export function brief(text, longest = LONGEST_NAME) {
   return text.length <= longest ? text : `${text.slice(0, longest)}\u2026 (${text.length} characters)`;
 }
 
 export const briefSentence = (text) => brief(text, LONGEST_SENTENCE);
 
-/// A table that scrolls sideways where it is too wide; the first cell of a row is its heading.
+/// A table that scrolls sideways if it is too wide; the first cell of a row is its heading.
 export function table(caption, columns, rows, look = "wide") {
   const cell = (content, k) => element(k === 0 ? "th" : "td", { scope: k === 0 ? "row" : null, dir: "auto" }, content);
   return element("div", { class: look, tabindex: "0", role: "region", "aria-label": caption }, element("table", {},
@@ -74,7 +74,7 @@ export function choice(id, label, options, chosen, onChoice) {
       element("option", { value, selected: String(value) === String(chosen) }, brief(String(text))))));
 }
 
-/// A labelled range of 0 to `last` that tells its value, which its show(k) sets.
+/// A labelled slider from 0 to `last` that shows its value; its show(k) sets it.
 export function rangeField(id, label, last, tell, onInput, first = 0) {
   const output = element("output", { for: id });
   const input = element("input", { id, type: "range", min: 0, max: last, step: 1 });
@@ -91,7 +91,7 @@ export function rangeField(id, label, last, tell, onInput, first = 0) {
   return Object.assign(labelled(id, label, input, output), { show });
 }
 
-/// A button that copies; where the browser keeps the clipboard to itself, a text to copy from.
+/// A button that copies; if the browser denies access to the clipboard, a text to copy from.
 export function copyButton(id, label, text) {
   const said = element("span", { role: "status", class: "said" });
   const copy = async () => {

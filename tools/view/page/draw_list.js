@@ -1,13 +1,13 @@
-// What the figure holds, as segments, points, spheres and names in the document's lengths.
+// The contents of the figure, as segments, points, spheres and names in the document's lengths.
 import { seenAt } from "./picture.js";
 import { drawnRoot, pixelPointOf, plus, times, unitOf } from "./projection.js";
 
-const MOST_NAMED_SPHERES = 8; // of more only the chosen one has its name
+const MOST_NAMED_SPHERES = 8; // of more only the chosen one is named
 const CELL = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
 
-/// What a store's scene shows of its choice; layers.rays is "none", "pixel", "row" or "all". Colours are as CSS has
-/// them, those of names as the palette calls them. A thing that has `select` is chosen by a click; `whole` are the
-/// points that a view of the whole shows.
+/// What a store's scene shows for its selection; layers.rays is "none", "pixel", "row" or "all". Colours are CSS
+/// colours, those of names are names in the palette. A thing with `select` can be clicked; `whole` are the points that
+/// a view of the whole shows.
 export function drawList(store, layers, palette) {
   const { figure, seen } = store.scene();
   const { camera, spheres, apart } = figure;
@@ -36,7 +36,7 @@ export function extremesOf({ centre, radius }, axes) {
   return axes.flatMap((axis) => [plus(centre, times(axis, radius)), plus(centre, times(axis, -radius))]);
 }
 
-/// What the document draws between, at and beside places of the figure and of the panel's ray and sphere.
+/// Adds what the document draws between, at and beside places of the figure and of the panel's ray and sphere.
 function addParts({ figure, layers, palette, segments, points, names }, parts, panel) {
   const drawing = panel?.drawing;
   const places = { ...figure.places, ...drawing?.places, C: figure.spheres.centre[panel?.sphere] };
@@ -57,7 +57,7 @@ function addParts({ figure, layers, palette, segments, points, names }, parts, p
   }
 }
 
-/// From red, the first, to magenta, the last, as the lecture has it.
+/// From red for the first to magenta for the last, as in the lecture.
 const rainbow = (k, count) => `hsl(${((300 * k) / Math.max(count - 1, 1)).toFixed(1)}, 100%, 50%)`;
 
 const everyNth = (count, step) => Array.from({ length: Math.ceil(count / step) }, (_, k) => k * step);
@@ -95,7 +95,7 @@ function raysShown({ camera, selection, layers, figure: { rays } }) {
     ({ ...pixel, origin: camera.origin === "pixel" ? pixel.at : [0, 0, 0], direction: unitOf(pixel.at) }));
 }
 
-/// An arrow to where the document says that the ray meets a sphere, or out of the figure.
+/// Adds an arrow to where, by the document, the ray meets a sphere, or out of the figure.
 function addRay(list, ray) {
   const { origin, direction, colour, select } = ray;
   const hit = list.camera ? hitOfPixel(list, ray) : ray.hit;
@@ -105,7 +105,7 @@ function addRay(list, ray) {
   if (hit && list.layers.hits) list.points.push({ at: hit, colour, shape: "diamond", size: 10, select });
 }
 
-/// Where a pixel's ray meets the sphere that the pixel sees; null where it sees none, or this is not told.
+/// Where a pixel's ray meets the sphere that the pixel sees; null if it sees none, or that is unknown.
 function hitOfPixel({ seen, figure: { spheres } }, { origin, direction, index }) {
   const sphere = seenAt(seen ?? [], index);
   const centre = spheres.centre[sphere];

@@ -12,7 +12,7 @@ const CORNER = [0.9, 0.45]; // azimuth and elevation about the figure's axes, in
 const ANGLES = { corner: CORNER, sphere: CORNER, side: [Math.PI / 2, 0], top: [Math.PI / 2, Math.PI / 2] };
 const COLOURS = ["ink", "faint", "rim", "blue", "orange", "green", "purple", "gold"]; // --figure-... of the style
 const TRIED = aroundPlace([0.5, 7.5, 3.5, 4.5, 1, 3, 2, 5, 6, 7, 0, 4]); // beside a name's place
-const LEAST_SHOWN = 2 ** -40; // of the way to a sphere's centre: doubles near it are 2^-52 apart
+const LEAST_SHOWN = 2 ** -40; // of the distance of a sphere's centre: doubles near it are 2^-52 apart
 
 export function mountFigure(root, store) {
   const [parts, canvas, stage, look, rays, flat, names, notes] = [
@@ -26,7 +26,7 @@ export function mountFigure(root, store) {
   else figure.lost = "This browser gives no WebGL 2: the figure is flat.";
   listen(figure);
   parts.append(figureTable(store, () => figure.list));
-  Object.assign(window.raycheckPage, { figure, webglPainter, eyeViewer }); // for tests of what is on the screen
+  Object.assign(window.raycheckPage, { figure, webglPainter, eyeViewer }); // for tests of the screen's contents
 }
 
 function listen(figure) {
@@ -73,14 +73,14 @@ function rebuildFigure(figure) {
   redrawFigure(figure);
 }
 
-/// What no view from outside shows to scale is first seen from the eye.
+/// Scenes that no view from outside shows to scale are first seen from the eye.
 function startView(figure) {
   const { list, look, painter } = figure;
   for (const one of look.options) one.disabled = painter ? one.value === "eye" && !list.camera : one.value !== "flat";
   showView(figure, !painter ? "flat" : list.camera && list.figure.out_of_scale ? "eye" : "corner");
 }
 
-/// Shows all of the figure, or of what the view is of.
+/// Shows all of the figure, or of the view's subject.
 function showView(figure, view) {
   const { whole, axes } = (["across", "sphere"].includes(view) && aroundSphere(figure, view)) || figure.list;
   figure.view = figure.look.value = view;
@@ -90,7 +90,7 @@ function showView(figure, view) {
 
 const aspectOf = ({ clientWidth, clientHeight }) => clientWidth / clientHeight || 1;
 
-/// The chosen sphere; or, across the ray, the ray too, which goes to the right, the centre above it.
+/// The view of the chosen sphere; or, across the ray, with the ray to the right and the centre above it.
 function aroundSphere({ store, list }, view) {
   const panel = store.panel();
   const { centre: { [panel?.sphere]: centre }, radius: { [panel?.sphere]: r } } = list.figure.spheres;
@@ -102,7 +102,7 @@ function aroundSphere({ store, list }, view) {
   return { axes, whole: [L, foot, ...extremesOf({ centre, radius }, axes)].filter(Boolean) };
 }
 
-/// Draws once before the next picture of the screen, however often it is asked.
+/// Draws once before the next animation frame, however often it is called.
 function redrawFigure(figure) {
   if (figure.isDue) return;
   figure.isDue = true;
@@ -138,7 +138,7 @@ function drawFigure(figure) {
   stage.setAttribute("aria-label", `Figure ${view}: ${what}, spheres: ${spheres}; chosen: ${chosen}`);
 }
 
-/// Writes names {at, text, colour} over panes, the first first; returns how many found no room.
+/// Writes names {at, text, colour} over panes, in order; returns how many did not fit.
 function writeNames(target, names, panes) {
   const written = panes.flatMap((pane) => {
     const taken = [];
@@ -151,7 +151,7 @@ function writeNames(target, names, panes) {
   return written.filter((nodes) => nodes === null).length;
 }
 
-/// A table of what is named in the figure and of the spheres, made while it is open.
+/// A table of the named places and the spheres of the figure, made when it is opened.
 function figureTable(store, listNow) {
   const folded = disclosure("The figure as a table");
   const fill = () => {

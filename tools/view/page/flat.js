@@ -1,4 +1,4 @@
-// The figure from the side and from above, parallel, in SVG: where there is no WebGL, or when asked for.
+// The figure from the side and from above, parallel, in SVG: without WebGL, or when chosen.
 import { svg } from "./dom.js";
 import { dotProduct, homogeneous, onPane, pixelsOf, plus, strokesOf, times } from "./projection.js";
 
@@ -30,12 +30,12 @@ function viewerOfAll({ whole, figure }, axes, { width, height }) {
   });
   const position = ranges.map(([low, high], k) => times(axes[k], (low + high) / 2)).reduce(plus);
   const [halfX, halfY] = ranges.map(([low, high]) => (high - low) / 2);
-  const unit = 1.2 * Math.max(halfX / width, halfY / height) || figure.size / width; // of a pixel
+  const unit = 1.2 * Math.max(halfX / width, halfY / height) || figure.size / width; // per pixel
   const window = [-unit * width, unit * width, -unit * height, unit * height];
   return { isParallel: true, position, axes, window, nearest: 0, start: 0 };
 }
 
-/// Draws a list into panes; returns what the painter of WebGL returns.
+/// Draws a list into panes; returns the same as the WebGL painter.
 export function paintFlat(target, list, panes) {
   const shown = list.spheres.slice(0, MOST_CIRCLES);
   let tooLarge = 0;

@@ -1,4 +1,4 @@
-// Reads what raycheck put into the page, and shows what there is.
+// Reads the data that raycheck put into the page, and shows it.
 import { briefSentence, element } from "./dom.js";
 import { createStore } from "./store.js";
 import { mountFigure } from "./figure.js";
@@ -10,14 +10,14 @@ import { mountChart } from "./chart.js";
 const MADE = "Every number but run times is computed exactly and then rounded; this page only draws.";
 const byId = (id) => document.getElementById(id);
 
-/// What is deflated (zlib, base64) in the element of that id.
+/// The inflated text (zlib, base64) of the element with this id.
 async function inflated(id) {
   const bytes = Uint8Array.from(atob(byId(id).textContent.trim()), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).text();
 }
 
-/// Runs three.js, which the page's policy knows by its hash; the figure does without where it fails.
+/// Runs three.js, which the page's policy allows by its hash; if that fails, the figure does without it.
 async function runThree() {
   const script = element("script", {});
   script.textContent = await inflated("three");

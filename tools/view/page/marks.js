@@ -3,27 +3,27 @@ import { svg } from "./dom.js";
 
 export const LETTER = 6.7; // pixels: a letter of a drawing's label is narrower
 export const LABEL_LINE = 15; // pixels: from a label's line to the next
-const APART = 12; // pixels: a label that is farther away has a leader
+const APART = 12; // pixels: a label farther away has a leader
 const AWAY = [9, 24, 42, 64, 90, 120]; // pixels: where a label is tried
-const COLUMN = [...Array(60).keys()]; // so many lines up, then down
+const COLUMN = [...Array(60).keys()]; // lines up, then down
 const GLYPHS = ["M1 0A1 1 0 1 1 -1 0A1 1 0 1 1 1 0Z", "M-.9 -.9H.9V.9H-.9Z", "M0 -1.2L1.1 .8H-1.1Z",
   "M0 -1.3L1.1 0L0 1.3L-1.1 0Z", "M-.4 -1.2H.4V-.4H1.2V.4H.4V1.2H-.4V.4H-1.2V-.4H-.4Z", "M0 1.2L1.1 -.8H-1.1Z",
   "M0 -1.4L.4 -.4L1.4 0L.4 .4L0 1.4L-.4 .4L-1.4 0L-.4 -.4Z", "M-.6 -1.1H.6L1.2 0L.6 1.1H-.6L-1.2 0Z"];
 
-/// The mark of method number k: eight shapes and seven colours, so that 56 differ.
+/// The mark of method number k: eight shapes and seven colours make 56 different marks.
 export function glyph(k, x, y, size) {
   const transform = `translate(${x} ${y}) scale(${size})`;
   return svg("path", { d: GLYPHS[k % 8], class: `glyph series-${k % 7}`, transform });
 }
 
-/// The same, pale where decisions are wrong that are excused, crossed where they are not.
+/// The same, pale if it has excused wrong decisions, crossed if it has others.
 export function methodMark(number, standing, x, y, size) {
   const cross = `M${x} ${y}m${-size} ${-size}l${2 * size} ${2 * size}m0 ${-2 * size}l${-2 * size} ${2 * size}`;
   return svg("g", { class: standing === "right" ? null : "pale" }, glyph(number, x, y, size),
     standing === "defect" ? svg("path", { class: "cross", d: cross }) : null);
 }
 
-/// Where a label of that width is tried: around its place, in turns of 45 degrees; in a column, first upwards.
+/// Positions to try for a label of this width: around its place, in steps of 45 degrees; or in a column, upwards first.
 export const aroundPlace = (turns) => (x, y, width) => AWAY.flatMap((away) => turns.map((turn) => {
   const [across, up] = [Math.cos(turn * Math.PI / 4), Math.sin(turn * Math.PI / 4)];
   return [x + (away + width / 2) * across - width / 2, y - (away + LABEL_LINE / 2) * up - LABEL_LINE / 2];
@@ -42,7 +42,7 @@ function firstFree(places, [x, y], width, pane, taken) {
   return { x: left, y: top, width, from: [x, y], joint, isApart: Math.hypot(joint[0] - x, joint[1] - y) > APART };
 }
 
-/// A text at the first of `places` that is free, which it takes, with a leader from (x, y); null without room.
+/// A text at the first free one of `places`, which is then taken, with a leader from (x, y); null if none is free.
 export function writeLabel(text, [x, y], look, pane, taken, places) {
   const width = LETTER * text.length + 6;
   const box = firstFree(places(x, y, width), [x, y], width, pane, taken);

@@ -12,7 +12,7 @@ const LABELS = aroundPlace([2, 6, 1, 3, 7, 5, 0, 4]); // above and below their m
 export function mountMicroscope(root, store) {
   const [told, seen, drawing, zoom, answers] = ["told", "shown", "view", "zoom", "answers"]
     .map((id) => root.querySelector(`#microscope-${id}`));
-  let shown = {}; // what is magnified, the method told of, the window
+  let shown = {}; // what is magnified, the method in question, the window
   const draw = () => {
     const width = Math.floor(drawing.clientWidth);
     if (shown.now && width > 0) drawing.replaceChildren(magnifiedView(shown.now, shown.zoom, width, store));
@@ -39,7 +39,7 @@ export function mountMicroscope(root, store) {
   });
 }
 
-/// The narrowest window that shows the answer of the method told of, or any answer where none is.
+/// The narrowest window that shows the answer of the method in question or, without one, any answer.
 function firstZoom({ marks }, told) {
   const meant = marks.filter(({ name }) => told === null || name === told);
   return meant.length === 0 ? 0 : Math.min(...meant.map(({ window: narrowest }) => narrowest));
@@ -50,7 +50,7 @@ function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, store) 
   const height = Math.min(TALLEST, Math.round(width * 0.7));
   const x = (ulps) => width / 2 + ulps / half * width / 2;
   const y = (ulps) => height / 2 - ulps / half * width / 2;
-  const reach = hit ? Math.min(half, region ?? half) : 0; // of what rounding the inputs may do
+  const reach = hit ? Math.min(half, region ?? half) : 0; // of the effect of rounding the inputs
   const lines = x(grid[1]) - x(grid[0]) < GRID_SPACING ? [] : grid.filter((at) => Math.abs(at) <= half);
   const pane = { x: 2, y: 20, width: width - 4, height: height - 40 };
   const placed = marks.map((mark) => placedMark(mark, [x(mark.x), y(mark.y)], width, height));
@@ -76,7 +76,7 @@ function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, store) 
     labels.map(({ at, text, look }) => writeLabel(text, at, look ?? "quiet", pane, taken, LABELS))));
 }
 
-/// A mark where it is drawn; what lies beyond the window is told at its edge, with its distance.
+/// A mark at its position; marks outside the window are put at its edge, with their distance.
 function placedMark(mark, [x, y], width, height) {
   const at = [Math.min(Math.max(x, EDGE), width - EDGE), Math.min(Math.max(y, EDGE), height - EDGE)];
   const beyond = x < 0 ? `\u2190 ${mark.x} ulp` : x > width ? `\u2192 ${mark.x} ulp`
@@ -84,7 +84,7 @@ function placedMark(mark, [x, y], width, height) {
   return { ...mark, at: beyond === "" ? [x, y] : at, beyond };
 }
 
-/// What lies together, or equally far away, shares a label; the method told of comes first, then what is wrong.
+/// Marks that lie together, or equally far outside, share a label; the method in question comes first, then wrong ones.
 function marksTogether(placed, told) {
   const rank = ({ name, wrong }) => (name === told ? 2 : Number(wrong));
   const groups = [];

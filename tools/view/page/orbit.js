@@ -2,14 +2,14 @@
 import { lengthOf, minus, onPane, pixelUnder, plus, shareSeen, times } from "./projection.js";
 
 const FIELD = Math.PI / 6; // radians from the bottom to the top of the screen
-const KEYS = { // how many times as far away, radians to the right, radians up
+const KEYS = { // factor of the distance, radians to the right, radians up
   a: [1, -0.1, 0], d: [1, 0.1, 0], w: [1, 0, 0.1], s: [1, 0, -0.1],
   "+": [0.8, 0, 0], "=": [0.8, 0, 0], "-": [1.25, 0, 0],
 };
-const REACH = 14; // pixels around a point that choose it
-const STILL = 4; // a pointer that moves less has clicked
+const REACH = 14; // pixels by which a click may miss a point
+const STILL = 4; // pixels: a pointer that moves less has clicked
 
-/// An orbit about what was last shown, whose size is 1 to three.js; calls `redraw` as it moves.
+/// An orbit about what was last shown, scaled to size 1 for three.js; calls `redraw` as it moves.
 export function createOrbit(stage, redraw) {
   const camera = new THREE.PerspectiveCamera((FIELD * 180) / Math.PI);
   let [axes, target, size, fitted] = [[], [], 1, 1];
@@ -22,7 +22,7 @@ export function createOrbit(stage, redraw) {
   const controls = new THREE.OrbitControls(camera, stage);
   Object.assign(controls, { enableKeys: false, screenSpacePanning: true });
   const { update } = controls;
-  controls.update = () => { // which it calls itself
+  controls.update = () => { // called by OrbitControls itself
     update();
     camera.updateMatrix();
     redraw();
@@ -57,7 +57,7 @@ export function createOrbit(stage, redraw) {
       controls.target.set(0, 0, 0);
       camera.position.setFromSphericalCoords(1 / Math.sin(FIELD / 2), Math.PI / 2 - elevation, azimuth);
       controls.update();
-      // As much nearer as what is seen leaves room, and a little less; what is near grows faster than what is far.
+      // Moves nearer until the view is nearly full; near things grow faster than far ones.
       for (let k = 0; k < 4; ++k) turn(shareSeen(orbit.viewer(aspect), whole) + 0.12, 0, 0);
       fitted = distance();
     },

@@ -24,7 +24,7 @@ std::string hash_source(std::string_view text) {
   return fmt::format("'sha256-{}'", base64({reinterpret_cast<const char*>(bytes.data()), size}));
 }
 
-/// The same in every page, and slow to deflate.
+/// The same in every page, and deflating it is slow.
 const std::string& three() {
   static const std::string text = base64(deflated(kThree));
   return text;
@@ -45,7 +45,7 @@ std::string page(const ViewDocument& document) {
       {"@THREE@", document.scenes.empty() ? "" : three()},
       {"@DOCUMENT@", base64(deflated(document_line(document)))},
   };
-  // What is put in is not looked into again.
+  // Inserted text is not expanded again.
   std::string text;
   std::string_view rest = kPageTemplate;
   while (true) {

@@ -3,7 +3,7 @@ import { brief, briefSentence, choice, copyButton, disclosure, element } from ".
 import { formula, labelled, mathematics, refill, table } from "./dom.js";
 import { placeText } from "./store.js";
 
-const LONGEST_SHOWN = 400; // characters of MathML that are shown without being asked for
+const LONGEST_SHOWN = 400; // characters of MathML that are shown at once
 const NAMES_TOLD = 4; // of methods that agree, before "and 3 more"
 const NO_PANEL = "This page has no panel for this choice.";
 
@@ -22,7 +22,7 @@ export function mountStory(root, store) {
   });
 }
 
-/// The steps, each method's value below the exact one, what explain prints, and what can be copied.
+/// The steps, each method's value below the exact one, the output of explain, and texts to copy.
 export function mountPanel(root, store) {
   const opened = new Map(); // symbol -> whether the reader opened it
   const show = () => {
@@ -44,7 +44,7 @@ function headlineOf(store, told) {
   const name = store.methodTold();
   const ofName = told.verdicts.filter((one) => one.name === name); // a ray method may share its name
   const verdict = ofName.find((one) => one.wrong) ?? ofName.at(-1);
-  const [finding] = store.findingsHere(); // it may be of a picture, which tells no steps
+  const [finding] = store.findingsHere(); // it may be a picture's, which has no steps
   const said = verdict ? [element("strong", { dir: "auto" }, brief(name)), ": ", spoken(verdict.said)]
     : finding ? `${brief(finding.candidate)}: ${briefSentence(finding.sentence)}` : "No method goes wrong here";
   const looks = finding?.looks_like ? ` ${briefSentence(finding.looks_like)}` : "";
@@ -92,7 +92,7 @@ function methodFilter({ methodShown, set }, { verdicts }) {
   return element("div", { id: "methods", role: "group", "aria-label": "Methods shown" }, [null, ...names].map(chip));
 }
 
-/// A step is open where the method told of goes wrong.
+/// A step is open if the method in question goes wrong there.
 function stepView(step, k, store, opened) {
   const told = store.methodTold();
   const isShown = (name) => store.methodShown === null || name === store.methodShown;
@@ -147,13 +147,13 @@ function takeAway({ command, latex, sage, text }, toml) {
 
 const symbolOf = (text) => element("i", { class: "symbol" }, formula(text));
 
-/// A sentence in parts [kind, text]: a symbol, a number, its wrong digits as a mark, what is wrong, or plain.
+/// A sentence in parts [kind, text]: a symbol, a number, its wrong digits as a mark, something wrong, or plain text.
 function spoken(parts) {
   return parts.map(([kind, text]) => (kind === "symbol" ? symbolOf(text)
     : element(kind === "mark" ? "mark" : "span", { class: kind }, briefSentence(text))));
 }
 
-/// The list of what was found; each goes to its place.
+/// The list of findings; each links to its place.
 export function mountFindings(root, store) {
   const { findings, found, words } = store.document;
   if (findings.length === 0) return;
@@ -169,7 +169,7 @@ export function mountFindings(root, store) {
     button.setAttribute("aria-current", String(store.findingsHere().includes(findings[k])))));
 }
 
-/// Goes to the finding that the page's address names, "#finding-3" the third, now and whenever it changes.
+/// Goes to the finding named in the page's address ("#finding-3" is the third), now and whenever that changes.
 export function followAddress(store) {
   const follow = () => {
     const number = /^#finding-(\d{1,9})$/.exec(window.location.hash)?.[1];

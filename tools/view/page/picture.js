@@ -2,7 +2,7 @@
 import { brief, choice, element, rangeField, refill, svg } from "./dom.js";
 import { placeText, walkByKeys } from "./store.js";
 
-const SMALLEST_RING = 1 / 40; // of the picture's width: so large is the ring even where pixels are small
+const SMALLEST_RING = 1 / 40; // of the picture's width: the least size of the ring, however small pixels are
 
 export function mountPicture(root, store) {
   if (store.document.scenes.every((scene) => scene.pictures.length === 0)) {
@@ -63,7 +63,7 @@ function choosePixelAt(event, view, store) {
   store.set({ selection: { pixel: [i, pictureRow(row, camera)] } });
 }
 
-/// The picture's row, from its top, of pixels j; and the other way round.
+/// The picture's row, from the top, of pixels with this j; and vice versa.
 const pictureRow = (j, { height, rows }) => rows === "top-first" ? j : height - 1 - j;
 
 function ringAround([i, j], camera) {
@@ -72,7 +72,7 @@ function ringAround([i, j], camera) {
   return ["ring-under", "ring"].map((kind) => svg("rect", { class: kind, ...place }));
 }
 
-/// The sphere that pixel number `index` sees, of runs [pixels, sphere].
+/// The sphere that pixel number `index` sees, given runs [pixels, sphere].
 export function seenAt(runs, index) {
   let left = index;
   return runs.find(([pixels]) => (left -= pixels) < 0)?.[1] ?? null;

@@ -1,10 +1,10 @@
-// Errors as points or curves, each with its name beside it. An axis goes by powers of ten; 0 and
-// infinity have rows of their own, and stretches in which nothing lies may be cut out.
+// Errors as points or curves, each with its name beside it. Error and time axes are logarithmic; 0 and infinity have
+// rows of their own, and empty stretches may be cut out.
 import { svg } from "./dom.js";
 import { LABEL_LINE, LETTER, aroundPlace, inColumn, writeLabel, methodMark } from "./marks.js";
 
 const ROW = 24; // pixels: of zeros, of infinities
-const WIDEST_GAP = 2.5; // decades with nothing in them that are not cut out
+const WIDEST_GAP = 2.5; // empty decades that are not cut out
 const CUT = 16; // pixels that stand for them
 const LEAST_STRETCH = 0.8; // decades
 const PADDING = 0.12; // decades beyond the first and the last point
@@ -13,7 +13,7 @@ const LEAST_APART = 9; // pixels: the marks of a curve
 const BESIDE = aroundPlace([0, 4, 0.5, 3.5, 7.5, 4.5, 1, 3, 7, 5, 2, 6]);
 const DASHES = ["none", "7 3", "2 2.5", "9 3 2 3", "4 2 1 2 1 2"];
 
-/// Where numbers and "infinity" lie between the pixels `from` (the least) and `to`: place(value), and what marks it.
+/// Places of numbers and "infinity" between pixels `from` (the least) and `to`: place(value), and the axis's marks.
 export function powerAxis(values, from, to, mayCut = false) {
   const logs = values.filter((value) => value > 0).map(Math.log10).sort((a, b) => a - b);
   const stretches = [];
@@ -55,7 +55,7 @@ function tickText(mantissa, power) {
   return [mantissa === 1 ? "10" : `${mantissa}\u00b710`, svg("tspan", { dy: -5, "font-size": 9 }, power)];
 }
 
-/// Severities from left to right, named where there is room.
+/// Severities from left to right, labelled if there is room.
 function severityAxis(severities, from, to) {
   const step = (to - from) / Math.max(1, severities.length - 1);
   const every = Math.ceil((Math.max(...severities.map((text) => text.length)) * LETTER + 8) / step);
@@ -76,8 +76,8 @@ function axisMarks({ ticks, cuts }, { left, right, top, bottom }, isUp) {
     svg("path", { class: "cut", d: `M${left - 6} ${at + 2}l4 -6l4 8l4 -6` })])];
 }
 
-/// Traces {number, methods, name, places: [{x, y, standing}], isFront, spread}: of a method its one point, over run
-/// times, or its points over severities (y null: none), of which one may be `current`. Small ones have no names.
+/// Traces {number, methods, name, places: [{x, y, standing}], isFront, spread}: a method's single point over run times,
+/// or its points over severities (y null: none), one of which may be `current`. Small plots have no names.
 export function plot({ traces, severities, runTimes, errors, current, width, tall, unit, under, isSmall, title }) {
   const isOfPoints = severities === null;
   const names = isOfPoints ? 14 : 26 + Math.max(0, ...traces.map(({ name }) => name.length)) * LETTER;
@@ -117,7 +117,7 @@ function traceMarks({ number, methods, places, spread }, x, isSmall) {
       svg("circle", { class: "touch", cx: at.x, cy: at.y, r: 2 * size })]));
 }
 
-/// Those of points around them, the front's first; those of curves in a column at their ends, the lowest first.
+/// Names of points go around them, the front's first; names of curves into a column at their ends, the lowest first.
 function namesBeside(placed, { left, right, top, bottom }, isOfPoints) {
   const pane = { x: left + 2, y: top - 8, width: isOfPoints ? right - left + 10 : Infinity, height: bottom - top + 16 };
   const ends = placed.map((trace) => ({ ...trace, at: trace.places.findLast(({ isThere }) => isThere) }));

@@ -15,7 +15,7 @@ void main() {
   float soft = fwidth(outside), cover = 1.0 - smoothstep(-soft, soft, outside);
   if (cover < 0.02) discard;
   float inner = shape > 2.5 ? 1.0 : 1.0 - smoothstep(-0.28 - soft, -0.28 + soft, outside);
-  // As three writes it for lines; a mark on a surface lies before it.
+  // As three.js computes it for lines; a mark on a surface is in front of it.
   gl_FragDepthEXT = log2(1.0 + vDepth) * logDepthBufFC * 0.5 - 2e-4;
   gl_FragColor = vec4(mix(rim, vTint.rgb, inner), cover * opacity);
 }

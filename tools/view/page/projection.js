@@ -1,5 +1,5 @@
-// Where things lie on the screen, in doubles. The GPU computes in single precision: it is handed only
-// what is left when everything large has been subtracted, rotated and clipped here.
+// Positions on the screen, in doubles. The GPU computes in single precision: it gets only what is left after everything
+// large has been subtracted, rotated and clipped here.
 
 export const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -10,10 +10,10 @@ export const unitOf = (a) => a.map((x) => x / lengthOf(a));
 export const crossProduct = (a, b) =>
   [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/// P of pixel (i, j), of fractions of a pixel too.
+/// P of pixel (i, j), which may be fractional.
 export const pixelPointOf = ({ first, column, row }, i, j) => plus(first, plus(times(column, i), times(row, j)));
 
-/// The pixel that is seen from the eye in a direction of these tangents; null where there is none.
+/// The pixel seen from the eye in the direction with these tangents; null if there is none.
 export function pixelUnder({ window: [x0, x1, y0, y1], width, height, rows }, x, y) {
   const i = Math.floor(((x - x0) / (x1 - x0)) * width);
   const fromBelow = Math.floor(((y - y0) / (y1 - y0)) * height);
@@ -21,11 +21,11 @@ export function pixelUnder({ window: [x0, x1, y0, y1], width, height, rows }, x,
   return isSeen ? [i, rows === "top-first" ? height - 1 - fromBelow : fromBelow] : null;
 }
 
-// A viewer: position; axes right, up, forward; window [x0, x1, y0, y1], what fills the screen from left to
-// right and from bottom to top, at depth 1 (if parallel, at any depth); nearest, the depth below which lines
-// are clipped; start, the depth of the plane where sight begins (0: at the position).
+// A viewer: position; axes right, up, forward; window [x0, x1, y0, y1], which fills the screen from left to right and
+// from bottom to top, at depth 1 (if parallel, at any depth); nearest, the depth below which lines are clipped; start,
+// the depth of the plane where sight begins (0: at the position).
 
-/// Sees what the camera's picture shows, enlarged so many times, and what a screen of that aspect has beside it.
+/// A viewer that sees the camera's picture, enlarged by a factor, and what a screen of that aspect shows beside it.
 export function eyeViewer({ U, V, W, near, window: [x0, x1, y0, y1], origin }, aspect = 0, enlarged = 1) {
   const depth = Math.abs(near);
   const wider = aspect / Math.abs((x1 - x0) / (y1 - y0)) || 1; // than the picture
@@ -37,7 +37,7 @@ export function eyeViewer({ U, V, W, near, window: [x0, x1, y0, y1], origin }, a
   };
 }
 
-/// How much of the screen places fill, from its middle; 1 and more where one is outside.
+/// How much of the screen these places fill, from its middle; at least 1 if one is outside.
 export function shareSeen(viewer, places) {
   return Math.max(...places.map((place) => homogeneous(viewer, place))
     .map(([x, y, w]) => (w > 0 ? Math.max(Math.abs(x), Math.abs(y)) / w : 1)));
@@ -62,7 +62,7 @@ export function pixelsOf([x, y, w], { width, height }) {
   return [((x / w + 1) / 2) * width, ((1 - y / w) / 2) * height];
 }
 
-/// Where a pane {viewer, width, height} shows a point; null where it does not.
+/// Where a pane {viewer, width, height} shows a point; null if it does not.
 export function onPane(pane, point) {
   const place = homogeneous(pane.viewer, point);
   const [x, y] = pixelsOf(place, pane);
@@ -71,7 +71,7 @@ export function onPane(pane, point) {
 
 const between = (a, b, t) => a.map((x, k) => x * (1 - t) + b[k] * t);
 
-/// What of a segment lies on a pane, or a little beside it, as homogeneous points (Liang and Barsky); null: nothing.
+/// The part of a segment on a pane, or a little beside it, as homogeneous points (Liang and Barsky); null: none.
 export function clippedSegment({ viewer }, from, to) {
   const beside = 1.25;
   const [a, b] = [homogeneous(viewer, from), homogeneous(viewer, to)];
@@ -101,7 +101,7 @@ export function strokesOf(pane, segment) {
 }
 
 function dashes(a, b, count) {
-  // A share of the way on the screen is another share of the way in space.
+  // A fraction of the distance on the screen is a different fraction in space.
   const inSpace = (share) => (share * a[2]) / (share * a[2] + (1 - share) * b[2]);
   const at = (k) => between(a, b, inSpace(k / count));
   return Array.from({ length: count }, (_, k) => [at(k), at(k + 0.5)]);
@@ -113,7 +113,7 @@ function arrowHead(tip, x, y, { width, height }) {
   return [0.4, -0.4].map((bend) => [tip, [tip[0] - perX * (x - bend * y), tip[1] + perY * (y + bend * x), tip[2]]]);
 }
 
-/// The least window [x0, x1, y0, y1] at depth 1 that holds a sphere, its centre in view; null: it is behind.
+/// The smallest window [x0, x1, y0, y1] at depth 1 around a sphere, its centre in view; null: it is behind.
 export function sphereWindow([x, y, depth], radius) {
   const across = seenBetween(x, depth, radius);
   const along = across && seenBetween(y, depth, radius);

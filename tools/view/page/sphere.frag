@@ -23,7 +23,7 @@ void main() {
   bool isAround = vSpan.w > 0.5;
   if (!(h <= 1.0) || (!isAround && v <= 0.0)) discard;
 
-  // Beside |T|, v - |T| = -h^2 / (|T| + v) would be lost: s is counted from the greater float of |T|.
+  // Beside |T|, v - |T| = -h^2 / (|T| + v) would be lost: s counts from the greater float of |T|.
   float base = isAround ? 0.0 : vSpan.x;
   float middle = isAround ? v : vSpan.y - r * h * h * (r / (vSpan.x + v));
   float d = r * sqrt((1.0 - h) * (1.0 + h));
@@ -33,7 +33,7 @@ void main() {
   bool isNear = since.x >= between.x && since.x <= between.y && rule.z > 0.5 && vReference.z < 0.5;
   bool isFar = since.y >= between.x && since.y <= between.y && rule.w > 0.5;
   if (!isNear && !isFar) discard;
-  // As three writes it for lines.
+  // As three.js computes it for lines.
   gl_FragDepthEXT = log2(1.0 + (base + (isNear ? s.x : s.y)) / stretch) * logDepthBufFC * 0.5;
 
 #ifdef IDENTIFY
@@ -42,7 +42,7 @@ void main() {
 #else
   vec3 normal = cross(D, across) + D * ((isNear ? -d : d) / r);
   float light = 0.55 + 0.45 * max(dot(isNear ? normal : -normal, normalize(vec3(-0.4, 0.6, -0.7))), 0.0);
-  // Neighbours in the list differ by a pattern, too; from inside there are hatches.
+  // Neighbours in the list also differ in pattern; the inside is hatched.
   float kind = mod(vTint.w, 3.0);
   float band = kind < 0.5 ? 0.0 : step(0.0, sin(dot(normal, upward) * (kind < 1.5 ? 12.0 : 30.0)));
   float hatch = isNear ? 0.0 : 0.3 + 0.08 * step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));

@@ -1,4 +1,4 @@
-// A rectangle of the screen that holds a sphere.
+// A rectangle of the screen around a sphere.
 attribute vec4 bounds, turned, turnedX, turnedY, span, tint;
 attribute vec3 reference;
 flat varying vec4 vTurned, vTurnedX, vTurnedY, vSpan, vTint;

@@ -1,9 +1,9 @@
-// What is shown: the document as it came, and the reader's choice of scene, ray, sphere, method.
+// What is shown: the document as loaded, and the reader's choice of scene, ray, sphere, method.
 
 /// document: as `raycheck view --format json` prints it. `set` takes any of {scenesIndex, selection, methodShown,
-/// layers} and calls every subscriber with the store and the names of what was set; one that is new is called at
-/// once. A selection given in part keeps the rest, except that another pixel or ray forgets the sphere; another
-/// scene starts where it says. The first scene is the first finding's.
+/// layers} and calls every subscriber with the store and the names of what was set; a new subscriber is called at once.
+/// A partial selection keeps the rest, except that another pixel or ray drops the sphere; another scene begins with its
+/// start selection. The first scene is the first finding's.
 export function createStore(document) {
   const subscribers = [];
   const first = document.findings[0]?.scene ?? 0;
@@ -14,17 +14,17 @@ export function createStore(document) {
     methodShown: null,
     layers: {},
     scene: () => document.scenes[store.scenesIndex],
-    /// All that is told of the chosen pixel or ray, a panel a sphere.
+    /// The panels of the chosen pixel or ray, one per sphere.
     panelsHere: () => store.scene().panels.filter((panel) => samePlace(panel, store.selection)),
     panel: () => {
       const { sphere } = store.selection;
       const here = store.panelsHere();
       return (sphere === null ? here[0] : here.find((panel) => panel.sphere === sphere)) ?? null;
     },
-    /// What was found at the chosen place, the worst first.
+    /// The findings at the chosen place, the worst first.
     findingsHere: () => document.findings.filter((one) => one.scene === store.scenesIndex
       && samePlace(one, store.selection) && [null, store.panel()?.sphere].includes(one.sphere)),
-    /// The method that the page speaks of: the one shown, or the worst one here; null where none goes wrong.
+    /// The method in question: the one shown, or the worst one here; null if none goes wrong.
     methodTold: () => store.methodShown ?? store.findingsHere()[0]?.method
       ?? store.panel()?.verdicts.find((one) => one.wrong)?.name ?? null,
     set(partial) {
@@ -45,7 +45,7 @@ export function createStore(document) {
       subscribers.push(subscriber);
       subscriber(store, []);
     },
-    /// Goes so many pixels right and up in the picture, or rays forth, not beyond its edges.
+    /// Moves by pixels right and up in the picture, or by rays, but not beyond its edges.
     walk(right, up) {
       const { camera, rays } = store.scene().figure;
       const within = (index, count) => Math.min(Math.max(index, 0), count - 1);

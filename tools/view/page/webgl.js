@@ -3,12 +3,12 @@
 import { crossProduct, dotProduct, homogeneous, inView, lengthOf, sphereWindow, strokesOf } from "./projection.js";
 
 const SHAPES = ["disc", "square", "diamond", "ring", "cross"]; // as point.frag numbers them
-const LEAST_SEEN = 1.5; // pixels of radius: a smaller sphere has a ring
-const LEAST_DRAWN = 1e-3; // pixels of radius: a smaller one is not drawn
+const LEAST_SEEN = 1.5; // pixels of radius: smaller spheres get a ring
+const LEAST_DRAWN = 1e-3; // pixels of radius: smaller ones are not drawn
 const GREATEST_DEPTH = 1e30; // in units of the nearest: floats end at 3e38
-const LEAST_RESOLVED = 1e-5; // of the distance: what the depths of 24 bits tell apart
+const LEAST_RESOLVED = 1e-5; // of the distance: the resolution of 24-bit depths
 const QUAD = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
-const HANDED = { // to each shader, in floats
+const HANDED = { // floats passed to each shader
   sphere: { bounds: 4, turned: 4, turnedX: 4, turnedY: 4, span: 4, tint: 4, reference: 3 },
   line: { instanceStart: 3, instanceEnd: 3, instanceColorStart: 3, instanceColorEnd: 3 },
   point: { position: 3, tint: 4, size: 1 },
@@ -21,13 +21,13 @@ function rgbOf(colour) {
   return knownColours.get(colour);
 }
 
-/// A painter on a canvas; null where there is no WebGL 2. With IDENTIFY defined spheres are painted by number.
+/// A painter on a canvas; null without WebGL 2. With IDENTIFY defined, spheres are painted as their numbers.
 export function webglPainter(canvas, defines = {}) {
   const context = window.THREE && canvas.getContext("webgl2", { antialias: true, alpha: true });
   if (!context) return null;
   const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, logarithmicDepthBuffer: true });
   const camera = new THREE.PerspectiveCamera();
-  camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0); // what it is handed is projected
+  camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0); // its input is already projected
   const names = ["rays", "upward", "counted", "rule", "ratio", "rim", "resolution"];
   const uniforms = Object.fromEntries(names.map((name) => [name, { value: null }]));
   const layers = {
@@ -40,7 +40,7 @@ export function webglPainter(canvas, defines = {}) {
   return { paint: (...told) => paintWith({ renderer, camera, stage, layers, set }, ...told), renderer, stage };
 }
 
-/// Draws a list on a pane; returns the spheres too small to see, and sentences on what is not drawn rightly.
+/// Draws a list on a pane; returns the spheres too small to see, and sentences on what is not drawn correctly.
 function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio = Math.min(devicePixelRatio, 2)) {
   renderer.setPixelRatio(ratio);
   renderer.setSize(pane.width, pane.height, false);
@@ -65,7 +65,7 @@ function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio =
   return { small: packed.small, notes };
 }
 
-/// From the eye what counts is what the scene's conventions say, from elsewhere what lies ahead.
+/// Seen from the eye, the scene's conventions say which roots count; from elsewhere, those ahead.
 function rootsOf({ camera }, viewer) {
   if (!viewer.isEye) return { counted: [0, 3e38], rule: [0, 0, 1, 1] };
   const { from, to, in_radii: inRadii, smaller, larger } = camera.counts;
@@ -74,8 +74,8 @@ function rootsOf({ camera }, viewer) {
   return { counted, rule: [viewer.start / viewer.nearest, inRadii, smaller, larger].map(Number) };
 }
 
-/// What the GPU is told of the spheres, the farthest first: where depths are equal, the nearer is in front. Returns
-/// the first pixel's ray, and what it grows by.
+/// Packs the spheres for the GPU, the farthest first: at equal depths the nearer is in front. Returns the first pixel's
+/// ray, and what it grows by.
 function packSpheres(packed, spheres, { viewer, width, height }, ratio) {
   const [x0, x1, y0, y1] = viewer.window;
   const [across, along] = [Math.round(width * ratio), Math.round(height * ratio)];
@@ -110,7 +110,7 @@ function pixelRange(low, high, origin, step, count) {
   return [Math.max(0, Math.floor(ends[0]) - 1), Math.min(count, Math.ceil(ends[1]) + 1)];
 }
 
-/// The attributes of one sphere, as sphere.frag reads them: differences are taken here, in doubles.
+/// The attributes of one sphere for sphere.frag: differences are computed here, in doubles.
 function sphereData({ index, centre, radius, colour, isAroundEye, distance, x, y }, viewer, rays, across, along) {
   const unit = viewer.nearest;
   const T = centre.map((coordinate) => coordinate / radius);
@@ -131,7 +131,7 @@ function sphereData({ index, centre, radius, colour, isAroundEye, distance, x, y
   ];
 }
 
-/// Meshes of one geometry, a material each; fill(data) hands them floats, as many an item as `handed` says.
+/// Meshes of one geometry, one per material; fill(data) passes them floats, per item as many as `handed` says.
 function layerOf(Mesh, geometry, handed, renderOrder, materials) {
   const meshes = materials.map((material) =>
     Object.assign(new Mesh(geometry, material), { frustumCulled: false, renderOrder }));
@@ -163,7 +163,7 @@ function sphereLayer(uniforms, defines) {
   return layerOf(THREE.Mesh, geometry, HANDED.sphere, 0, [material]);
 }
 
-/// Materials of what is before the spheres, and, shining through, of what they hide.
+/// Materials for things in front of the spheres and, shining through, for those behind.
 function passes(material) {
   const pass = (depthFunc, opacity) => material({ depthWrite: false, depthFunc, transparent: true }, opacity);
   return [pass(THREE.LessEqualDepth, 1), pass(THREE.GreaterDepth, 0.5)];

@@ -14,24 +14,24 @@ namespace {
 using reference::Enclosure;
 using reference::Enclosure3;
 
-/// Thrown where a precision does not tell a number well enough.
+/// Thrown if a precision does not enclose a number narrowly enough.
 struct TooWide : std::runtime_error {
   TooWide() : std::runtime_error("more bits are needed") {}
 };
 
-/// How wide the enclosure of what is told may be. What is less than kNothing of an ulp is told as
-/// 0: no picture shows it.
+/// How narrow the enclosures of shown numbers must be. Less than kNothing of an ulp is shown as 0:
+/// it is invisible.
 constexpr int kToldBits = 34;
 constexpr double kNothing = 0x1p-30;
 
-/// The half width of the first window, in ulp; each further one is so many times as wide.
+/// The half width of the first window, in ulp; each further one is wider by a factor.
 constexpr double kFirstHalfWidth = 4;
 constexpr double kZoomFactor = 2;
 constexpr double kLargestHalfWidth = 0x1p60;
-constexpr int kCurveSteps = 8;  ///< Of half a curve.
-/// What bends less than this share of a window is drawn straight.
+constexpr int kCurveSteps = 8;  ///< For half a curve.
+/// Curves that bend less than this share of a window are drawn straight.
 constexpr double kStraight = 0x1p-10;
-constexpr int kGridSteps = 8;  ///< Doubles to each side of s.
+constexpr int kGridSteps = 8;  ///< Doubles on each side of s.
 
 double middle(const Enclosure& value) {
   const double low = value.lower(), high = value.upper();
@@ -40,13 +40,13 @@ double middle(const Enclosure& value) {
   return low / 2 + high / 2;
 }
 
-/// The next number of a format towards another.
+/// The next number of a format in the direction of another.
 double next_of(double value, double towards, scene::Precision precision) {
   if (precision == scene::Precision::kDouble) return std::nextafter(value, towards);
   return std::nextafter(static_cast<float>(value), static_cast<float>(towards));
 }
 
-/// The gap between the numbers of a format around a number.
+/// The gap between numbers of a format around a number.
 double ulp_at(double value, scene::Precision precision) {
   const double size = std::abs(value);
   const double above = next_of(size, HUGE_VAL, precision);
@@ -58,7 +58,7 @@ Enclosure3 scaled(const Enclosure3& v, const Enclosure& factor) {
   return {v.x * factor, v.y * factor, v.z * factor};
 }
 
-/// Any unit vector across a unit vector.
+/// Any unit vector at right angles to a unit vector.
 Enclosure3 across(const Enclosure3& d, int bits) {
   const double x = std::abs(d.x.lower()), y = std::abs(d.y.lower()), z = std::abs(d.z.lower());
   Enclosure3 least = {Enclosure(0.0, bits), Enclosure(0.0, bits), Enclosure(0.0, bits)};
@@ -67,7 +67,7 @@ Enclosure3 across(const Enclosure3& d, int bits) {
   return scaled(normal, Enclosure(1.0, bits) / norm(normal));
 }
 
-/// The plane of the microscope at one precision: its origin, its axes and what it counts in.
+/// The plane of the microscope at one precision: its origin, axes and unit.
 class Plane {
  public:
   Plane(const reference::ExactRay& ray, const scene::Sphere& sphere,
@@ -90,7 +90,7 @@ class Plane {
     const Enclosure3 to_foot = scaled(along_, v);
     const Enclosure3 to_centre = centre - ray_origin - to_foot;
     const Enclosure b = norm(to_centre);
-    // A line through the centre has no side; that it does, no enclosure tells.
+    // A line through the centre has no side; enclosures cannot show that.
     const bool is_central = b.contains_zero();
     if (is_central && bits < kMostMicroscopeBits / 2) throw TooWide();
     normal_ = is_central ? across(along_, bits) : scaled(to_centre, Enclosure(1.0, bits) / b);
@@ -99,7 +99,7 @@ class Plane {
     gap_ = hits_ ? Enclosure(0.0, bits) : centre_y_ - radius_;
   }
 
-  /// How far a parameter is from the exact one, in ulp.
+  /// The distance of a parameter from the exact one, in ulp.
   Enclosure x_of(double parameter, double ulp) const {
     return (Enclosure(parameter, bits_) - parameter_) / Enclosure(ulp, bits_);
   }
@@ -109,11 +109,11 @@ class Plane {
                               origin_;
     return {middle(dot(offset, along_) / unit_), middle(dot(offset, normal_) / unit_)};
   }
-  /// How far the sphere is from the ray, where that misses it.
+  /// The distance of the sphere from the ray, for a miss.
   double gap() const { return middle(gap_ / unit_); }
 
-  /// The exact circle in a window: from its point nearest to the middle to both sides, and all of
-  /// it where it is smaller than the window.
+  /// The exact circle in a window: from its point nearest to the middle in both directions, and all
+  /// of it if it is smaller than the window.
   std::vector<std::array<double, 2>> circle(double half_width) const {
     const Enclosure r = radius_ / unit_;
     if (radius_.contains_zero()) return {};
@@ -151,7 +151,7 @@ class Plane {
   Enclosure3 along_, normal_, origin_;
 };
 
-/// The place of a method among all of raycheck's; someone else's is behind them.
+/// The index of a method among all of raycheck's; others' come after them.
 std::size_t number_of(const MethodReport& method) {
   const auto all = all_intersect_methods();
   return static_cast<std::size_t>(
@@ -187,7 +187,7 @@ void add_marks(const ExplainReport& report, const Plane& plane, double ulp, Micr
   }
 }
 
-/// The first window, and of the wider ones those that show what no narrower one does.
+/// Adds the first window, and those of the wider ones that show something new.
 void add_zooms(const Plane& plane, Microscope& scope) {
   std::vector<double> distances = {0};
   for (const MicroscopeMark& mark : scope.marks) {

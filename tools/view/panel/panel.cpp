@@ -13,7 +13,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A scene of the one ray and the one sphere, as explain takes given ones.
+/// A scene of only this ray and sphere, as given input for explain.
 scene::Scene alone(const scene::Scene& scene, const Selection& selection) {
   scene::Scene result;
   result.conventions = scene.conventions;
@@ -40,7 +40,7 @@ std::string rounded_latex(const std::vector<double>& values) {
   return values.size() == 1 ? text : fmt::format("\\left({}\\right)", text);
 }
 
-/// The steps for a paper: of each its closed form, where that is short, and the rounded value.
+/// The steps for a paper: the closed form of each, if short, and the rounded value.
 std::string latex_of(const ExplainReport& report) {
   std::string text = "\\begin{align*}\n";
   for (const Step& step : report.steps) {
@@ -52,7 +52,7 @@ std::string latex_of(const ExplainReport& report) {
   return text + "\\end{align*}\n";
 }
 
-/// Leaves of raycheck's methods those of the pairs.
+/// Of raycheck's methods, keeps those of the pairs.
 void keep_methods(const std::vector<MethodPair>& pairs, ExplainReport& report) {
   if (pairs.empty()) return;
   std::erase_if(report.methods, [&](const MethodReport& method) {
@@ -72,7 +72,7 @@ std::string listed(const auto& triple) {
 std::string explain_command(const ExplainReport& report, const Selection& asked,
                             const PanelOptions& options) {
   if (!report.pixel) {
-    if (!report.sphere) return {};  // It explains no ray alone.
+    if (!report.sphere) return {};  // explain takes no ray without a sphere
     const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
     return fmt::format("raycheck explain --ray={},{} --sphere={},{}{}", listed(report.ray.origin),
                        listed(report.ray.direction), listed(sphere.centre),

@@ -11,13 +11,13 @@
 namespace raycheck::tools {
 namespace {
 
-/// A number that is told: six digits, which are right.
+/// A number with six correct digits.
 std::string told(double value) { return fmt::format("{:.6g}", value); }
 
 constexpr int kDigits = 17;
 
-/// How many characters of a value's decimals are right: all of them within an ulp of the exact one,
-/// correctly rounded, and otherwise up to the last digit to which both round alike.
+/// How many characters of a value's decimals are right: all if it is within an ulp of the correctly
+/// rounded exact one, otherwise up to the last digit to which both round equally.
 std::size_t right_characters(double value, double exact) {
   const std::string text = digits_text(value);
   const bool is_next = value == std::nextafter(exact, value);
@@ -39,13 +39,13 @@ std::size_t right_characters(double value, double exact) {
   return at;
 }
 
-/// Puts a part of a spoken text behind the others, where it says anything.
+/// Appends a part to a text, unless it is empty.
 void add(Json& said, const char* kind, const std::string& text) {
   if (!text.empty()) said.push_back({kind, text});
 }
 
-/// A value held against the exact one, with the digits that are wrong apart; without an exact one
-/// none is right.
+/// Adds a value compared with the exact one, with its wrong digits separate; without an exact one
+/// all are wrong.
 void add_value(Json& said, double value, const std::optional<double>& exact) {
   const std::string text = digits_text(value);
   const std::size_t right = exact ? right_characters(value, *exact) : 0;
@@ -60,7 +60,7 @@ std::string off_text(const MethodStep& step) {
   return text;
 }
 
-/// What a method has for a step; its name is left to those that agree.
+/// A method's result at a step, without names, which agreeing methods share.
 Json answer_json(const MethodReport& method, const MethodStep& mine, const Step& step) {
   Json said = Json::array();
   const std::size_t count = mine.value.size();
@@ -76,7 +76,7 @@ Json answer_json(const MethodReport& method, const MethodStep& mine, const Step&
           {"wrong", method.goes_wrong_at == step.symbol}};
 }
 
-/// What methods have for a step; those that agree in all of it are one answer.
+/// The methods' results at a step; those that agree fully are one answer.
 Json answers_json(const Step& step, const ExplainReport& report) {
   Json answers = Json::array();
   for (const MethodReport& method : report.methods) {
@@ -100,12 +100,12 @@ std::string rounded_text(const std::vector<double>& values) {
   return values.size() > 1 ? "(" + text + ")" : text;
 }
 
-/// How much larger what is subtracted is than what is left, where that costs digits.
+/// How much larger the subtracted terms are than their difference, if that costs digits.
 std::string cancellation_text(const Step& step, const ExplainReport& report) {
   const Step* const to_centre = report.find("T");
   if (step.symbol != "d^2" || to_centre == nullptr || to_centre->rounded.size() != 3) return {};
   const auto& t = to_centre->rounded;
-  // By square roots, for squares may overflow.
+  // Without squares, which may overflow.
   const double distance = std::hypot(t[0], t[1], t[2]);
   const double half_chord = std::sqrt(std::abs(step.rounded.front()));
   const double decades = 2 * std::log10(distance / half_chord);
@@ -137,7 +137,7 @@ Json step_json(const Step& step, const ExplainReport& report) {
           {"answers", answers_json(step, report)}};
 }
 
-/// What a method comes to, held against the exact answer.
+/// A method's answer, compared with the exact one.
 Json verdict_json(const MethodReport& method, const ExplainReport& report) {
   Json said = Json::array();
   if (!method.failure().empty()) {

@@ -19,7 +19,7 @@ std::string rational(double value) {
   }
   const auto whole = static_cast<std::int64_t>(mantissa);
   if (exponent == 0) return fmt::format("{}", whole);
-  constexpr int kMostDigits = 53;  // Of whole numbers that are written out.
+  constexpr int kMostDigits = 53;  // Of integers that are written out.
   if (exponent > 0 && std::abs(value) < std::ldexp(1.0, kMostDigits)) {
     return fmt::format("{}", static_cast<std::int64_t>(value));
   }

@@ -11,7 +11,7 @@ namespace {
 
 using properties::Discrepancy;
 
-/// Pixels that are judged at a time: of so few a verdict keeps every discrepancy.
+/// Pixels judged at a time: so few that a verdict keeps every discrepancy.
 constexpr std::size_t kPixelsAtOnce = 512;
 static_assert(kPixelsAtOnce <= properties::kKeptDiscrepancies);
 
@@ -88,7 +88,7 @@ std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
     if (answer.size() == count) {
       std::transform(answer.begin(), answer.end(), picture.begin(), pixel_of);
     }
-  } catch (const std::runtime_error&) {  // The findings say how it failed.
+  } catch (const std::runtime_error&) {  // the findings say how it failed
   }
   return picture;
 }

@@ -20,10 +20,10 @@ using reference::kNoSphere;
 
 constexpr Colour kFailedColour = {128, 128, 128};
 
-/// Rows that are decided and painted at a time: between them an interrupt is heeded.
+/// Rows decided and painted at a time: interrupts are checked in between.
 constexpr std::int64_t kRowsAtOnce = reference::Visibility::kBandRows;
 
-/// Lines from the top, whatever row 0 is.
+/// Top line first, whichever row is 0.
 std::string png_of(const scene::Scene& scene, std::vector<Colour> pixels) {
   const scene::Camera& camera = *scene.camera;
   if (scene.conventions.rows != scene::Rows::kTopFirst) {
@@ -41,7 +41,7 @@ Colour pixel_colour(std::int32_t sphere) {
   return sphere == kNoSphere ? kBackground : sphere_colour(static_cast<std::size_t>(sphere));
 }
 
-/// Which spheres are seen by how many pixels, as a picture's legend.
+/// How many pixels see each sphere, as a picture's legend.
 ScenePicture picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen,
                         PictureKind kind, std::string candidate) {
   constexpr std::size_t kMostEntries = 24;
@@ -63,7 +63,7 @@ ScenePicture picture_of(const scene::Scene& scene, const std::vector<std::int32_
   return picture;
 }
 
-/// What a candidate answers on rows of pixels.
+/// A candidate's answers for rows of pixels.
 void answer(const scene::Scene& scene, const properties::Candidate& candidate, std::int64_t j,
             std::span<std::int32_t> rows) {
   properties::Case some = {scene, {}};
@@ -82,7 +82,7 @@ void answer(const scene::Scene& scene, const properties::Candidate& candidate, s
   }
 }
 
-/// Of a picture that is drawn as a whole no s is known.
+/// For a picture that is drawn as a whole, s is unknown.
 std::vector<LegendEntry> error_legend(const ErrorCounts& counts, bool is_drawn,
                                       std::uint64_t pixels) {
   std::vector<LegendEntry> legend;
