@@ -81,8 +81,8 @@ struct DeclaredConventions {
 /// between two edges is none.
 bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
-/// What a function throws that would fail whatever it is asked: no question is to blame.
-class AskedInVain : public std::runtime_error {
+/// What a function throws that would fail whatever it is asked.
+class CandidateUnavailable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };

@@ -32,10 +32,10 @@ struct SpheresMet {
   std::vector<std::uint32_t> count;  ///< Spheres, by ray.
   std::vector<bool> is_unjudged;     ///< Rays that meet one in a tangent that is not judged.
 
-  Question question(std::size_t ray) const {
-    return count[ray] == 0   ? Question::kNoSphere
-           : count[ray] == 1 ? Question::kOnlySphere
-                             : Question::kNearestOfSeveral;
+  Expected expected(std::size_t ray) const {
+    return count[ray] == 0   ? Expected::kNoSphere
+           : count[ray] == 1 ? Expected::kOnlySphere
+                             : Expected::kNearestOfSeveral;
   }
 };
 SpheresMet spheres_met(Trial& trial);

@@ -31,7 +31,7 @@ void Tally::merge(const Tally& other) {
   for (std::size_t k = 0; k < kStandingCount; ++k) {
     wrong_by_standing[k] += other.wrong_by_standing[k];
   }
-  for (std::size_t k = 0; k < kQuestionCount; ++k) {
+  for (std::size_t k = 0; k < kExpectedCount; ++k) {
     answered[k].asked += other.answered[k].asked;
     answered[k].right += other.answered[k].right;
   }

@@ -41,9 +41,9 @@ constexpr std::string_view name(Wrong wrong) {
   return kWrongNames[static_cast<std::size_t>(wrong)];
 }
 
-/// What is asked, by the truth where that is known to the law. A law has shown nothing of a kind
-/// that it was asked and never judged right.
-enum class Question {
+/// The right answer, where the law knows the truth. A law has shown nothing of a kind that was
+/// expected and never answered right.
+enum class Expected {
   kHit,
   kMiss,
   kSmallerRoot,
@@ -54,12 +54,12 @@ enum class Question {
   kRefusal,
   kValue,  ///< A number or a vector: right is what is within its bound.
 };
-inline constexpr std::size_t kQuestionCount = 9;
-inline constexpr std::array<std::string_view, kQuestionCount> kQuestionNames = {
+inline constexpr std::size_t kExpectedCount = 9;
+inline constexpr std::array<std::string_view, kExpectedCount> kExpectedNames = {
     "hit",         "miss",      "smaller root", "larger root", "nearest of several",
     "only sphere", "no sphere", "refusal",      "value"};
-constexpr std::string_view name(Question question) {
-  return kQuestionNames[static_cast<std::size_t>(question)];
+constexpr std::string_view name(Expected expected) {
+  return kExpectedNames[static_cast<std::size_t>(expected)];
 }
 
 /// How often something was asked, and how often the answer was right without an excuse.
@@ -76,10 +76,10 @@ struct Place {
   std::optional<std::size_t> sphere;
 };
 
-/// An answer that is right or wrong: what was asked where, and how the answer was.
+/// An answer that is right or wrong: what was expected where, and how the answer differs.
 struct Decision {
   Quantity quantity;
-  Question question;
+  Expected expected;
   Place place;
   Wrong wrong;
 };
@@ -94,7 +94,7 @@ struct Tally {
   std::uint64_t right = 0;
   std::map<Wrong, std::uint64_t> wrong;
   std::array<std::uint64_t, kStandingCount> wrong_by_standing = {};
-  std::array<Answered, kQuestionCount> answered = {};  ///< By question.
+  std::array<Answered, kExpectedCount> answered = {};  ///< By what was expected.
   QuantileSketch errors;                               ///< Empty for what is right or wrong.
   /// The least and the greatest bound that an error was held to.
   double least_bound = std::numeric_limits<double>::infinity();
@@ -127,7 +127,7 @@ struct Tally {
   std::uint64_t count(Standing standing) const {
     return wrong_by_standing[static_cast<std::size_t>(standing)];
   }
-  Answered& answers_to(Question question) { return answered[static_cast<std::size_t>(question)]; }
+  Answered& answers_to(Expected expected) { return answered[static_cast<std::size_t>(expected)]; }
   std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
   /// Whether every error counted was weighed by its condition number.
   bool is_weighed() const { return errors.count() == conditions.count(); }

@@ -124,7 +124,7 @@ class Trial : public Answers {
   void judge(Verdict& verdict, const Decision& decision, const GiveExcuse& excuse,
              const Describe& describe) const {
     if (decision.wrong != Wrong::kNot) return convict(verdict, decision, excuse, describe);
-    verdict.judged_right(decision.quantity, decision.question, 1);
+    verdict.judged_right(decision.quantity, decision.expected, 1);
   }
 
   /// What excuses answers that are wrong or contradict each other: of each that is wrong, inputs
@@ -195,8 +195,8 @@ constexpr bool is_unjudged(const reference::Intersection& intersection, scene::T
 }
 
 /// Which root a hit asks for.
-constexpr Question root_asked(const reference::Intersection& at) {
-  return at.root == reference::WhichRoot::kSmaller ? Question::kSmallerRoot : Question::kLargerRoot;
+constexpr Expected root_expected(const reference::Intersection& at) {
+  return at.root == reference::WhichRoot::kSmaller ? Expected::kSmallerRoot : Expected::kLargerRoot;
 }
 
 }  // namespace raycheck::properties

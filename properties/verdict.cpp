@@ -47,7 +47,7 @@ void Verdict::measured(Quantity quantity, const Place& place, double error, doub
   tally.errors.add(error);
   tally.least_bound = std::min(tally.least_bound, bound);
   tally.greatest_bound = std::max(tally.greatest_bound, bound);
-  Answered& values = tally.answers_to(Question::kValue);
+  Answered& values = tally.answers_to(Expected::kValue);
   ++values.asked;
   if (error <= bound) ++values.right;
   tally.note_worst(error, place);
@@ -72,10 +72,10 @@ void Verdict::weighed(Quantity quantity, const Place& place, double error,
   tally.max_over_growth = std::max(tally.max_over_growth.value_or(0), over_growth);
 }
 
-void Verdict::judged_right(Quantity quantity, Question question, std::uint64_t count) {
+void Verdict::judged_right(Quantity quantity, Expected expected, std::uint64_t count) {
   if (count == 0) return;
   Tally& tally = tallies_[quantity];
-  Answered& answers = tally.answers_to(question);
+  Answered& answers = tally.answers_to(expected);
   answers.asked += count;
   answers.right += count;
   tally.cases += count;
@@ -92,7 +92,7 @@ void Verdict::judged_wrong(const Decision& decision, Standing standing) {
   ++tally.wrong[decision.wrong];
   ++tally.wrong_by_standing[static_cast<std::size_t>(standing)];
   ++tally.outcomes[static_cast<std::size_t>(kOutcomes[static_cast<std::size_t>(standing)])];
-  if (standing != Standing::kNotJudged) ++tally.answers_to(decision.question).asked;
+  if (standing != Standing::kNotJudged) ++tally.answers_to(decision.expected).asked;
   // The first defect, or for want of one the first error.
   tally.note_worst(standing == Standing::kDefect ? 2 : 1, decision.place);
 }
@@ -174,19 +174,19 @@ bool Verdict::holds(bool strictly) const {
   return !strictly || discrepancies() == count(Standing::kNotJudged);
 }
 
-std::optional<std::pair<Quantity, Question>> Verdict::too_few_right(std::uint64_t fewest,
+std::optional<std::pair<Quantity, Expected>> Verdict::too_few_right(std::uint64_t fewest,
                                                                     bool wants_hits) const {
-  constexpr auto kOfValues = static_cast<std::size_t>(Question::kValue);
+  constexpr auto kOfValues = static_cast<std::size_t>(Expected::kValue);
   std::uint64_t right_values = 0;
   for (const auto& [quantity, tally] : tallies_) right_values += tally.answered[kOfValues].right;
   for (const auto& [quantity, tally] : tallies_) {
-    for (std::size_t k = 0; k < kQuestionCount; ++k) {
+    for (std::size_t k = 0; k < kExpectedCount; ++k) {
       const Answered& answers = tally.answered[k];
       const std::uint64_t right = k == kOfValues ? right_values : answers.right;
       const bool is_wanted =
-          wants_hits && quantity == Quantity::kClass && static_cast<Question>(k) == Question::kHit;
+          wants_hits && quantity == Quantity::kClass && static_cast<Expected>(k) == Expected::kHit;
       if ((answers.asked > 0 || is_wanted) && right < fewest) {
-        return std::pair(quantity, static_cast<Question>(k));
+        return std::pair(quantity, static_cast<Expected>(k));
       }
     }
   }

@@ -36,7 +36,7 @@ constexpr std::string_view name(Blame blame) {
 }
 
 /// Where a failure was sought.
-struct FailedQuestions {
+struct FailureSite {
   Blame blame = Blame::kNone;
   std::uint64_t count = 0;  ///< Of the questions to blame, from the discrepancy's place on.
   /// The one question as a scene; empty where there is none, or several.
@@ -62,7 +62,7 @@ struct Discrepancy {
   Excuse excuse;
   /// The interval, where the answered s lies outside of that which it is judged by.
   std::optional<scene::ValidRoots> excluded_by;
-  FailedQuestions failed;  ///< Where it failed.
+  FailureSite failed;  ///< Where it failed.
 };
 
 /// Which answers are wrong, and how, wherever they are.
@@ -102,13 +102,13 @@ class Verdict {
   /// Counts an error, measured before, that only its condition number allows.
   void count_ill_conditioned(Quantity quantity) {
     ++tallies_[quantity].ill_conditioned;
-    ++tallies_[quantity].answers_to(Question::kValue).right;
+    ++tallies_[quantity].answers_to(Expected::kValue).right;
   }
   /// Counts answers that are right.
-  void judged_right(Quantity quantity, Question question, std::uint64_t count);
-  /// Counts a question to which an answer is not right, though it breaks nothing here.
-  void not_right(Quantity quantity, Question question) {
-    ++tallies_[quantity].answers_to(question).asked;
+  void judged_right(Quantity quantity, Expected expected, std::uint64_t count);
+  /// Counts something expected to which an answer is not right, though it breaks nothing here.
+  void not_right(Quantity quantity, Expected expected) {
+    ++tallies_[quantity].answers_to(expected).asked;
   }
   /// Counts an answer that is wrong.
   void judged_wrong(const Decision& decision, Standing standing);
@@ -138,7 +138,7 @@ class Verdict {
   /// than so many times: of that a law has shown too little to hold. Values are one question,
   /// whatever the quantity.
   /// `wants_hits`: where classes were asked, hits must have been among them.
-  std::optional<std::pair<Quantity, Question>> too_few_right(std::uint64_t fewest,
+  std::optional<std::pair<Quantity, Expected>> too_few_right(std::uint64_t fewest,
                                                              bool wants_hits = false) const;
   /// The kinds of those kept that break the law, each once, in order.
   std::vector<DefectKind> defects(bool strictly = false) const;

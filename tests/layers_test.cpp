@@ -59,7 +59,7 @@ const std::map<std::string, Rooms> kSees = {
      {"scene", "scene/files", "properties", "properties/cases", "properties/mistakes",
       "tools/implementations", "tools/report"}},
     {"tools/explain",
-     {"scene", "reference", "reference/account", "fast", "properties", "properties/candidates",
+     {"scene", "reference", "reference/account", "fast", "properties", "properties/laws",
       "tools/implementations", "tools/report"}},
     {"tools/image",
      {"scene", "scene/files", "reference/visibility", "properties", "tools/run", "tools/report",
@@ -439,8 +439,14 @@ TEST(Rooms, LetTheEdgeAlonePrint) {
 }
 
 /// What writes command lines of other programs, and of the package that runs raycheck itself.
-const std::set<std::string> kWriteCommandLines = {
-    "tools/external/sandbox/launch.cpp", "tools/external/compile.cpp", "tools/grade/package.cpp"};
+const std::set<std::string> kWriteCommandLines = {"tools/external/sandbox/launch.cpp",
+                                                  "tools/external/compile.cpp",
+                                                  "tools/external/implementation_of.cpp",
+                                                  "tools/implementations/implementation.cpp",
+                                                  "tools/view/scene_view.cpp",
+                                                  "tools/view/panel/panel.cpp",
+                                                  "tools/grade/package.cpp",
+                                                  "tools/grade/pages/figures.cpp"};
 
 TEST(Rooms, LetTheEdgeAndViewsForPeopleAloneNameOptions) {
   static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re"), option("(^|[^-])--[a-z]");
@@ -448,7 +454,8 @@ TEST(Rooms, LetTheEdgeAndViewsForPeopleAloneNameOptions) {
   for (const std::string& file : sources()) {
     const std::string room = room_of(file);
     if (room == kEdge || kPrograms.contains(room) || kWriteCommandLines.contains(file)) continue;
-    const bool is_view_for_people = file.ends_with("_text.cpp");  // may say which shows more
+    // Which may say how more is shown.
+    const bool is_view_for_people = file.ends_with("_text.cpp") || file.ends_with("_page.cpp");
     std::istringstream lines(text_of(root() / file));
     for (std::string line; std::getline(lines, line);) {
       if (line.find_first_not_of(' ') == line.find("//")) continue;

@@ -20,7 +20,7 @@
 #include "tools/commands.h"
 #include "tools/external/pictures/dry_run.h"
 #include "tools/report/words.h"
-#include "tools/view/chart/plot.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 

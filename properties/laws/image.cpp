@@ -43,7 +43,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
                                                     : choice.got;
     trial.judge(
         verdict,
-        {Quantity::kNearestSphere, met.question(k), trial.place(k, shown), wrong_of(choice)},
+        {Quantity::kNearestSphere, met.expected(k), trial.place(k, shown), wrong_of(choice)},
         [&] { return excuse_of(trial, choice); },
         [&](Discrepancy& d) {
           d.what = "sphere shown";

@@ -114,7 +114,7 @@ void judge_class(Trial& trial, Verdict& verdict) {
     const bool false_hit = at.exact == nullptr;
     trial.judge(
         verdict,
-        {Quantity::kClass, false_hit ? Question::kMiss : Question::kHit,
+        {Quantity::kClass, false_hit ? Expected::kMiss : Expected::kHit,
          trial.place(at.ray, at.sphere),
          missed      ? Wrong::kMissed
          : false_hit ? Wrong::kFalseHit
@@ -123,7 +123,7 @@ void judge_class(Trial& trial, Verdict& verdict) {
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
     --misses;
   });
-  verdict.judged_right(Quantity::kClass, Question::kMiss, misses);
+  verdict.judged_right(Quantity::kClass, Expected::kMiss, misses);
   if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
 }
 
@@ -136,7 +136,7 @@ void judge_root(Trial& trial, Verdict& verdict) {
     if (at.answer == nullptr || at.exact == nullptr) return;
     trial.judge(
         verdict,
-        {Quantity::kRoot, root_asked(*at.exact), trial.place(at.ray, at.sphere),
+        {Quantity::kRoot, root_expected(*at.exact), trial.place(at.ray, at.sphere),
          is_at_other_root(trial, at) || is_excluded(trial, at) ? Wrong::kWrongRoot : Wrong::kNot},
         [&] { return excuse(trial, at); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
@@ -251,7 +251,7 @@ bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const 
       is_wrong(both.eye_ray, both.eye_hit) || is_wrong(both.pixel_ray, both.pixel_hit);
   trial.judge(
       verdict,
-      {Quantity::kRoot, root_asked(at), place, is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
+      {Quantity::kRoot, root_expected(at), place, is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
       [&] {
         return trial.excuse({answer_of(both.eye_ray, sphere, &both.eye_hit),
                              answer_of(both.pixel_ray, sphere, &both.pixel_hit)});

@@ -40,7 +40,7 @@ bool wants_given_rays(const Law& law, const Trial& trial) {
 }
 
 /// A verdict, and whether the candidate failed anywhere.
-struct Judged {
+struct LawJudgement {
   Verdict verdict;
   bool failed = false;
 };
@@ -51,8 +51,8 @@ bool asks_by_sphere(const Law& law, const Trial& trial) {
 }
 
 /// A law's verdict on a candidate that gave no answer, `message` being what it threw.
-Judged judged_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message,
-                      const FailedQuestions& failed = {}) {
+LawJudgement judged_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message,
+                            const FailureSite& failed = {}) {
   Verdict verdict(law.name);
   Place place;
   if (failed.count > 0) {
@@ -61,7 +61,7 @@ Judged judged_failure(const Law& law, const Trial& trial, Wrong wrong, const cha
     place = trial.place(0, is_pair ? std::optional<std::size_t>(0) : std::nullopt);
   }
   trial.judge(
-      verdict, {Quantity::kRefusal, Question::kRefusal, place, wrong}, [] { return Excuse{}; },
+      verdict, {Quantity::kRefusal, Expected::kRefusal, place, wrong}, [] { return Excuse{}; },
       [&](Discrepancy& discrepancy) {
         discrepancy.what = message;
         discrepancy.failed = failed;
@@ -74,18 +74,18 @@ bool asks_apart(const Law& law) {
   return law.judges_values && (law.per == Per::kRay || law.per == Per::kPair);
 }
 
-Judged judge(const Law& law, Trial& trial);
+LawJudgement judge(const Law& law, Trial& trial);
 
 /// The halves, one after the other. Where the whole is known to fail and the first half does not,
 /// the second is to blame, and is halved at once.
-Judged judge_halves(const Law& law, Trial& trial) {
+LawJudgement judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
-  Judged all{Verdict(law.name)};
+  LawJudgement all{Verdict(law.name)};
   bool is_second = false;
   for (const std::shared_ptr<TrialPart>& half : trial.failed_parts().halves(trial)) {
     const bool is_to_blame = is_second && !all.failed && count_asked(half->trial, by_sphere) > 1;
     const bool halves_at_once = is_to_blame && !half->trial.options().search->is_over();
-    Judged one = halves_at_once ? judge_halves(law, half->trial) : judge(law, half->trial);
+    LawJudgement one = halves_at_once ? judge_halves(law, half->trial) : judge(law, half->trial);
     one.verdict.relocate([&](const Place& place) { return half->place(place); });
     all.failed |= one.failed;
     all.verdict.merge(std::move(one.verdict));
@@ -97,8 +97,8 @@ Judged judge_halves(const Law& law, Trial& trial) {
 
 /// What was asked at once failed, at that line where it is known: the question to blame, or the
 /// halves.
-Judged judge_apart(const Law& law, Trial& trial, const char* message,
-                   const std::optional<CodeLine>& line = {}) {
+LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
+                         const std::optional<CodeLine>& line = {}) {
   FailureSearch* const search = trial.options().search;
   if (search == nullptr || !asks_apart(law)) {
     return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kNone, 0, {}, line});
@@ -106,9 +106,9 @@ Judged judge_apart(const Law& law, Trial& trial, const char* message,
   const bool by_sphere = asks_by_sphere(law, trial);
   const std::uint64_t questions = count_asked(trial, by_sphere);
   const auto failed_once = [&](Blame blame, int& count) {
-    if (!trial.failed_parts().is_new(message)) return Judged{Verdict(law.name), true};
+    if (!trial.failed_parts().is_new(message)) return LawJudgement{Verdict(law.name), true};
     ++count;
-    FailedQuestions failed{blame, questions, {}, line};
+    FailureSite failed{blame, questions, {}, line};
     if (blame == Blame::kQuestion) failed.scene = trial.asked_scene();
     return judged_failure(law, trial, Wrong::kFailed, message, failed);
   };
@@ -116,7 +116,7 @@ Judged judge_apart(const Law& law, Trial& trial, const char* message,
   if (search->is_over() && !trial.failed_parts().is_halved()) {
     return failed_once(Blame::kAmong, search->not_sought);
   }
-  Judged judged = judge_halves(law, trial);
+  LawJudgement judged = judge_halves(law, trial);
   if (!judged.failed) {
     judged.verdict.merge(failed_once(Blame::kTogether, search->together).verdict);
     judged.failed = true;
@@ -125,7 +125,7 @@ Judged judge_apart(const Law& law, Trial& trial, const char* message,
 }
 
 /// It would have failed whatever it was asked: a search says so once.
-Judged judge_in_vain(const Law& law, Trial& trial, const char* message) {
+LawJudgement judge_unavailable(const Law& law, Trial& trial, const char* message) {
   FailureSearch* const search = trial.options().search;
   if (search != nullptr && !search->whatever_asked.insert(message).second) {
     return {Verdict(law.name), true};
@@ -133,18 +133,18 @@ Judged judge_in_vain(const Law& law, Trial& trial, const char* message) {
   return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kAnything, 0, {}, {}});
 }
 
-Judged judge(const Law& law, Trial& trial) {
+LawJudgement judge(const Law& law, Trial& trial) {
   scene::poll();
   try {
-    Judged judged{Verdict(law.name)};
+    LawJudgement judged{Verdict(law.name)};
     law.judge(trial, judged.verdict);
     return judged;
   } catch (const std::bad_alloc&) {
     throw;  // no fault of the candidate
   } catch (const std::invalid_argument& error) {
     return judged_failure(law, trial, Wrong::kRefused, error.what());
-  } catch (const AskedInVain& error) {
-    return judge_in_vain(law, trial, error.what());
+  } catch (const CandidateUnavailable& error) {
+    return judge_unavailable(law, trial, error.what());
   } catch (const FailedAtLine& error) {
     return judge_apart(law, trial, error.what(), error.line());
   } catch (const std::exception& error) {

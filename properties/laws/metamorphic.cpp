@@ -56,14 +56,14 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
                              answer_of(transformed.exact_ray(k), other_sphere, other)});
       };
       const bool is_hit = trial.exact_hit(k, sphere);
-      const Question question = is_hit ? Question::kHit : Question::kMiss;
+      const Expected expected = is_hit ? Expected::kHit : Expected::kMiss;
       // Two answers that are wrong alike agree, but are not right.
       if (!differ && !unjudged && (hit != nullptr) != is_hit) {
-        verdict.not_right(Quantity::kClass, question);
+        verdict.not_right(Quantity::kClass, expected);
         continue;
       }
       trial.judge(verdict,
-                  {Quantity::kClass, question, place,
+                  {Quantity::kClass, expected, place,
                    !differ          ? Wrong::kNot
                    : hit != nullptr ? Wrong::kMissed
                                     : Wrong::kFalseHit},
@@ -87,7 +87,7 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
             error > bound && is_at_other_root(trial, k, sphere, *hit) !=
                                  is_at_other_root(transformed, k, sphere, *other);
         trial.judge(verdict,
-                    {Quantity::kRoot, root_asked(trial.exact_intersection(k, sphere)), place,
+                    {Quantity::kRoot, root_expected(trial.exact_intersection(k, sphere)), place,
                      is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
                     excuse, describe);
         if (is_other_root) continue;
@@ -355,7 +355,7 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
         const std::size_t k = before.ray;
         trial.judge(
             verdict,
-            {Quantity::kClass, Question::kHit, trial.place(k, sphere),
+            {Quantity::kClass, Expected::kHit, trial.place(k, sphere),
              find_hit(grown.front(), k) != nullptr ? Wrong::kNot : Wrong::kMissed},
             [&] {
               const reference::ExactRay& ray = trial.exact_ray(k);

@@ -48,7 +48,7 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     if (right_forwards) choice.got = reversed_got;
     trial.judge(
         verdict,
-        {Quantity::kNearestSphere, met.question(k),
+        {Quantity::kNearestSphere, met.expected(k),
          trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice)},
         [&] { return excuse(trial, k, choice.got, trial.excused_change()); },
         [&](Discrepancy& d) {
@@ -103,7 +103,7 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
     const bool right = is_right(choice) && !(exactly && exact && exact->index != *choice.got);
     seen.judge(
         verdict,
-        {Quantity::kNearestSphere, met.question(k),
+        {Quantity::kNearestSphere, met.expected(k),
          seen.place(k, exact ? Index(exact->index) : choice.got),
          right           ? Wrong::kNot
          : !choice.exact ? Wrong::kFalseHit

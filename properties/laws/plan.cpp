@@ -32,11 +32,11 @@ void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong,
   const auto width = static_cast<std::size_t>(it.trial.scene().camera->width);
   const std::size_t ray =
       static_cast<std::size_t>(it.pixel.j) * width + static_cast<std::size_t>(it.pixel.i);
-  const Question question = quantity == Quantity::kRoot            ? Question::kSmallerRoot
-                            : quantity == Quantity::kNearestSphere ? Question::kNearestOfSeveral
-                                                                   : Question::kMiss;
+  const Expected expected = quantity == Quantity::kRoot            ? Expected::kSmallerRoot
+                            : quantity == Quantity::kNearestSphere ? Expected::kNearestOfSeveral
+                                                                   : Expected::kMiss;
   it.trial.judge(
-      verdict, {quantity, question, {ray, it.pixel, it.sphere}, wrong}, [] { return Excuse{}; },
+      verdict, {quantity, expected, {ray, it.pixel, it.sphere}, wrong}, [] { return Excuse{}; },
       [&](Discrepancy& d) { d.what = what; });
 }
 

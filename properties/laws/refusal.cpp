@@ -68,7 +68,7 @@ void expect_refusal(Trial& trial, Verdict& verdict, const std::string& what,
     wrong = Wrong::kNot;
   }
   trial.judge(
-      verdict, {Quantity::kRefusal, Question::kRefusal, {}, wrong}, [] { return Excuse{}; },
+      verdict, {Quantity::kRefusal, Expected::kRefusal, {}, wrong}, [] { return Excuse{}; },
       [&](Discrepancy& d) { d.what = what; });
 }
 

@@ -41,13 +41,13 @@ bool agree(const Answer& a, const Answer& b, double tolerance) {
                     [tolerance](auto& x, auto& y) { return agree(x, y, tolerance); });
 }
 
-StepAnswers hit_answers(const AskedCase& question, const Trial& trial) {
+StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
   const auto found =
-      trial.intersect(question.rays, question.the_case.scene.spheres, trial.conventions());
+      trial.intersect(asked.rays, asked.the_case.scene.spheres, trial.conventions());
   StepAnswers answers;
   for (const SphereHits& hits : found) {
     const std::size_t first = answers.size();
-    answers.resize(first + question.rays.size());
+    answers.resize(first + asked.rays.size());
     for (const auto& [ray, hit] : hits) {
       answers[first + ray] = {0, {Vector3{hit.parameter, 0, 0}, vector(hit.point)}};
     }
@@ -56,9 +56,9 @@ StepAnswers hit_answers(const AskedCase& question, const Trial& trial) {
 }
 
 /// Empty where the candidate has no such function.
-std::optional<StepAnswers> ask(Step step, const AskedCase& question, const Candidate& candidate) {
-  Trial trial(question.the_case, candidate);
-  const scene::Scene& scene = question.the_case.scene;
+std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidate& candidate) {
+  Trial trial(asked.the_case, candidate);
+  const scene::Scene& scene = asked.the_case.scene;
   StepAnswers answers;
   switch (step) {
     case Step::kFrame: {
@@ -78,23 +78,23 @@ std::optional<StepAnswers> ask(Step step, const AskedCase& question, const Candi
       return answers;
     case Step::kIntersect:
       if (!candidate.intersect) return {};
-      return hit_answers(question, trial);
+      return hit_answers(asked, trial);
     case Step::kNearest:
       break;
   }
   if (!candidate.nearest) return {};
-  for (const auto& sphere : trial.rank(question.rays, scene.spheres)) {
+  for (const auto& sphere : trial.rank(asked.rays, scene.spheres)) {
     answers.push_back({sphere, {}});
   }
   return answers;
 }
 
 /// The same; empty too where the candidate refuses or fails.
-std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& question,
+std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
                                       const Candidate& candidate) {
   scene::poll();
   try {
-    return ask(step, question, candidate);
+    return ask(step, asked, candidate);
   } catch (const std::runtime_error&) {
     return {};
   } catch (const std::invalid_argument&) {
@@ -123,9 +123,9 @@ std::uint64_t count_different(const Comparison& comparison, const StepAnswers& e
   return count;
 }
 
-/// Which of a question's answers, by sphere and ray or by ray, miss a sphere that none meets.
+/// Which of a asked's answers, by sphere and ray or by ray, miss a sphere that none meets.
 std::vector<bool> dropped(Step step, const Comparison& comparison) {
-  const auto& [the_case, rays] = *comparison.question;
+  const auto& [the_case, rays] = *comparison.asked;
   const std::size_t count = rays.size();
   const auto sphere_of = [&](const Answer& answer, std::size_t k) -> std::optional<std::size_t> {
     if (!answer.choice) return {};
@@ -170,12 +170,12 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
     if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
     // Classic mistakes are those of who takes every root >= 0.
     if (!candidate.declared.over(rounded->scene.conventions).valid.is_usual()) continue;
-    questions_.push_back({*std::move(rounded), {}});
-    AskedCase& question = questions_.back();
-    scene::Conventions& conventions = question.the_case.scene.conventions;
+    asked_.push_back({*std::move(rounded), {}});
+    AskedCase& asked = asked_.back();
+    scene::Conventions& conventions = asked.the_case.scene.conventions;
     conventions = candidate.declared.over(conventions);
-    question.rays = Trial(question.the_case, right_).rays();
-    for (scene::Ray& ray : question.rays) ray = rounded_ray(ray, candidate.precision);
+    asked.rays = Trial(asked.the_case, right_).rays();
+    for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.precision);
   }
 }
 
@@ -183,13 +183,13 @@ const std::vector<Comparison>& Examination::at(Step step) {
   auto& known = comparisons_[static_cast<std::size_t>(step)];
   if (known) return *known;
   known.emplace();
-  for (const AskedCase& question : questions_) {
-    std::optional<StepAnswers> answers = try_to_ask(step, question, candidate_);
+  for (const AskedCase& asked : asked_) {
+    std::optional<StepAnswers> answers = try_to_ask(step, asked, candidate_);
     if (!answers) continue;
     Comparison comparison = {
-        &question, std::move(*answers), ask(step, question, right_).value(), {}};
+        &asked, std::move(*answers), ask(step, asked, right_).value(), {}};
     if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
-      comparison.also_right = ask_others(step, question);
+      comparison.also_right = ask_others(step, asked);
     }
     known->push_back(std::move(comparison));
   }
@@ -210,7 +210,7 @@ std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step
     for (const Comparison& comparison : at(static_cast<Step>(step))) {
       if (count > most) return count;
       const auto made =
-          try_to_ask(static_cast<Step>(step), *comparison.question, mistake.candidate);
+          try_to_ask(static_cast<Step>(step), *comparison.asked, mistake.candidate);
       count += count_different(comparison, made ? *made : comparison.right, tolerance);
     }
   }
@@ -220,7 +220,7 @@ std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step
 DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance) {
   DoubtTally all;
   for (const Comparison& comparison : at(step)) {
-    const auto& [the_case, rays] = *comparison.question;
+    const auto& [the_case, rays] = *comparison.asked;
     const scene::Conventions& conventions = the_case.scene.conventions;
     const std::vector<bool> is_dropped = dropped(step, comparison);
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
@@ -242,12 +242,12 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
   return all;
 }
 
-std::vector<StepAnswers> Examination::ask_others(Step step, AskedCase question) const {
+std::vector<StepAnswers> Examination::ask_others(Step step, AskedCase asked) const {
   std::vector<StepAnswers> answers;
-  scene::Conventions& conventions = question.the_case.scene.conventions;
+  scene::Conventions& conventions = asked.the_case.scene.conventions;
   const auto add = [&](const Candidate& other) {
     if (!(other.declared.over(conventions) == conventions)) return;
-    if (auto its = try_to_ask(step, question, other)) answers.push_back(std::move(*its));
+    if (auto its = try_to_ask(step, asked, other)) answers.push_back(std::move(*its));
   };
   for (const Candidate& other : others_) add(other);
   if (conventions.tangent == scene::Tangent::kEither && step >= Step::kIntersect) {

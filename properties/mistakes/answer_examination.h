@@ -27,10 +27,10 @@ struct AskedCase {
   std::vector<scene::Ray> rays;
 };
 
-/// What a candidate answered to a question at a step, what is right, and what other right formulas
+/// What a candidate answered to a case at a step, what is right, and what other right formulas
 /// make of it.
 struct Comparison {
-  const AskedCase* question;
+  const AskedCase* asked;
   StepAnswers answers, right;
   std::vector<StepAnswers> also_right;
 };
@@ -53,12 +53,12 @@ class Examination {
   DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance);
 
  private:
-  std::vector<StepAnswers> ask_others(Step step, AskedCase question) const;
+  std::vector<StepAnswers> ask_others(Step step, AskedCase asked) const;
 
   const Candidate& candidate_;
   const Candidate right_ = right_candidate();
   const std::vector<Candidate> others_;
-  std::vector<AskedCase> questions_;
+  std::vector<AskedCase> asked_;
   std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
 };
 

@@ -39,6 +39,8 @@ std::vector<Mistake> exchanged_loops() {
       lines_for_columns("; rays are traced beyond the image, too", false),
       lines_for_columns("; rays are traced beyond the image, too, from the last row on", true)};
   all.front().black_outside = true;
+  // A single ray does not tell them apart.
+  all[0].family = all[1].family = "exchanged loops";
   return all;
 }
 
@@ -146,7 +148,7 @@ void stretch_rows(Camera& camera, const Conventions& conventions, double factor)
 }
 
 /// From i/(w-1), or from (i+1/2)/w, to i/w or, one pixel on, to (i+1)/w: where the first and the
-/// last of so many pixels between two bounds come to lie.
+/// last pixel between two bounds come to lie.
 void step_by_count(double& first, double& last, std::int64_t pixels, const Conventions& conventions,
                    bool is_next) {
   const double step = (last - first) / static_cast<double>(pixels);

@@ -43,8 +43,9 @@ struct Mistake {
   bool makes_rays = false;
   /// Its own formulas for what is hit and what is nearest; none where it answers as right methods.
   HitFormulas hits = {};
-  /// Mistakes of one family differ in a size, and what one does the next does too, and more: of
-  /// several that explain the same the first is meant. Empty: it is alone.
+  /// Mistakes of one family differ in a size, and what one does the next does too, and more, or in
+  /// what single rays do not show: of several that explain the same the first is meant. Empty: it is
+  /// alone.
   std::string_view family = {};
 };
 

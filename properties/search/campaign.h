@@ -96,7 +96,7 @@ struct CampaignResult {
 
   Finding finding() const;
   /// The first kind of question of which fewer answers are right than are needed.
-  std::optional<std::pair<Quantity, Question>> too_few_right() const {
+  std::optional<std::pair<Quantity, Expected>> too_few_right() const {
     return verdict.too_few_right(fewest_right, wants_hits);
   }
 };

@@ -83,7 +83,7 @@ TEST(Verdict, HasABoundWhereEveryErrorWasHeldToTheSame) {
   EXPECT_EQ(held_to({8, 16}), std::nullopt);
   EXPECT_EQ(held_to({16, 8, 16}), std::nullopt);
   Verdict decided;
-  decided.judged_right(Quantity::kClass, Question::kMiss, 3);
+  decided.judged_right(Quantity::kClass, Expected::kMiss, 3);
   EXPECT_EQ(decided.tallies().at(Quantity::kClass).bound(), std::nullopt);
 }
 
@@ -101,17 +101,17 @@ TEST(Verdict, HoldsABoundToErrorsOverWhatItGrowsBy) {
 
 TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   Verdict verdict;
-  verdict.judged_right(Quantity::kRoot, Question::kSmallerRoot, 0);
+  verdict.judged_right(Quantity::kRoot, Expected::kSmallerRoot, 0);
   EXPECT_TRUE(verdict.tallies().empty());
-  verdict.judged_right(Quantity::kClass, Question::kHit, 1);
-  const auto wrong = [&](Question question, std::size_t ray, Wrong kind, Standing standing) {
-    verdict.judged_wrong({Quantity::kClass, question, at_ray(ray), kind}, standing);
+  verdict.judged_right(Quantity::kClass, Expected::kHit, 1);
+  const auto wrong = [&](Expected expected, std::size_t ray, Wrong kind, Standing standing) {
+    verdict.judged_wrong({Quantity::kClass, expected, at_ray(ray), kind}, standing);
   };
-  wrong(Question::kHit, 1, Wrong::kMissed, Standing::kExcused);
-  wrong(Question::kMiss, 2, Wrong::kFalseHit, Standing::kDefect);
-  wrong(Question::kHit, 3, Wrong::kMissed, Standing::kDefect);
-  wrong(Question::kHit, 4, Wrong::kMissed, Standing::kUndecided);
-  wrong(Question::kHit, 5, Wrong::kMissed, Standing::kNotJudged);
+  wrong(Expected::kHit, 1, Wrong::kMissed, Standing::kExcused);
+  wrong(Expected::kMiss, 2, Wrong::kFalseHit, Standing::kDefect);
+  wrong(Expected::kHit, 3, Wrong::kMissed, Standing::kDefect);
+  wrong(Expected::kHit, 4, Wrong::kMissed, Standing::kUndecided);
+  wrong(Expected::kHit, 5, Wrong::kMissed, Standing::kNotJudged);
   const Tally& tally = verdict.tallies().at(Quantity::kClass);
   EXPECT_EQ(tally.cases, 6u);
   EXPECT_EQ(tally.wrong_answers(), 5u);
@@ -120,7 +120,7 @@ TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   EXPECT_EQ(tally.count(Standing::kUndecided), 1u);
   EXPECT_EQ(tally.count(Standing::kExcused), 1u);
   EXPECT_EQ(tally.count(Standing::kNotJudged), 1u);
-  const Answered& hits = tally.answered[static_cast<std::size_t>(Question::kHit)];
+  const Answered& hits = tally.answered[static_cast<std::size_t>(Expected::kHit)];
   EXPECT_EQ(hits.asked, 4u);  // what is not judged is not asked
   EXPECT_EQ(hits.right, 1u);
   EXPECT_EQ(tally.worst_place.ray, 2u);  // the first without an excuse
@@ -144,17 +144,17 @@ TEST(Verdict, HoldsWhileNothingIsADefect) {
 TEST(Verdict, NamesTheFirstQuestionThatWasAnsweredRightlyTooFewTimes) {
   Verdict verdict;
   EXPECT_FALSE(verdict.too_few_right(1));
-  verdict.judged_right(Quantity::kClass, Question::kMiss, 5);
+  verdict.judged_right(Quantity::kClass, Expected::kMiss, 5);
   EXPECT_FALSE(verdict.too_few_right(5));
-  const std::pair too_few_misses(Quantity::kClass, Question::kMiss);
+  const std::pair too_few_misses(Quantity::kClass, Expected::kMiss);
   EXPECT_EQ(verdict.too_few_right(6), too_few_misses);
-  verdict.judged_wrong({Quantity::kClass, Question::kHit, at_ray(0), Wrong::kMissed},
+  verdict.judged_wrong({Quantity::kClass, Expected::kHit, at_ray(0), Wrong::kMissed},
                        Standing::kExcused);
-  const std::pair too_few_hits(Quantity::kClass, Question::kHit);
+  const std::pair too_few_hits(Quantity::kClass, Expected::kHit);
   EXPECT_EQ(verdict.too_few_right(1), too_few_hits);
   Verdict measured;
   measured.measured(Quantity::kParameter, at_ray(0), kBound + 1, kBound);
-  const std::pair too_few_values(Quantity::kParameter, Question::kValue);
+  const std::pair too_few_values(Quantity::kParameter, Expected::kValue);
   EXPECT_EQ(measured.too_few_right(1), too_few_values);
   Verdict both = measured;
   both.measured(Quantity::kHitPoint, at_ray(0), kBound, kBound);
@@ -220,11 +220,11 @@ Verdict random_verdict(std::mt19937_64& random) {
     const auto wrong = static_cast<Wrong>(below(kWrongCount));
     const Excuse excuse =
         std::array{Excuse{}, kUndecided, kWitness, kOutside}[below(kStandingCount)];
-    const auto question = static_cast<Question>(below(kQuestionCount));
+    const auto expected = static_cast<Expected>(below(kExpectedCount));
     if (wrong == Wrong::kNot) {
-      verdict.judged_right(Quantity::kClass, question, 1);
+      verdict.judged_right(Quantity::kClass, expected, 1);
     } else {
-      verdict.judged_wrong({Quantity::kClass, question, place, wrong}, excuse.standing());
+      verdict.judged_wrong({Quantity::kClass, expected, place, wrong}, excuse.standing());
     }
     Discrepancy found = discrepancy(error, place.ray, excuse);
     found.what = std::to_string(below(3));
@@ -241,7 +241,7 @@ void expect_equal(const Tally& a, const Tally& b) {
                     t.greatest_bound);
   };
   EXPECT_TRUE(parts(a) == parts(b));
-  for (std::size_t k = 0; k < kQuestionCount; ++k) {
+  for (std::size_t k = 0; k < kExpectedCount; ++k) {
     EXPECT_EQ(a.answered[k].asked, b.answered[k].asked);
     EXPECT_EQ(a.answered[k].right, b.answered[k].right);
   }

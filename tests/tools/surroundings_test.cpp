@@ -1,7 +1,6 @@
 // What surrounds the program: a standard output that is closed or full, a machine without apt-get
-// (where
-// `./run` is in a folder with few programs beside bash), and names and files with bytes that act on
-// terminals, or that are no UTF-8, and files that are none.
+// (where `./run` is in a folder with few programs beside bash), names and files with bytes that act
+// on terminals or are not UTF-8, and files that are missing.
 
 #include <gtest/gtest.h>
 
@@ -19,12 +18,12 @@ namespace {
 using nlohmann::json;
 
 /// A command without the file or folder that it writes, and what that begins with.
-struct Written {
+struct WrittenReport {
   const char* arguments;
   const char* begins;
 };
 
-constexpr Written kWritten[] = {
+constexpr WrittenReport kWrittenReports[] = {
     {"check scene/examples/far-sphere.toml --intersect quadratic --certificates ", "{\"method\":"},
     {"check scene/examples/far-sphere.toml --intersect quadratic --report junit=", "<?xml "},
     {"properties --cases 20 --report junit=", "<?xml "},
@@ -42,7 +41,7 @@ TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
   namespace fs = std::filesystem;
   const std::string path = temporary_file("written", "");
   for (const char* const where : {" >&-", " <&- >&-", " >/dev/full"}) {
-    for (const auto& [arguments, begins] : kWritten) {
+    for (const auto& [arguments, begins] : kWrittenReports) {
       fs::remove_all(path);
       const Outcome outcome = run_to(where, arguments + ("'" + path + "'"));
       EXPECT_EQ(outcome.exit_code, 2) << arguments << where << outcome.err;
@@ -59,9 +58,9 @@ TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
 /// Nor do errors go to a file.
 TEST(UnwrittenReport, leaves_files_alone_where_errors_cannot_be_said) {
   const std::string path = temporary_file("written", "");
-  const Outcome outcome = run_to(" >&- 2>&-", kWritten[0].arguments + ("'" + path + "'"));
+  const Outcome outcome = run_to(" >&- 2>&-", kWrittenReports[0].arguments + ("'" + path + "'"));
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(contents(path).find(kWritten[0].begins), 0u) << contents(path);
+  EXPECT_EQ(contents(path).find(kWrittenReports[0].begins), 0u) << contents(path);
 }
 
 /// Of a CMake that has nothing to build, and of a raycheck that prints its arguments.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tools/arguments.h"
-#include "tools/check/check_views.h"
+#include "tools/check/check.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
 #include "tools/terminal.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "properties/laws/law.h"
-#include "tools/check/check_views.h"
+#include "tools/check/check.h"
 #include "tools/gates/gate_views.h"
 #include "tools/report/words.h"
 

@@ -2,7 +2,7 @@
 #include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "scene/number.h"
-#include "tools/check/check_views.h"
+#include "tools/check/check.h"
 #include "tools/report/certificate.h"
 #include "tools/report/json.h"
 
@@ -51,7 +51,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["precision"] = name(candidate.precision);
   json["swallowed"] = swallowed_json(candidate);
   json["rounded_numbers"] = candidate.rounded_numbers;
-  json["not_asked"] = null_if_empty(candidate.not_asked);
+  json["not_asked"] = text_or_null(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);
   json["inside_domain"] = candidate.inside_domain;

@@ -5,10 +5,9 @@
 
 #include "properties/search/worst_case.h"
 #include "properties/stage.h"
-#include "tools/check/check_views.h"
+#include "tools/check/check.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
-#include "tools/view/selection.h"
 
 namespace raycheck::tools {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "reference/visibility/visibility.h"
 #include "scene/plan/plan.h"
-#include "tools/check/check_views.h"
+#include "tools/check/check.h"
 #include "tools/report/picture_file.h"
 
 namespace raycheck::tools {

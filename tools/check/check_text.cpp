@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "scene/number.h"
-#include "tools/check/check_views.h"
+#include "tools/check/check.h"
 #include "tools/gates/gate_views.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"

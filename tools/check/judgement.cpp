@@ -34,11 +34,9 @@ struct ChunkVerdict {
 
 namespace {
 
-ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
-                         std::optional<double> max_error, const Candidate& candidate,
-                         FailureSearch* search = nullptr) {
-  Trials trials(chunk, candidate,
-                {.max_error = max_error, .truth = std::move(truth), .search = search});
+ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, const Candidate& candidate,
+                         const properties::TrialOptions& options) {
+  Trials trials(chunk, candidate, options);
   ChunkVerdict found;
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
@@ -118,8 +116,10 @@ void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& 
   const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
   properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
   ++report.search.batches;
-  ChunkVerdict found = judge_chunk(chunk, first, truths.under(report.conventions), max_error_,
-                                   *searchers_[k], &report.search);
+  ChunkVerdict found = judge_chunk(chunk, first, *searchers_[k],
+                                   {.max_error = max_error_,
+                                    .truth = truths.under(report.conventions),
+                                    .search = &report.search});
   if (found.has_failed()) failed = std::move(found);
 }
 
@@ -141,8 +141,9 @@ std::vector<ChunkVerdict> Judgement::judge(std::uint64_t first) {
     properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(precision)]);
     for (std::size_t k = 0; k < drafts_.size(); ++k) {
       if (drafts_[k].report.precision != precision) continue;
-      found[k] = judge_chunk(chunk, first, truths.under(drafts_[k].report.conventions), max_error_,
-                             candidates[k]);
+      found[k] = judge_chunk(
+          chunk, first, candidates[k],
+          {.max_error = max_error_, .truth = truths.under(drafts_[k].report.conventions)});
     }
   }
   return found;

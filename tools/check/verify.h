@@ -10,6 +10,7 @@
 #include "properties/cases/case_source.h"
 #include "properties/run_control.h"
 #include "tools/check/check.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -57,5 +58,13 @@ using ReadMore = std::function<std::string()>;
 /// std::invalid_argument naming the line that is no answer to the next question.
 VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
                     const properties::RunControl& control = {});
+
+std::string verify_text(const VerifyReport& report, const ViewOptions& options);
+std::string verify_json(const VerifyReport& report, const ViewOptions& options);
+
+inline constexpr View<VerifyReport> kVerifyViews[] = {
+    {"text", verify_text},
+    {"json", verify_json},
+};
 
 }  // namespace raycheck::tools

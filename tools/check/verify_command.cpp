@@ -3,7 +3,7 @@
 
 #include "tools/arguments.h"
 #include "tools/check/generate.h"
-#include "tools/check/verify_views.h"
+#include "tools/check/verify.h"
 #include "tools/commands.h"
 #include "tools/terminal.h"
 

@@ -1,6 +1,6 @@
 
-#include "tools/check/check_views.h"
-#include "tools/check/verify_views.h"
+#include "tools/check/check.h"
+#include "tools/check/verify.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

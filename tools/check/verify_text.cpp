@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
-#include "tools/check/check_views.h"
-#include "tools/check/verify_views.h"
+#include "tools/check/check.h"
+#include "tools/check/verify.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/number.h"
-#include "tools/explain/explain_views.h"
+#include "tools/explain/explain.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

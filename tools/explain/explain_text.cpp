@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scene/number.h"
-#include "tools/explain/explain_views.h"
+#include "tools/explain/explain.h"
 #include "tools/implementations/implementation.h"
 #include "tools/report/words.h"
 

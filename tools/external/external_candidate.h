@@ -65,7 +65,7 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// function, and where its line is known properties::FailedAtLine; the next request goes to a fresh
 /// process. A request that failed is not sent again, and none is sent after silences that together
 /// took kMostSilences times the time for a reply: then, and where no process could be started, what
-/// they throw is properties::AskedInVain. Every failure sets `last`.
+/// they throw is properties::CandidateUnavailable. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
 

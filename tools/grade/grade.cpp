@@ -51,7 +51,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-void judge_all(const Rubric& rubric, Judged judged, const RunControl& control,
+void judge_all(const Rubric& rubric, JudgedSubmission judged, const RunControl& control,
                SubmissionGrade& grade) {
   grade.items = judge(rubric, std::move(judged), grade.seed, control);
   for (const ItemGrade& item : grade.items) {

@@ -68,7 +68,7 @@ using Probes = std::vector<const SubmissionProbe*>;
 /// What says how a submission is built without being named by the words that do.
 constexpr std::array<std::string_view, 2> kRecipes = {"CMakeLists.txt", "package.json"};
 
-/// So many are named in a comment.
+/// How many submissions a comment names.
 constexpr std::size_t kMostNamed = 4;
 
 /// A basic string.

@@ -13,7 +13,7 @@ Json dry_run_json(const DryRun& dry) {
           {"dialect", dry.driver.name()},
           {"seconds", dry.seconds},
           {"needed_seconds", or_null(dry.needed_seconds)},
-          {"writes", null_if_empty(dry.picture_name)},
+          {"writes", text_or_null(dry.picture_name)},
           {"shows_a_sphere", dry.shows_a_sphere()},
           {"background", {background.red, background.green, background.blue}},
           {"channels", dry.colours.channels},
@@ -33,7 +33,7 @@ Json submission_json(const SubmissionProbe& probe) {
   };
   return {{"name", probe.name},
           {"program", or_null(probe.found.program, std::mem_fn(&CandidateSpec::text))},
-          {"build", null_if_empty(probe.found.build_words)},
+          {"build", text_or_null(probe.found.build_words)},
           {"build_seconds", or_null(probe.found.build_seconds)},
           {"functions", probe.functions},
           {"dry_run", or_null(dry, dry_run_json)},

@@ -134,7 +134,7 @@ class ErrorPainter : public Painter {
     };
     try {
       return properties::nearest_hit_errors(trial, seen);
-    } catch (const properties::AskedInVain& error) {
+    } catch (const properties::CandidateUnavailable& error) {
       return failed(error.what());
     } catch (const std::runtime_error& error) {
       if (trial.ray_count() <= 1 || search.is_over()) {

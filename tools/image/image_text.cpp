@@ -2,6 +2,7 @@
 
 #include "tools/image/image.h"
 #include "tools/image/image_paint.h"
+#include "tools/implementations/implementation.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 

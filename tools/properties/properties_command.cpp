@@ -5,7 +5,7 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
-#include "tools/properties/properties_views.h"
+#include "tools/properties/properties.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 

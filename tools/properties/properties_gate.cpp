@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "tools/gates/gate_views.h"
-#include "tools/properties/properties_views.h"
+#include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

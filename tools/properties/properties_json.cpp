@@ -1,6 +1,6 @@
 
 #include "properties/cases/case_text.h"
-#include "tools/properties/properties_views.h"
+#include "tools/properties/properties.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -16,7 +16,7 @@ Json counts_json(const properties::CaseCounts& counts, const properties::Verdict
           {"left_out", counts.left_out},
           {"not_judged", counts.not_judged},
           {"given_rays", counts.given_rays},
-          {"reason_left_out", null_if_empty(counts.reason)}};
+          {"reason_left_out", text_or_null(counts.reason)}};
 }
 
 Json part_json(const properties::CampaignPart& part) {
@@ -24,7 +24,7 @@ Json part_json(const properties::CampaignPart& part) {
   json["source"] = part.source.source->name;
   json["severity"] = or_null(part.source.severity);
   json["level"] = name(part.source.level());
-  json["replay"] = null_if_empty(part.replay);
+  json["replay"] = text_or_null(part.replay);
   json["defects"] = list_json(part.defects, kind_text);
   return json;
 }
@@ -32,7 +32,7 @@ Json part_json(const properties::CampaignPart& part) {
 Json reach_json(const properties::Reach& reach) {
   return {{"holds_to", or_null(reach.holds_to)},
           {"broken_at", or_null(reach.broken_at)},
-          {"replay", null_if_empty(reach.replay)}};
+          {"replay", text_or_null(reach.replay)}};
 }
 
 Json campaign_json(const CampaignReport& campaign) {
@@ -72,7 +72,7 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
   json["seed"] = or_null(report.seed);
   json["cases"] = report.cases;
   json["interrupted"] = report.interrupted;
-  json["baseline"] = null_if_empty(report.baseline);
+  json["baseline"] = text_or_null(report.baseline);
   json["borrowed_bounds"] = list_json(report.borrowed, [](const BorrowedBounds& bounds) {
     return Json{{"candidate", bounds.candidate}, {"methods", bounds.methods}};
   });

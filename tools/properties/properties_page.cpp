@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "tools/properties/properties_views.h"
+#include "tools/properties/properties.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
-#include "tools/view/selection.h"
 
 namespace raycheck::tools {
 namespace {

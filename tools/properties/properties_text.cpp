@@ -7,7 +7,7 @@
 
 #include "properties/cases/case_text.h"
 #include "tools/gates/gate_views.h"
-#include "tools/properties/properties_views.h"
+#include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

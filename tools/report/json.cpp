@@ -93,7 +93,7 @@ void add_scene(Json& json, const std::string& path, const scene::Scene& scene) {
   json["height"] = or_null(scene.camera, [](const scene::Camera& camera) { return camera.height; });
 }
 
-Json too_few_json(const std::pair<properties::Quantity, properties::Question>& too_few) {
+Json too_few_json(const std::pair<properties::Quantity, properties::Expected>& too_few) {
   return {{"quantity", info(too_few.first).name}, {"question", name(too_few.second)}};
 }
 
@@ -164,10 +164,10 @@ Json tally_json(properties::Quantity quantity, const Tally& tally, scene::Precis
     json["wrong_by_standing"][std::string(name(standing))] = tally.count(standing);
   }
   json["answered"] = Json::object();
-  for (std::size_t k = 0; k < properties::kQuestionCount; ++k) {
+  for (std::size_t k = 0; k < properties::kExpectedCount; ++k) {
     const properties::Answered& answers = tally.answered[k];
     if (answers.asked == 0) continue;
-    json["answered"][std::string(properties::kQuestionNames[k])] = {{"asked", answers.asked},
+    json["answered"][std::string(properties::kExpectedNames[k])] = {{"asked", answers.asked},
                                                                     {"right", answers.right}};
   }
   json["measured"] = tally.errors.count();

@@ -41,7 +41,7 @@ Json or_null(const std::optional<Value>& value, const Write& write = {}) {
   return value ? Json(write(*value)) : Json(nullptr);
 }
 /// A text; null if it is empty.
-inline Json null_if_empty(const std::string& text) {
+inline Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
@@ -64,7 +64,7 @@ Json place_json(const properties::Place& place);
 /// The file of a scene, and the size of its image, null where it has none.
 void add_scene(Json& json, const std::string& path, const scene::Scene& scene);
 /// What was asked, of which too little was judged.
-Json too_few_json(const std::pair<properties::Quantity, properties::Question>& too_few);
+Json too_few_json(const std::pair<properties::Quantity, properties::Expected>& too_few);
 /// Null for a defect.
 Json excuse_json(const properties::Discrepancy& discrepancy);
 Json discrepancy_json(const properties::Discrepancy& discrepancy);

@@ -8,7 +8,7 @@
 #include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/explain/explain_views.h"
+#include "tools/explain/explain.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {

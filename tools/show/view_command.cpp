@@ -8,13 +8,13 @@
 
 #include "scene/interruption.h"
 #include "tools/arguments.h"
-#include "tools/check/check_views.h"
+#include "tools/check/check.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
 #include "tools/show/view_text.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"
-#include "tools/view/document_json.h"
+#include "tools/view/document.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {

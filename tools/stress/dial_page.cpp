@@ -12,7 +12,6 @@
 #include "tools/report/words.h"
 #include "tools/stress/stress.h"
 #include "tools/view/scene_view.h"
-#include "tools/view/selection.h"
 
 namespace raycheck::tools {
 namespace {

@@ -95,7 +95,6 @@ ViewDocument stress_document(const StressReport& report);
 /// case as a scene, of the first ones that on which the first method is worst.
 /// `is_of_methods`: panels show the steps of these methods alone.
 /// Domain: options with one family; otherwise throws std::invalid_argument naming the field.
-/// `is_of_methods`: panels show the steps of these methods alone.
 ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
                            const properties::RunControl& control);
 

@@ -8,7 +8,7 @@
 #include "tools/commands.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"
-#include "tools/view/chart/plot.h"
+#include "tools/view/chart/chart.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {

@@ -5,7 +5,7 @@
 #include "tools/commands.h"
 #include "tools/terminal.h"
 #include "tools/tradeoff/tradeoff.h"
-#include "tools/view/chart/plot.h"
+#include "tools/view/chart/chart.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {

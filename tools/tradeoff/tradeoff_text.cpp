@@ -50,8 +50,9 @@ std::string ratio_text(const Verdict& verdict) {
   return error_text(properties::worst_ratio(verdict));
 }
 
-/// What an error on given rays is held to.
+/// What an error on given rays is held to, where one was measured.
 std::string bound_text(const MethodCost& cost, Quantity quantity) {
+  if (cost.accuracy.inside.tally(quantity).cases == 0) return "-";
   return error_text(documented_bound(cost.promises, quantity, false));
 }
 

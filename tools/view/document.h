@@ -196,4 +196,11 @@ struct ViewDocument {
   std::vector<std::string> left_out;  ///< What there is no room for, and how to ask for it.
 };
 
+/// The document that a page is made of, on one line or several (docs/json.md).
+std::string document_json(const ViewDocument& document);
+std::string document_line(const ViewDocument& document);
+
+/// A panel as the document has it.
+std::string panel_line(const Panel& panel);
+
 }  // namespace raycheck::tools

@@ -1,5 +1,3 @@
-#include "tools/view/document_json.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,16 +6,16 @@
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
-#include "tools/explain/explain_views.h"
+#include "tools/explain/explain.h"
 #include "tools/image/image_paint.h"
 #include "tools/report/json.h"
 #include "tools/report/spelling.h"
 #include "tools/report/typeset.h"
 #include "tools/report/words.h"
-#include "tools/view/chart/chart_json.h"
-#include "tools/view/figure/figure_json.h"
-#include "tools/view/panel/panel_json.h"
-#include "tools/view/view_words.h"
+#include "tools/view/chart/chart.h"
+#include "tools/view/document.h"
+#include "tools/view/figure/figure.h"
+#include "tools/view/panel/panel.h"
 
 namespace raycheck::tools {
 namespace {
@@ -85,6 +83,31 @@ Json finding_json(const FindingView& finding) {
                {"scene", finding.scene}};
   json.update(selection_json(finding.selection));
   return json;
+}
+
+/// [word, what it means] of the words that pages use.
+std::vector<std::array<std::string, 2>> words_of_pages() {
+  return {
+      {"ulp",
+       "the gap between the doubles (of a candidate in floats: the floats) around the exact "
+       "value"},
+      {"u", "half of that gap at 1: the relative error of one rounding"},
+      {"goes wrong at", "the first step whose error is more than one step may be expected to have"},
+      {"class", "whether a ray hits a sphere, touches it or misses it"},
+      {"false hit, missed", "a hit where there is none, a miss where there is a hit"},
+      {"parameter", "s: how far along the ray, in multiples of D, the hit is"},
+      {"sphere residual", "how far the answered point Q is from the sphere"},
+      {"direct/quadratic", "rays made by the method direct, intersected by the method quadratic"},
+      {"within its bound", "off by no more than what the method documents: its largest error here"},
+      {"defect", "wrong, though the problem allows to be right: held against the method"},
+      {"excused",
+       "wrong here, but right for inputs that differ by at most 16 u: as right as its "
+       "inputs"},
+      {"undecided", "wrong here, and neither shown to be excused nor shown to be a defect"},
+      {"not judged", "outside the domain for which the method makes promises"},
+      {"condition number",
+       "how many times as large a relative change of the result is as that of "
+       "the inputs"}};
 }
 
 Json dial_json(const DialView& dial) {

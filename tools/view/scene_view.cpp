@@ -13,9 +13,9 @@
 #include "tools/implementations/built_in.h"
 #include "tools/report/words.h"
 #include "tools/run/in_order.h"
-#include "tools/view/document_json.h"
+#include "tools/view/document.h"
 #include "tools/view/figure/figure.h"
-#include "tools/view/page/deflate.h"
+#include "tools/view/page/page.h"
 #include "tools/view/panel/panel.h"
 
 namespace raycheck::tools {
@@ -215,6 +215,28 @@ SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
   if (view.scene.camera) add_pictures(view.scene, options, view, left_out, control);
   if (!control.interrupted()) add_panels(view.scene, options, view, left_out, control);
   return view;
+}
+
+Selection selection_of(const properties::Place& place, const scene::Scene& scene) {
+  Selection selection;
+  if (scene.camera) {
+    selection.pixel = place.pixel;
+  } else {
+    selection.ray = place.ray;
+  }
+  selection.sphere = place.sphere;
+  return selection;
+}
+
+bool is_of_ray(const Selection& selection) { return selection.pixel || selection.ray; }
+
+std::vector<Selection> selections_of(const properties::Case& the_case,
+                                     const properties::Place& found) {
+  std::vector<Selection> list;
+  const Selection first = selection_of(found, the_case.scene);
+  if (is_of_ray(first)) list.push_back(first);
+  for (const scene::Pixel& pixel : the_case.pixels) list.push_back({pixel, {}, first.sphere});
+  return list;
 }
 
 }  // namespace raycheck::tools

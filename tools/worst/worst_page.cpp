@@ -2,7 +2,6 @@
 
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
-#include "tools/view/selection.h"
 #include "tools/worst/worst.h"
 
 namespace raycheck::tools {

@@ -35,7 +35,7 @@ TEST(Campaign, SaysOfAnswersThatAreWrongAlikeThatTooFewAreRight) {
       some.sources = {chosen_source(source)};
       const CampaignResult result = run_campaign(*find_law(law), misses, some);
       EXPECT_EQ(result.finding(), Finding::kTooFewJudged) << law << ", " << source;
-      const std::pair hits(Quantity::kClass, Question::kHit);
+      const std::pair hits(Quantity::kClass, Expected::kHit);
       EXPECT_EQ(result.too_few_right(), hits) << law << ", " << source;
       EXPECT_EQ(run_campaign(*find_law(law), kGood, some).finding(), Finding::kHolds) << law;
     }

@@ -12,7 +12,7 @@
 #include "tests/tools/external/judged.h"
 #include "tools/stress/stress.h"
 #include "tools/tradeoff/tradeoff.h"
-#include "tools/view/chart/plot.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tests {
 namespace {

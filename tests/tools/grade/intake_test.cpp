@@ -356,16 +356,18 @@ TEST_F(LongIntake, shows_what_a_program_says_that_makes_no_picture) {
                  {"it exited with 1\nTraceback", "ValueError: no such key: res"});
 }
 
-/// In the form that it reads it waits; the others it does not read.
+/// In the forms that it reads it waits; the others it does not read.
 TEST_F(LongIntake, shows_what_a_program_says_where_it_comes_farthest) {
-  expect_refused("far",
-                 {{"rt.py",
-                   "import sys, time\nfor line in open(sys.argv[1]):\n"
-                   "    words = line.split()\n"
-                   "    if words[0] == 'sphere': last = words[17]\n"
-                   "time.sleep(60)\n"}},
-                 {"it did not end, and computed next to nothing for 1 s (reply_seconds)"},
-                 "[limits]\nreply_seconds = 1\n");
+  const std::string folder = submit("far", {{"rt.py",
+                                             "import sys, time\nfor line in open(sys.argv[1]):\n"
+                                             "    words = line.split()\n"
+                                             "    if words[0] == 'sphere': last = words[17]\n"
+                                             "time.sleep(60)\n"}});
+  std::string rubric = full_rubric(1, "[limits]\nreply_seconds = 1\n");
+  rubric.replace(rubric.find("\"B\""), 3, "\"auto\"");
+  grading_.grade(grading_.write("far.toml", rubric), {folder});
+  EXPECT_EQ(grading_.result("far")["refused"]["why"],
+            "it did not end, and computed next to nothing for 1 s (reply_seconds)");
 }
 
 TEST_F(LongIntake, says_that_a_program_reads_whole_numbers_alone) {

@@ -50,10 +50,9 @@ const std::vector<Mistake> kOfFunctions = {
     {"cancelling", 104, "robustness", "", 0},
     {"near_negated", 105, "width and height",
      "near has the wrong sign, the image plane is behind the eye", 2},
-    {"centre_behind", 109.5, "robustness",
-     "v < 0 counts as a miss, so that spheres around the origin are not seen where their centres "
-     "lie "
-     "behind it",
+    {"centre_behind", 109.67, "robustness",
+     "only the near root counts, so that spheres around the origin are not seen, or: v < 0 counts "
+     "as a miss, so that spheres around the origin are not seen where their centres lie behind it",
      1},
 };
 
@@ -115,21 +114,22 @@ const std::vector<Mistake> kOfPictures = {
     {"sorted_once", 108, "whole scenes", "", 0},
     {"exits_where_all_is_behind", 100, "ray origin",
      "it fails only where what a ray's line meets is all behind the ray's start", 3},
-    {"lines_for_columns", 105, "boundary pixels",
+    {"lines_for_columns", 105, "width and height",
      "the loops that write the picture are exchanged: as many lines as there are columns, of as "
      "many values as there are rows; rays are traced beyond the image, too",
      2},
-    {"lines_from_the_last", 105, "boundary pixels",
+    {"lines_from_the_last", 105, "width and height",
      "the loops that write the picture are exchanged: as many lines as there are columns, of as "
      "many values as there are rows; rays are traced beyond the image, too, from the last row on",
      2},
     {"whole_view", 95, "camera frame",
      "eye, look and up are read as integers: their fractions are dropped", 2},
-    {"whole_d", 105, "boundary pixels", "d is read as an integer: its fraction is dropped", 2},
-    {"least_size_wins", 100, "nearest root",
-     "s >= 0 is not tested, and the least |s| wins, though s is negative", 2},
-    {"largest_distance", 107.5, "robustness",
-     "hits with an s above about 1e5 (perhaps less) are dropped: the largest s that counts is too "
+    {"whole_d", 95, "whole scenes, robustness", "d is read as an integer: its fraction is dropped",
+     2},
+    {"least_size_wins", 100, "ray origin",
+     "s >= 0 is not tested, and the least |s| wins, though s is negative", 3},
+    {"largest_distance", 105, "robustness",
+     "hits with an s above about 1e6 (perhaps less) are dropped: the largest s that counts is too "
      "small",
      1},
 };

@@ -10,7 +10,7 @@
 #include "tests/tools/external/judged.h"
 #include "tools/implementations/built_in.h"
 #include "tools/tradeoff/tradeoff.h"
-#include "tools/view/document_json.h"
+#include "tools/view/document.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tests {

@@ -1,5 +1,3 @@
-#include "tools/view/chart/plot.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include "tests/has.h"
 #include "tests/numbers.h"
 #include "tests/tools/program.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tests {
 namespace {
@@ -33,7 +32,7 @@ ChartFacet facet_of(const std::string& name, std::vector<std::optional<ChartPoin
 TEST(Plot, HasItsTextsInQuotesAndRowsForZeroAndInfinity) {
   const ChartFacet facet = facet_of(
       "cross'; system 'x", {point_of(0), point_of(1, 1), std::nullopt, point_of(kInfinity)});
-  const std::string script = gnuplot_script({facet}, "a.svg");
+  const std::string script = tools::gnuplot_script({facet}, "a.svg");
   for (const char* part : {"title 'cross''; system ''x'", "set title 'Intersections on it''s'",
                            "set ytics add ('0' ", "set ytics add ('infinite' ", "\n\n"}) {
     EXPECT_TRUE(has(script, part)) << part;

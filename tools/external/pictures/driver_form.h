@@ -68,7 +68,7 @@ std::optional<DriverForm> driver_preset(std::string_view name);
 /// numbers of a sphere's line, `no-light` (or `light`), `fixed` (or `shortest`),
 /// `order=eye,look,...`, and extra lines as they stand, which replace the preset's. In a line `%3A`
 /// is a colon; %XX stands for any byte, so that a line may be like another part.
-/// Errors: std::invalid_argument that says which part is none.
+/// Errors: std::invalid_argument naming the part that is wrong.
 DriverForm driver_form(std::string_view name);
 
 /// In which form driver files are written for renderers.

@@ -15,14 +15,14 @@ namespace {
 /// A frame of one colour is a background.
 constexpr double kBackgroundShare = 0.9;
 
-/// A frame of so many colours, none of them more than a share of it, is a sky.
+/// A frame with at least this many colours, none of them on more than this share of it, is a sky.
 constexpr std::size_t kShadedColours = 12;
 constexpr double kShadedShare = 0.3;
 
 /// The colours of the frame around a picture.
 struct Frame {
   std::size_t colours = 0, pixels = 0;
-  Colour most;  ///< The most frequent one, of so many pixels.
+  Colour most;  ///< The most frequent one.
   std::size_t of_most = 0;
 
   explicit Frame(const ReadPicture& picture) {

@@ -16,10 +16,10 @@ namespace {
 /// How much more time a picture is given that is not made in the rubric's.
 constexpr double kMoreTime = 4;
 
-/// A picture so much like the truth is made by who reads the form.
+/// A program whose picture is this much like the truth reads the form.
 constexpr double kSurelyAlike = 0.95;
 
-/// A channel of a pure colour is all, or at most this part of that.
+/// The other channels of a pure colour are at most this part of the largest.
 constexpr double kNoChannel = 0.4;
 
 /// What became of the symmetric scene in one form.

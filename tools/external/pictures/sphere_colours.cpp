@@ -15,7 +15,7 @@ constexpr double kNearAllOrNothing = 0.4;
 
 std::size_t power_of_3(std::size_t base) { return base * base * base; }
 
-/// As many levels of a channel as give so many colours of which a channel is full.
+/// The fewest levels of a channel that give `count` colours with a full channel.
 std::size_t levels_for(std::size_t count) {
   std::size_t levels = 2;
   while (power_of_3(levels) - power_of_3(levels - 1) - 1 < count && levels < 256) ++levels;
@@ -52,7 +52,7 @@ std::optional<std::size_t> SphereColours::sphere_of(const Colour& colour,
   for (const std::size_t channel : habit.channels) {
     const double at = shown[channel] / most * static_cast<double>(levels_ - 1);
     const double nearest = std::round(at);
-    // Of so many levels a byte is always near one.
+    // With this many levels every byte is near one.
     if (std::abs(at - nearest) > near && levels_ <= 128) return {};
     code = code * levels_ + static_cast<std::size_t>(nearest);
   }

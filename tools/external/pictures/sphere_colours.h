@@ -9,8 +9,8 @@
 
 namespace raycheck::tools {
 
-/// So many spheres have colours of channels that are all or nothing: what dims them, bends them by
-/// a gamma or cuts them to whole numbers leaves their hues.
+/// Up to this many spheres have colours whose channels are all or nothing: what dims them, bends
+/// them by a gamma or cuts them to whole numbers leaves their hues.
 inline constexpr std::size_t kMostSaturated = 6;
 
 /// How a renderer shows colours.

@@ -72,10 +72,10 @@ bool is_picture(std::string_view text);
 std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
                                      const std::map<std::string, std::filesystem::path>& paths);
 
-/// So many folders and files of a submission lie in the folder of each run at most, those nearer
-/// to the top before others.
+/// At most this many folders and files of a submission lie in the folder of each run, those nearer
+/// to the top first.
 inline constexpr std::size_t kMostInRunFolder = 100;
-/// A file of so many bytes is a copy there while all copies have at most so many; others are links.
+/// Files up to this size are copied there until the copies reach the total; others are linked.
 inline constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;
 inline constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
 

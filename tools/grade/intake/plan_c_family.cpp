@@ -15,7 +15,7 @@ namespace raycheck::tools {
 namespace {
 
 constexpr const char* kSystemEigen = "/usr/include/eigen3";
-/// Beyond so many main files the others are not tried.
+/// How many files with a main are tried.
 constexpr std::size_t kMostMains = 3;
 
 /// The folders with headers, of the submission and of what lies in it of others.
@@ -66,8 +66,8 @@ struct CSources {
   std::vector<IncludeRepair> repairs;
 };
 
-/// Removes programs and libraries that were handed in, lest they are taken for what is made, and
-/// lists of dependencies, which name files of another machine.
+/// Removes programs that were handed in, which could be mistaken for what is built, and lists of
+/// dependencies, which name files of another machine.
 std::string removal_words(const HandedInFiles& files) {
   std::vector<std::string> stale;
   for (const auto& [name, file] : files) {

@@ -88,7 +88,7 @@ std::string without_comments(std::string_view text) {
                   '\n');
       at = std::min(end + 2, text.size());
     } else if (rest[0] == '"') {
-      // A string: what looks like a comment in it is none.
+      // What looks like a comment inside a string is not one.
       std::size_t end = at + 1;
       while (end < text.size() && text[end] != '"' && text[end] != '\n') {
         end += text[end] == '\\' ? 2 : 1;

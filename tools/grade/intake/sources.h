@@ -59,7 +59,7 @@ std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored&
 /// Whether it lies below a folder of builds, tests or examples.
 bool is_aside(const std::string& path);
 
-/// How likely a file of this name starts a renderer, 0 for rt and raytracer; less is likelier.
+/// How likely a file of this name starts a renderer, 0 for rt and raytracer; lower is likelier.
 /// kHardlyARenderer for what is called test, backup, example and the like.
 inline constexpr int kHardlyARenderer = 4;
 int likelihood_rank(const std::string& path);
@@ -68,7 +68,7 @@ int likelihood_rank(const std::string& path);
 /// last, then those closer to the top.
 void sort_by_likelihood(std::vector<std::string>& names);
 
-/// An #include that names no file of the submission, and what it means; or one that is missing.
+/// An #include that names no file of the submission, with what it means, or one that is missing.
 struct IncludeRepair {
   std::string file;
   int line = 0;         ///< From 1; 0: there is none.

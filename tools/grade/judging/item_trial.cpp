@@ -34,7 +34,7 @@ std::optional<properties::Quantity> never_right(const Verdict& verdict) {
 /// Whether no hit is found where there are some, as where whatever is asked is answered by a miss.
 bool never_hits(const Verdict& verdict) {
   const auto& hits = verdict.tally(properties::Quantity::kClass)
-                         .answered[static_cast<std::size_t>(properties::Question::kHit)];
+                         .answered[static_cast<std::size_t>(properties::Expected::kHit)];
   return hits.asked > 0 && hits.right == 0;
 }
 

@@ -34,7 +34,7 @@ Candidate masked(Candidate candidate) {
 /// All that a submission is asked, item by item.
 class Judge {
  public:
-  Judge(const Rubric& rubric, Judged judged, std::uint64_t seed,
+  Judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
         const properties::RunControl& control)
       : rubric_(rubric),
         candidate_(std::move(judged.candidate)),
@@ -203,7 +203,7 @@ double score_of(const Item& item, std::uint64_t held, std::uint64_t cases) {
   return credit * item.points;
 }
 
-std::vector<ItemGrade> judge(const Rubric& rubric, Judged judged, std::uint64_t seed,
+std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
                              const properties::RunControl& control) {
   return Judge(rubric, std::move(judged), seed, control).judge();
 }

@@ -19,7 +19,7 @@ enum class FormKnown {
 };
 
 /// Who is judged.
-struct Judged {
+struct JudgedSubmission {
   properties::Candidate candidate;
   bool pictures = false;  ///< It is asked for pictures, otherwise for functions.
   FormKnown form_known = FormKnown::kGiven;
@@ -33,7 +33,7 @@ struct Judged {
 /// costs the points of one item, whatever else fails by it. The cases follow from the seed; what
 /// the candidate declares yields to the rubric's conventions. A case holds where the laws hold and
 /// the candidate answers all that raycheck's own methods answer.
-std::vector<ItemGrade> judge(const Rubric& rubric, Judged judged, std::uint64_t seed,
+std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
                              const properties::RunControl& control);
 
 /// The item's points for a share of its cases.

@@ -11,7 +11,6 @@
 #include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
-#include "tools/view/selection.h"
 
 namespace raycheck::tools {
 namespace {

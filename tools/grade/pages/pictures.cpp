@@ -33,7 +33,7 @@ constexpr Colour kQuiet = {60, 60, 60};
 /// A picture on a page is at most so tall, in rem.
 constexpr double kTallest = 20;
 
-/// A pixel in the picture of differences is a mark of so many pixels across and down, so that marks
+/// A pixel in the picture of differences is a mark this many pixels across and down, so that marks
 /// differ by their shapes, too.
 constexpr int kMark = 7;
 struct Mark {

@@ -114,6 +114,7 @@ struct FieldReader {
     value.number = *number;
   }
   static void read(const Json& from, std::vector<double>& numbers) {
+    numbers.clear();
     for (const Json& one : from) read(one, AllDigits{numbers.emplace_back()});
   }
   static void read(const Json& from, std::optional<double>& error) {
@@ -143,10 +144,12 @@ struct FieldReader {
   }
   template <class Value>
   static void read(const Json& from, std::vector<Value>& values) {
+    values.clear();
     for (const Json& one : from) read(one, values.emplace_back());
   }
   template <class Key, class Value>
   static void read(const Json& from, std::map<Key, Value>& values) {
+    values.clear();
     for (const Json& one : from) {
       std::pair<Key, Value> entry;
       read(one, entry);

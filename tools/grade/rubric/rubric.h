@@ -69,7 +69,7 @@ struct ItemTask {
   std::vector<const properties::Law*> laws;
   std::vector<RubricScene> scenes;  ///< Every pixel or given ray.
   std::vector<properties::ChosenSource> sources;
-  int cases = 0;                       ///< So many random ones, from the sources in turn.
+  int cases = 0;                       ///< The number of random ones, from the sources in turn.
   bool masks_only = false;             ///< Of pictures: whether a pixel shows a sphere, not which.
   std::optional<double> image_change;  ///< Of pictures, in place of the rubric's.
   /// Of pictures, in what the scenes differ from seed to seed.

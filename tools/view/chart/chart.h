@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "properties/stage.h"
 #include "properties/tally.h"
 #include "properties/verdict.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 
@@ -91,5 +93,26 @@ std::string chart_error(properties::Quantity quantity);
 std::optional<ChartPoint> chart_point(
     const std::map<properties::Quantity, properties::Tally>& tallies,
     const std::vector<properties::Quantity>& quantities);
+
+/// What the page's script draws a chart of.
+Json chart_json(const ChartView& chart);
+
+/// Throws std::invalid_argument unless a plot may be drawn to that file: its name ends in .svg,
+/// .png or .pdf, and its folder exists.
+void require_plottable(const std::string& path);
+
+/// There is no gnuplot to draw with.
+class GnuplotMissing : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Draws facets below one another into one file: the errors of their first quantity at
+/// kChartShare, against the run time or the severity.
+/// Errors: GnuplotMissing; std::runtime_error with gnuplot's message where it fails.
+void draw(const std::vector<ChartFacet>& facets, const std::string& path);
+
+/// What gnuplot is told.
+std::string gnuplot_script(const std::vector<ChartFacet>& facets, const std::string& path);
 
 }  // namespace raycheck::tools

@@ -1,8 +1,7 @@
-#include "tools/view/chart/chart_json.h"
-
 #include <fmt/core.h>
 
 #include "tools/report/words.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,5 +1,3 @@
-#include "tools/view/chart/plot.h"
-
 #include <fmt/core.h>
 #include <stdlib.h>
 #include <sys/wait.h>
@@ -17,6 +15,7 @@
 
 #include "tools/report/output_file.h"
 #include "tools/report/words.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 namespace {
@@ -197,7 +196,7 @@ std::string axes_of(const ChartFacet& facet, const ErrorAxis& axis) {
 }
 
 /// An element of a plot command that has no entry in the key.
-std::string drawn(const std::string& data, std::string_view look) {
+std::string element(const std::string& data, std::string_view look) {
   return fmt::format("{} using {} notitle, \\\n  ", data, look);
 }
 
@@ -211,7 +210,7 @@ std::string plot_of(const ChartFacet& facet) {
   std::string data = fmt::format("$grey << EOD\n{}EOD\n",
                                  is_timed ? front_data(facet, axis) : kappa_data(facet, axis));
   std::string parts =
-      drawn("$grey", fmt::format("1:2 with {} {} 2", is_timed ? "steps" : "lines", kGreyLine));
+      element("$grey", fmt::format("1:2 with {} {} 2", is_timed ? "steps" : "lines", kGreyLine));
   std::string key = keyentry(fmt::format("with lines {} 2", kGreyLine),
                              is_timed ? "front without defects" : "kappa of the problem");
   key += keyentry("with points pt 7 lc rgb '#444444'", "decisions right");
@@ -224,10 +223,10 @@ std::string plot_of(const ChartFacet& facet) {
         fmt::format("lc rgb '{}' lw 1.8", kColours[series.number % kColours.size()]);
     if (points.find_first_not_of('\n') == std::string::npos) continue;
     data += fmt::format("{} << EOD\n{}EOD\n", block, points);
-    parts += is_timed ? drawn(block, "1:2:5:6 with xerrorbars pt 0 " + colour)
-                      : drawn(block, "1:2 with lines " + colour);
-    parts += drawn(block, "1:2:3 with points pt variable " + colour);
-    parts += drawn(block, fmt::format("1:4 with points {}", kDefectLook));
+    parts += is_timed ? element(block, "1:2:5:6 with xerrorbars pt 0 " + colour)
+                      : element(block, "1:2 with lines " + colour);
+    parts += element(block, "1:2:3 with points pt variable " + colour);
+    parts += element(block, fmt::format("1:4 with points {}", kDefectLook));
     key += keyentry(
         fmt::format("with points pt {} {}", kFilled[series.number % kFilled.size()], colour),
         series.name);

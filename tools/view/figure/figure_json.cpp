@@ -1,5 +1,3 @@
-#include "tools/view/figure/figure_json.h"
-
 #include <fmt/core.h>
 
 #include <cmath>
@@ -7,7 +5,7 @@
 #include "scene/number.h"
 #include "tools/image/image_paint.h"
 #include "tools/view/figure/drawn_frame.h"
-#include "tools/view/figure/figure_parts.h"
+#include "tools/view/figure/figure.h"
 
 namespace raycheck::tools {
 namespace {

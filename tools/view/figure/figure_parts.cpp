@@ -1,4 +1,4 @@
-#include "tools/view/figure/figure_parts.h"
+#include "tools/view/figure/figure.h"
 
 namespace raycheck::tools {
 

@@ -1,8 +1,8 @@
-#include "tools/view/page/deflate.h"
-
 #include <zlib.h>
 
 #include <stdexcept>
+
+#include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,7 +1,7 @@
 # Puts files into a C++ source: cmake -DTO=file.cpp -DSTYLE=... -DTEMPLATE=... -DSCRIPT=... -DTHREE="a;b" -P embed.cmake
 cmake_minimum_required(VERSION 3.25)
 
-set(source "#include \"tools/view/page/assets.h\"\n\nnamespace raycheck::tools {\n\n")
+set(source "#include \"tools/view/page/page.h\"\n\nnamespace raycheck::tools {\n\n")
 function(embed name)
   set(text "")
   foreach(file IN LISTS ARGN)

@@ -1,16 +1,17 @@
 // The figure: camera, pixels, rays and spheres in space, with its controls, its names and its table.
+import { disclosure, table } from "./dom.js";
 import { drawList, extremesOf } from "./draw_list.js";
-import { figureTable } from "./figure_table.js";
 import { flatPanes, paintFlat } from "./flat.js";
-import { writeNames } from "./names.js";
+import { aroundPlace, writeLabel } from "./marks.js";
 import { createOrbit, followClicks, pickedAt } from "./orbit.js";
-import { crossProduct, eyeViewer, lengthOf } from "./projection.js";
+import { crossProduct, eyeViewer, lengthOf, onPane } from "./projection.js";
 import { placeText, walkByKeys } from "./store.js";
 import { webglPainter } from "./webgl.js";
 
 const CORNER = [0.9, 0.45]; // azimuth and elevation about the figure's axes, in radians
 const ANGLES = { corner: CORNER, sphere: CORNER, side: [Math.PI / 2, 0], top: [Math.PI / 2, Math.PI / 2] };
 const COLOURS = ["ink", "faint", "rim", "blue", "orange", "green", "purple", "gold"]; // --figure-... of the style
+const TRIED = aroundPlace([0.5, 7.5, 3.5, 4.5, 1, 3, 2, 5, 6, 7, 0, 4]); // beside a name's place
 const LEAST_SHOWN = 2 ** -40; // of the way to a sphere's centre: doubles near it are 2^-52 apart
 
 export function mountFigure(root, store) {
@@ -135,4 +136,36 @@ function drawFigure(figure) {
   const chosen = placeText(store.selection) || "nothing";
   const view = figure.look.selectedOptions[0].text;
   stage.setAttribute("aria-label", `Figure ${view}: ${what}, spheres: ${spheres}; chosen: ${chosen}`);
+}
+
+/// Writes names {at, text, colour} over panes, the first first; returns how many found no room.
+function writeNames(target, names, panes) {
+  const written = panes.flatMap((pane) => {
+    const taken = [];
+    return names.flatMap(({ at, text, colour }) => {
+      const place = onPane(pane, at);
+      return place ? [writeLabel(text, [place[0] + pane.x, place[1] + pane.y], colour, pane, taken, TRIED)] : [];
+    });
+  });
+  target.replaceChildren(...written.flat().filter((node) => node !== null));
+  return written.filter((nodes) => nodes === null).length;
+}
+
+/// A table of what is named in the figure and of the spheres, made while it is open.
+function figureTable(store, listNow) {
+  const folded = disclosure("The figure as a table");
+  const fill = () => {
+    if (!folded.open) return;
+    const { origin_text: origin, scale_exponent: exponent, spheres } = store.scene().figure;
+    const inScene = (place) => [0, 1, 2].map((k) =>
+      (place === null ? "too far" : String(Number((place[k] * 2 ** -exponent).toPrecision(6)))));
+    const named = listNow().names.filter(({ sphere }) => sphere === undefined);
+    const all = [...named.map(({ text, at }) => [text, ...inScene(at)]),
+      ...spheres.label.map((text, k) => [text, ...inScene(spheres.centre[k])])];
+    const caption = `Where each name and centre is drawn, relative to ${origin}, to six digits`;
+    folded.replaceChildren(folded.firstChild, table(caption, ["name", "x", "y", "z"], all));
+  };
+  folded.addEventListener("toggle", fill);
+  store.subscribe(fill);
+  return folded;
 }

@@ -2,10 +2,9 @@
 import { briefSentence, element } from "./dom.js";
 import { createStore } from "./store.js";
 import { mountFigure } from "./figure.js";
-import { mountPanel, mountStory } from "./panel.js";
+import { followAddress, mountFindings, mountPanel, mountStory } from "./panel.js";
 import { mountPicture } from "./picture.js";
 import { mountMicroscope } from "./microscope.js";
-import { followAddress, mountFindings } from "./findings.js";
 import { mountChart } from "./chart.js";
 
 const MADE = "Every number but run times is computed exactly and then rounded; this page only draws.";

@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "tools/report/spelling.h"
-#include "tools/view/document_json.h"
-#include "tools/view/page/assets.h"
-#include "tools/view/page/deflate.h"
+#include "tools/view/document.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,4 +1,4 @@
-// What is told of the chosen ray: the sentence at the page's top, and the panel of its steps.
+// What is told of the chosen ray: the sentence at the page's top, the panel of its steps, and what was found.
 import { brief, briefSentence, choice, copyButton, disclosure, element } from "./dom.js";
 import { formula, labelled, mathematics, refill, table } from "./dom.js";
 import { placeText } from "./store.js";
@@ -151,4 +151,35 @@ const symbolOf = (text) => element("i", { class: "symbol" }, formula(text));
 function spoken(parts) {
   return parts.map(([kind, text]) => (kind === "symbol" ? symbolOf(text)
     : element(kind === "mark" ? "mark" : "span", { class: kind }, briefSentence(text))));
+}
+
+/// The list of what was found; each goes to its place.
+export function mountFindings(root, store) {
+  const { findings, found, words } = store.document;
+  if (findings.length === 0) return;
+  root.hidden = false;
+  const buttons = findings.map((finding) => element("button", {
+    type: "button", dir: "auto", click: () => goTo(store, finding),
+  }, briefSentence(finding.sentence), " ",
+  element("span", { class: "quiet" }, `${brief(finding.candidate)}, ${finding.standing}`)));
+  root.replaceChildren(element("h2", { id: "findings-heading" }, `Findings (${found})`),
+    element("ol", {}, buttons.map((button) => element("li", {}, button))),
+    disclosure("What the words mean", table("Words of this page", ["word", "meaning"], words)));
+  store.subscribe(() => buttons.forEach((button, k) =>
+    button.setAttribute("aria-current", String(store.findingsHere().includes(findings[k])))));
+}
+
+/// Goes to the finding that the page's address names, "#finding-3" the third, now and whenever it changes.
+export function followAddress(store) {
+  const follow = () => {
+    const number = /^#finding-(\d{1,9})$/.exec(window.location.hash)?.[1];
+    const finding = store.document.findings[Number(number) - 1];
+    if (finding !== undefined) goTo(store, finding);
+  };
+  window.addEventListener("hashchange", follow);
+  follow();
+}
+
+function goTo(store, { scene, pixel, ray, sphere }) {
+  store.set({ scenesIndex: scene, methodShown: null, selection: { pixel, ray, sphere } });
 }

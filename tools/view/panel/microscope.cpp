@@ -1,5 +1,3 @@
-#include "tools/view/panel/microscope.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -8,7 +6,7 @@
 #include <stdexcept>
 
 #include "scene/interruption.h"
-#include "tools/view/view_words.h"
+#include "tools/view/panel/panel.h"
 
 namespace raycheck::tools {
 namespace {

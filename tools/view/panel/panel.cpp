@@ -7,10 +7,8 @@
 #include <utility>
 
 #include "scene/number.h"
-#include "tools/explain/explain_views.h"
+#include "tools/explain/explain.h"
 #include "tools/report/typeset.h"
-#include "tools/view/panel/microscope.h"
-#include "tools/view/panel/sage.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,16 +1,12 @@
-#include "tools/view/panel/panel_json.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "tools/explain/explain_views.h"
+#include "tools/explain/explain.h"
 #include "tools/report/typeset.h"
 #include "tools/report/words.h"
 #include "tools/view/panel/panel.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -181,7 +177,7 @@ Json exact_json(const ExplainReport& report) {
     add(said, "", fmt::format("a {}", name(exact.intersection.hit_class)));
   }
   return {{"class", name(exact.intersection.hit_class)},
-          {"s", exact.parameter ? Json(digits_text(*exact.parameter)) : Json(nullptr)},
+          {"s", or_null(exact.parameter, digits_text)},
           {"said", std::move(said)}};
 }
 
@@ -192,44 +188,33 @@ std::string digits_text(double value) {
 }
 
 Json told_json(const ExplainReport& report) {
-  Json json;
-  json["steps"] = Json::array();
-  for (const Step& step : report.steps) json["steps"].push_back(step_json(step, report));
-  json["verdicts"] = Json::array();
-  for (const MethodReport& method : report.methods) {
-    json["verdicts"].push_back(verdict_json(method, report));
-  }
-  json["exact"] = exact_json(report);
-  return json;
+  const auto step = [&](const Step& one) { return step_json(one, report); };
+  const auto verdict = [&](const MethodReport& one) { return verdict_json(one, report); };
+  return {{"steps", list_json(report.steps, step)},
+          {"verdicts", list_json(report.methods, verdict)},
+          {"exact", exact_json(report)}};
 }
 
 Json microscope_json(const Microscope& microscope) {
-  Json json;
-  json["hit"] = microscope.is_hit;
-  json["sentences"] = microscope.sentences;
-  json["s"] = digits_text(microscope.parameter);
-  json["ulp"] = fmt::format("{:.3g}", microscope.ulp);
-  json["zooms"] = Json::array();
-  for (const Microscope::Zoom& zoom : microscope.zooms) {
-    Json curve = Json::array();
-    for (const auto& [x, y] : zoom.curve) curve.push_back({told(x), told(y)});
-    json["zooms"].push_back({{"half", told(zoom.half_width)}, {"curve", std::move(curve)}});
-  }
-  json["grid"] = Json::array();
-  for (const double x : microscope.grid) json["grid"].push_back(told(x));
-  json["region"] = microscope.region ? Json(told(*microscope.region)) : Json(nullptr);
-  json["marks"] = Json::array();
-  for (const MicroscopeMark& mark : microscope.marks) {
-    json["marks"].push_back({{"name", mark.method},
-                             {"number", mark.number},
-                             {"kind", mark.is_point ? "Q" : "s"},
-                             {"x", told(mark.x)},
-                             {"y", told(mark.y)},
-                             {"wrong", mark.is_wrong},
-                             {"text", mark.text},
-                             {"window", mark.window}});
-  }
-  return json;
+  const auto place_json = [](const std::array<double, 2>& place) {
+    return Json{told(place[0]), told(place[1])};
+  };
+  const auto zoom_json = [&](const Microscope::Zoom& zoom) {
+    return Json{{"half", told(zoom.half_width)}, {"curve", list_json(zoom.curve, place_json)}};
+  };
+  const auto mark_json = [](const MicroscopeMark& mark) {
+    return Json{{"name", mark.method}, {"number", mark.number}, {"kind", mark.is_point ? "Q" : "s"},
+                {"x", told(mark.x)},   {"y", told(mark.y)},     {"wrong", mark.is_wrong},
+                {"text", mark.text},   {"window", mark.window}};
+  };
+  return {{"hit", microscope.is_hit},
+          {"sentences", microscope.sentences},
+          {"s", digits_text(microscope.parameter)},
+          {"ulp", fmt::format("{:.3g}", microscope.ulp)},
+          {"zooms", list_json(microscope.zooms, zoom_json)},
+          {"grid", list_json(microscope.grid, told)},
+          {"region", or_null(microscope.region, told)},
+          {"marks", list_json(microscope.marks, mark_json)}};
 }
 
 }  // namespace raycheck::tools

@@ -1,9 +1,9 @@
-#include "tools/view/panel/sage.h"
-
 #include <fmt/core.h>
 
 #include <cmath>
 #include <cstdint>
+
+#include "tools/view/panel/panel.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,11 +1,10 @@
-#include "tools/view/pictures/drawn_picture.h"
-
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "properties/laws/law.h"
 #include "properties/trial.h"
+#include "tools/view/pictures/pictures.h"
 
 namespace raycheck::tools {
 namespace {

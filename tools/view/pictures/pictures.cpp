@@ -12,7 +12,6 @@
 #include "reference/visibility/visibility.h"
 #include "tools/image/image_paint.h"
 #include "tools/report/picture_file.h"
-#include "tools/view/pictures/drawn_picture.h"
 
 namespace raycheck::tools {
 namespace {

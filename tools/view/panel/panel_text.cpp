@@ -4,9 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "tools/explain/explain_views.h"
-#include "tools/view/panel/microscope.h"
-#include "tools/view/view_words.h"
+#include "tools/explain/explain.h"
+#include "tools/view/panel/panel.h"
 
 namespace raycheck::tools {
 std::string direction_remark(const ExplainReport& report) {
@@ -61,30 +60,6 @@ std::vector<std::string> microscope_sentences(const Microscope& microscope,
     sentences.push_back(fmt::format("Nothing to draw of {}: {}.", names, verdict));
   }
   return sentences;
-}
-
-std::vector<std::array<std::string, 2>> words_of_pages() {
-  return {
-      {"ulp",
-       "the gap between the doubles (of a candidate in floats: the floats) around the exact "
-       "value"},
-      {"u", "half of that gap at 1: the relative error of one rounding"},
-      {"goes wrong at", "the first step whose error is more than one step may be expected to have"},
-      {"class", "whether a ray hits a sphere, touches it or misses it"},
-      {"false hit, missed", "a hit where there is none, a miss where there is a hit"},
-      {"parameter", "s: how far along the ray, in multiples of D, the hit is"},
-      {"sphere residual", "how far the answered point Q is from the sphere"},
-      {"direct/quadratic", "rays made by the method direct, intersected by the method quadratic"},
-      {"within its bound", "off by no more than what the method documents: its largest error here"},
-      {"defect", "wrong, though the problem allows to be right: held against the method"},
-      {"excused",
-       "wrong here, but right for inputs that differ by at most 16 u: as right as its "
-       "inputs"},
-      {"undecided", "wrong here, and neither shown to be excused nor shown to be a defect"},
-      {"not judged", "outside the domain for which the method makes promises"},
-      {"condition number",
-       "how many times as large a relative change of the result is as that of "
-       "the inputs"}};
 }
 
 }  // namespace raycheck::tools
