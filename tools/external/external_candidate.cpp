@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -245,6 +246,64 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   return judged_in(external.precision, std::move(candidate));
 }
 
+using Talk = std::shared_ptr<Conversation>;
+using Names = std::set<std::string>;
+
+/// What it offers of cameras.
+void add_rays(const Talk& talk, const Names& functions, Candidate& candidate) {
+  using Pixels = Candidate::Pixels;
+  if (functions.contains("frame")) {
+    candidate.frame = [talk](const scene::Camera& camera) {
+      return talk->ask(
+          "frame", {}, 3, [&](Request& request) { request.camera(camera); },
+          [](const Reply& reply) { return reply.frame(); });
+    };
+  }
+  if (functions.contains("pixel_point")) {
+    candidate.pixel_points = [talk](const scene::Camera& camera,
+                                    const scene::Conventions& conventions, Pixels pixels) {
+      return talk->ask(
+          "pixel_point", conventions, pixels.size(),
+          [&](Request& request) { request.camera(camera).pixels(pixels); },
+          [&](const Reply& reply) { return reply.points(pixels.size()); });
+    };
+  }
+  const auto make_rays = [talk](const char* function) {
+    return [talk, function](const scene::Camera& camera, const scene::Conventions& conventions,
+                            Pixels pixels) {
+      return talk->ask(
+          function, conventions, pixels.size(),
+          [&](Request& request) { request.camera(camera).pixels(pixels); },
+          [&](const Reply& reply) { return reply.rays(pixels.size()); });
+    };
+  };
+  if (functions.contains("pixel_ray")) candidate.pixel_rays = make_rays("pixel_ray");
+  if (functions.contains("focal_ray")) candidate.focal_rays = make_rays("focal_ray");
+}
+
+/// What it offers of given rays.
+void add_hits(const Talk& talk, const Names& functions, Candidate& candidate) {
+  using Rays = Candidate::Rays;
+  using Spheres = Candidate::Spheres;
+  if (functions.contains("intersect")) {
+    candidate.intersect = [talk](Rays rays, Spheres spheres,
+                                 const scene::Conventions& conventions) {
+      return talk->ask(
+          "intersect", conventions, rays.size() * spheres.size(),
+          [&](Request& request) { request.rays(rays).spheres(spheres); },
+          [&](const Reply& reply) { return reply.hits(rays.size(), spheres.size()); });
+    };
+  }
+  if (functions.contains("nearest")) {
+    candidate.nearest = [talk](Rays rays, Spheres spheres, const scene::Conventions& conventions) {
+      return talk->ask(
+          "nearest", conventions, rays.size(),
+          [&](Request& request) { request.rays(rays).spheres(spheres); },
+          [&](const Reply& reply) { return reply.nearest(rays.size(), spheres.size()); });
+    };
+  }
+}
+
 }  // namespace
 
 External introduced(std::string name, const Confined& program,
@@ -317,50 +376,8 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   const auto talk = std::make_shared<Conversation>(external, last);
   Candidate candidate = introduced(external);
   candidate.allow = [talk](double share) { talk->allow(share); };
-  if (offers("frame")) {
-    candidate.frame = [talk](const scene::Camera& camera) {
-      return talk->ask(
-          "frame", {}, 3, [&](Request& request) { request.camera(camera); },
-          [](const Reply& reply) { return reply.frame(); });
-    };
-  }
-  if (offers("pixel_point")) {
-    candidate.pixel_points = [talk](const scene::Camera& camera,
-                                    const scene::Conventions& conventions, Pixels pixels) {
-      return talk->ask(
-          "pixel_point", conventions, pixels.size(),
-          [&](Request& request) { request.camera(camera).pixels(pixels); },
-          [&](const Reply& reply) { return reply.points(pixels.size()); });
-    };
-  }
-  const auto make_rays = [talk](const char* function) {
-    return [talk, function](const scene::Camera& camera, const scene::Conventions& conventions,
-                            Pixels pixels) {
-      return talk->ask(
-          function, conventions, pixels.size(),
-          [&](Request& request) { request.camera(camera).pixels(pixels); },
-          [&](const Reply& reply) { return reply.rays(pixels.size()); });
-    };
-  };
-  if (offers("pixel_ray")) candidate.pixel_rays = make_rays("pixel_ray");
-  if (offers("focal_ray")) candidate.focal_rays = make_rays("focal_ray");
-  if (offers("intersect")) {
-    candidate.intersect = [talk](Rays rays, Spheres spheres,
-                                 const scene::Conventions& conventions) {
-      return talk->ask(
-          "intersect", conventions, rays.size() * spheres.size(),
-          [&](Request& request) { request.rays(rays).spheres(spheres); },
-          [&](const Reply& reply) { return reply.hits(rays.size(), spheres.size()); });
-    };
-  }
-  if (offers("nearest")) {
-    candidate.nearest = [talk](Rays rays, Spheres spheres, const scene::Conventions& conventions) {
-      return talk->ask(
-          "nearest", conventions, rays.size(),
-          [&](Request& request) { request.rays(rays).spheres(spheres); },
-          [&](const Reply& reply) { return reply.nearest(rays.size(), spheres.size()); });
-    };
-  }
+  add_rays(talk, external.introduction.functions, candidate);
+  add_hits(talk, external.introduction.functions, candidate);
   return judged_in(external.precision, std::move(candidate));
 }
 
