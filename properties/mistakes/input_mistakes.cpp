@@ -39,8 +39,6 @@ std::vector<Mistake> exchanged_loops() {
       lines_for_columns("; rays are traced beyond the image, too", false),
       lines_for_columns("; rays are traced beyond the image, too, from the last row on", true)};
   all.front().black_outside = true;
-  // A single ray does not tell them apart.
-  all[0].family = all[1].family = "exchanged loops";
   return all;
 }
 

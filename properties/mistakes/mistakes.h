@@ -43,9 +43,8 @@ struct Mistake {
   bool makes_rays = false;
   /// Its own formulas for hits and the nearest sphere; empty where it follows correct methods.
   HitFormulas hits = {};
-  /// Mistakes of one family differ in a size, and what one does the next does too, and more, or in
-  /// what single rays do not show: of several that explain the same the first is meant. Empty: it
-  /// is alone.
+  /// Mistakes of one family differ in a size, and each does all that the one before it does: of
+  /// several that explain the same answers the first is meant. Empty: it is alone.
   std::string_view family = {};
 };
 

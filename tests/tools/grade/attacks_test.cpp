@@ -76,7 +76,7 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
     const std::string report = grading.file(attack.name, "report.html", "together");
     expect_parts(report, {attack.what});
     const char* const total = !result["refused"].is_null() ? ">could not be judged<"
-                              : attack.score > 0           ? ">45 of 100<"
+                              : attack.score > 0           ? ">35 of 100, bonus 10<"
                                                            : ">0 of 100<";
     expect_parts(report, {total});
   }
