@@ -161,7 +161,9 @@ TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
     if (k == 32) continue;  // 256 u^2 alone decides
     const Nearby expected = k < 32 ? Nearby::kWitness : Nearby::kRefuted;
     EXPECT_EQ(found(1 - k * 0x1p-53, std::nullopt), expected) << k;
-    if (k % 2 == 0) EXPECT_EQ(found(1 + k * 0x1p-53, 5.0), expected) << k;
+    if (k % 2 == 0) {
+      EXPECT_EQ(found(1 + k * 0x1p-53, 5.0), expected) << k;
+    }
   }
   for (const double s : {-1.0, kInfinity, -kInfinity, kNaN}) {
     EXPECT_EQ(found(1, s), Nearby::kRefuted) << "no parameter";
