@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "properties/rounded_case.h"
@@ -290,15 +291,19 @@ TEST(OwnUnits, HaveAPlotOfTheirOwn) {
   tools::StressOptions options;
   options.families = {"distance"};
   options.implementations = tools::find_methods({"cross"});
-  options.implementations.push_back({.name = "floats",
-                                     .stages = {properties::Stage::kIntersection},
-                                     .precision = scene::Precision::kSingle,
-                                     .make = [] {
-                                       properties::Candidate mine =
-                                           tools::candidate_of(tools::kDefaultMethods);
-                                       mine.name = "floats";
-                                       return judged_in(scene::Precision::kSingle, std::move(mine));
-                                     }});
+  options.implementations.push_back(
+      {.name = "floats",
+       .stages = {properties::Stage::kIntersection},
+       .precision = scene::Precision::kSingle,
+       .make =
+           [] {
+             properties::Candidate mine = tools::candidate_of(tools::kDefaultMethods);
+             mine.name = "floats";
+             return judged_in(scene::Precision::kSingle, std::move(mine));
+           },
+       .in_process = []() -> tools::InProcess {
+         throw std::invalid_argument("nobody's is timed from here");
+       }});
   options.cases = 5;
   options.severities = {{0, 1}};
   expect_labels(stress_facets(run_stress(options)));

@@ -200,7 +200,7 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
   EXPECT_EQ(false_hit["goes_wrong_at"], "s");
   expect_parts(run(ray + " --candidate '" + wrong + "'").out,
                {"does not count: s = 0.25 lies before t_min = 0.5\n",
-                "a false hit, which its own interval (0.5, inf) excludes; goes wrong at s"});
+                "false hit, which its own interval (0.5, inf) excludes; goes wrong at s"});
 }
 
 /// The reasons that a root has not to count, each under a scene's own conventions.
