@@ -13,10 +13,6 @@ std::string case_id(const properties::ChosenSource& source, std::uint64_t seed) 
   return fmt::format("{}:{:x}", source.name(), seed);
 }
 
-std::string question_id(const std::string& the_case, std::size_t ray, std::size_t sphere) {
-  return fmt::format("{}:{}:{}", the_case, ray, sphere);
-}
-
 properties::ChosenSource source_of_questions(const std::string& family) {
   properties::ChosenSource source;
   try {
@@ -47,11 +43,10 @@ std::string questions(const properties::ChosenSource& source, std::uint64_t seed
     for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {
       const auto& [origin, direction] = scene.rays[ray];
       const auto& [centre, radius] = scene.spheres[sphere];
-      lines +=
-          fmt::format("{} {} {} {} {} {} {}\n", question_id(case_id(source, seed), ray, sphere),
-                      name(scene.conventions.root), name(scene.conventions.tangent),
-                      scene::shortest_words(origin), scene::shortest_words(direction),
-                      scene::shortest_words(centre), scene::shortest(radius));
+      lines += fmt::format("{}:{}:{} {} {} {} {} {} {}\n", case_id(source, seed), ray, sphere,
+                           name(scene.conventions.root), name(scene.conventions.tangent),
+                           scene::shortest_words(origin), scene::shortest_words(direction),
+                           scene::shortest_words(centre), scene::shortest(radius));
     }
   }
   return lines;

@@ -15,8 +15,6 @@ namespace raycheck::tools {
 
 /// "SOURCE@SEVERITY:SEED"
 std::string case_id(const properties::ChosenSource& source, std::uint64_t seed);
-/// "CASE:RAY:SPHERE"
-std::string question_id(const std::string& the_case, std::size_t ray, std::size_t sphere);
 
 /// The source of that name, "FAMILY" or "FAMILY@SEVERITY".
 /// Errors: std::invalid_argument naming the family if there is no such family, or its cases have

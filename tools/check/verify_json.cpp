@@ -11,7 +11,9 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   json["cases"] = report.cases;
   json["cases_asked"] = report.cases_asked;
   json["cases_left_out"] = report.cases_left_out;
-  json["ends_before"] = report.ends_before.empty() ? Json(nullptr) : Json(report.ends_before);
+  json["cases_missing"] = report.cases_missing;
+  json["questions_missing"] = report.questions_missing;
+  json["questions_named"] = report.questions_named;
   json["interrupted"] = report.interrupted;
   json["strict"] = report.strict;
   json["holds"] = report.holds();

@@ -1,10 +1,21 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "tools/check/check.h"
 #include "tools/check/verify.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
+namespace {
+
+/// "a, b and 3 more"
+std::string named(const std::vector<std::string>& ids, std::uint64_t all) {
+  std::string text = fmt::format("{}", fmt::join(ids, ", "));
+  if (ids.size() < all) text += fmt::format(" and {} more", all - ids.size());
+  return text;
+}
+
+}  // namespace
+
 std::string verify_text(const VerifyReport& report, const ViewOptions& options) {
   const properties::Verdict& verdict = report.candidate.verdict;
   std::string text = fmt::format("{} to {}\n\n", count_text(report.answers, "answer"),
@@ -15,13 +26,19 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
   text += too_few_text(report.candidate);
   if (report.interrupted) {
     text += "\nINTERRUPTED: only what was read before is judged\n";
-  } else if (!report.ends_before.empty()) {
-    text += fmt::format("\n{} of {} answered: the answers end before {}\n", report.cases,
-                        count_text(report.cases_asked, "case"), report.ends_before);
+  } else if (report.cases_not_answered() > 0) {
+    text += fmt::format("\n{} of {} are not answered: {}\n", report.cases_not_answered(),
+                        count_text(report.cases_asked, "case"),
+                        named(report.cases_missing, report.cases_not_answered()));
   }
   if (report.cases_left_out > 0) {
     text += fmt::format("\n{} ask nothing: floats cannot hold their numbers\n",
                         count_text(report.cases_left_out, "case"));
+  }
+  if (report.questions_missing > 0) {
+    text += fmt::format("\n{} of the other cases not answered: {}\n",
+                        count_text(report.questions_missing, "question"),
+                        named(report.questions_named, report.questions_missing));
   }
   auto worst = verdict.worst(report.top);
   if (verdict.discrepancies() > 0) {

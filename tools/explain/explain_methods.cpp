@@ -231,7 +231,7 @@ MethodReport report_rays(const Candidate& candidate, const Case& the_case,
   try {
     add_ray_steps(trials.on_case(), own != nullptr, Steps(report));
   } catch (const std::exception&) {
-    // The laws say how it failed.
+    if (!report.wrong) throw;  // otherwise the laws say how it failed
   }
   return report;
 }
@@ -252,7 +252,7 @@ MethodReport report_intersection(const Candidate& candidate, const Case& the_cas
       report.goes_wrong_at = is_right_for_own_ray(trial) ? "D" : wrong_step(report);
     }
   } catch (const std::exception&) {
-    // The laws say how it failed.
+    if (!report.wrong) throw;  // otherwise the laws say how it failed
   }
   return report;
 }

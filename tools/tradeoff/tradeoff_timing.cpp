@@ -32,7 +32,7 @@ bool same_bits(const Triple& a, const Triple& b) {
 }
 
 constexpr const char* kDiffers =
-    "it answers differently in raycheck's own process than in one of its own";
+    "it answers differently in the calls to be timed than when it was judged";
 
 /// Calls that a stopwatch runs.
 struct Timed {

@@ -87,10 +87,27 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
                      0)["intersections"][0]["note"];
   };
   expect_parts(note("command:python3 tests/candidates/meets.py none"), {"it is no library"});
-  expect_parts(note("source:" + source), {"it answers differently in raycheck's own process"});
+  expect_parts(note("source:" + source), {"it answers differently in the calls to be timed"});
   const std::string failing =
       temporary_file("failing.cpp", "#define FAILS\n#include \"" + source + "\"\n");
   expect_parts(note("source:" + failing), {"not timed: intersect: it exited with 3"});
+}
+
+/// Headers of version 3 have them behind the conventions.
+TEST(OthersTradeoff, are_told_which_roots_count_where_they_are_timed) {
+  const std::string source = temporary_file("roots.cpp", R"(
+#include <raycheck/candidate.hpp>
+#include <cmath>
+using namespace raycheck;
+static std::optional<Hit> intersect(const Ray&, const Sphere&, const Conventions& asked) {
+  if (asked.valid.t_min != 0 || !std::isinf(asked.valid.t_max)) return std::nullopt;
+  return Hit{1, {1, 1, 1}};
+}
+RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)
+)");
+  const json told = report_of("tradeoff --family distance --cases 20" + kUnkept, "source:" + source,
+                              0)["intersections"][0];
+  EXPECT_EQ(told["called_in_process"], true) << told["note"];
 }
 
 TEST(OthersExplain, stand_beside_the_exact_value_of_every_step_that_they_offer) {
