@@ -126,6 +126,29 @@ TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
   EXPECT_EQ(again["submissions"][0]["score"], 12);
 }
 
+TEST_F(Store, gives_the_same_reason_for_a_program_that_makes_no_picture) {
+  // It exits with 3 in the first form, and comes farther in the others.
+  const std::string program = submit("mine", "rt.py", "FIRST = '" + grading.path("first") + R"('
+import os, sys
+text = open(sys.argv[1]).read()
+if not os.path.exists(FIRST): open(FIRST, 'w').write(text)
+print('one line')
+print('another')
+sys.exit(3 if text == open(FIRST).read() else 0)
+)");
+  const auto of_any_form = [&](int points) {
+    std::string text = contents(rubric(points));
+    text.insert(text.find("[[form]]"), "others = true\n");
+    return grading.write("any.toml", text);
+  };
+  const json first = graded(of_any_form(10), {program})["submissions"][0];
+  EXPECT_EQ(first["refused"]["why"], "it made no picture {image}") << first.dump(2);
+  EXPECT_EQ(first["refused"]["said"], "one line\nanother");
+  const std::size_t starts = lines("starts");
+  EXPECT_EQ(graded(of_any_form(12), {program})["submissions"][0]["refused"], first["refused"]);
+  EXPECT_EQ(lines("starts"), starts);
+}
+
 TEST_F(Store, builds_equal_submissions_once_and_asks_what_has_changed_or_was_not_asked) {
   const std::string folder = submit("mine", "rays.py", kHits);
   const json report = graded(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "properties/mistakes/shown_picture.h"
@@ -102,6 +103,16 @@ class DryRunner {
   }
   double spent() const { return renderer_.program.spent->seconds(); }
 
+  static Progress progress_of(FailureKind kind) {
+    if (kind == FailureKind::kTimeUp) return Progress::kTimeUp;
+    return kind == FailureKind::kBadReply ? Progress::kNoPicture : Progress::kFailed;
+  }
+  /// A line that it said stands in the reason, more of them stand below it.
+  static Refusal refusal_of(const ProcessFailure& failure) {
+    if (failure.said().find('\n') == std::string::npos) return {failure.what(), {}};
+    return {failure.why(), failure.said()};
+  }
+
   /// Draws the symmetric scene in a form.
   Attempt attempt(const DriverForm& form) {
     ++tried_;
@@ -118,11 +129,10 @@ class DryRunner {
       made.like = likeness(made.made->picture, truth_);
       if (made.like >= kShownAlike) made.progress = Progress::kSpheres;
     } catch (const ProcessFailure& failure) {
-      const bool is_late = failure.kind() == FailureKind::kTimeUp;
-      made.failure = {failure.what(), {}};
-      made.progress = is_late ? Progress::kTimeUp : Progress::kFailed;
-      timed_out_ += is_late ? 1 : 0;
-    } catch (const std::runtime_error& error) {
+      made.failure = refusal_of(failure);
+      made.progress = progress_of(failure.kind());
+      timed_out_ += made.progress == Progress::kTimeUp ? 1 : 0;
+    } catch (const std::system_error& error) {  // of the machine, which is blamed
       made.failure = {error.what(), {}};
       made.progress = Progress::kNoPicture;
     }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <ctime>
 #include <stdexcept>
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 std::string read_made(const fs::path& path, std::uint64_t most) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
-    throw std::runtime_error("its picture {image} is no file");
+    throw PictureError("its picture {image} is no file");
   }
   // A picture that the program closed is not the machine's failure.
   chmod(path.c_str(), S_IRUSR | S_IWUSR);
@@ -65,25 +66,24 @@ MadePicture drawn(const Renderer& renderer, const std::string& driver, PictureSi
     failure.emplace(thrown);
   }
   const auto found = found_picture(process.folder(), kImageFile, kSceneFile);
-  const std::string said = said_text(process.said(), process.printed());
+  const std::string said = process.excerpt();
   // A complete picture counts, however the program ended.
   if (found && (!failure || failure->kind() == FailureKind::kEnded)) {
     const ComputedFor reading(*program.spent);
     try {
       return {parse_picture(read_made(found->path, program.limits.file), kMostPicturePixels, size),
-              found->is_named ? "" : found->path.filename().string(),
-              failure ? failure->what() : "",
-              (process.said().empty() ? process.printed() : process.said()).excerpt()};
+              found->is_named ? "" : found->path.filename().string(), failure ? failure->why() : "",
+              said};
     } catch (const PictureError& error) {
-      if (!failure) throw PictureError(error.what() + said);
+      if (!failure) throw ProcessFailure(FailureKind::kBadReply, error.what(), said);
     }
   }
   if (failure) {
-    throw ProcessFailure(failure->kind(),
-                         fmt::format("it {}{}{}", failure->what(),
-                                     limit_text(process.said(), program.limits), said));
+    throw ProcessFailure(
+        failure->kind(),
+        fmt::format("it {}{}", failure->why(), limit_text(process.said(), program.limits)), said);
   }
-  throw std::runtime_error("it made no picture {image}" + said);
+  throw ProcessFailure(FailureKind::kBadReply, "it made no picture {image}", said);
 }
 
 }  // namespace
@@ -129,7 +129,11 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
   SpentTime& spent = *renderer.program.spent;
   if (const auto known = answers.find(request)) {
     spent.add(known->seconds);
-    if (known->failure) throw ProcessFailure(*known->failure, known->text);
+    if (known->failure) {
+      const std::size_t line = std::min(known->text.find('\n'), known->text.size());
+      throw ProcessFailure(*known->failure, known->text.substr(0, line),
+                           known->text.substr(std::min(line + 1, known->text.size())));
+    }
     if (auto made = stored_picture(known->text)) return std::move(*made);
   }
   const double before = spent.seconds();
@@ -141,19 +145,16 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
     keep(stored_text(made));
     return made;
   } catch (const ProcessFailure& failure) {
-    if (is_lasting(failure.kind())) keep(failure.what(), failure.kind());
+    if (is_lasting(failure.kind())) keep(failure.why() + '\n' + failure.said(), failure.kind());
     throw;
   } catch (const std::system_error& error) {
     if (!is_of_the_machine(error.code())) {
       // The program made a folder or a picture unreadable.
       const std::string words = "its picture cannot be read: " + error.code().message();
       keep(words, FailureKind::kBadReply);
-      throw std::runtime_error(words);
+      throw ProcessFailure(FailureKind::kBadReply, words);
     }
     if (const auto& told = renderer.program.surroundings) told->blame(error.what());
-    throw;
-  } catch (const std::runtime_error& error) {
-    keep(error.what(), FailureKind::kBadReply);
     throw;
   }
 }

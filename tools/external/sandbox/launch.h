@@ -163,16 +163,23 @@ enum class FailureKind {
   kNotAsked   ///< It was silent too often to be asked again.
 };
 
+/// What a program said, as a clause after why it failed; empty if it said nothing.
+std::string said_text(const std::string& said);
+
 /// What went wrong with a candidate's process; in words "exited with 3", "was killed by signal 11
 /// (Segmentation fault)", "gave no reply within 10 s".
 class ProcessFailure : public std::runtime_error {
  public:
-  ProcessFailure(FailureKind kind, const std::string& words)
-      : std::runtime_error(words), kind_(kind) {}
+  /// `why`: one line. `said`: an excerpt of the output, or empty; what() has both.
+  ProcessFailure(FailureKind kind, const std::string& why, const std::string& said = {})
+      : std::runtime_error(why + said_text(said)), kind_(kind), why_(why), said_(said) {}
   FailureKind kind() const { return kind_; }
+  const std::string& why() const { return why_; }
+  const std::string& said() const { return said_; }
 
  private:
   FailureKind kind_;
+  std::string why_, said_;
 };
 
 /// Where programs named without a folder are searched.

@@ -31,7 +31,7 @@ std::string why_not(const Layers& layers) {
     const int code = process.finish();
     if (code == 0) return "";
     return fmt::format("'true' exited with {}{}", code,
-                       said_text(process.said(), process.printed()));
+                       said_text(process.excerpt()));
   } catch (const ProcessFailure& failure) {
     return failure.what();
   }

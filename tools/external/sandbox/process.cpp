@@ -140,11 +140,12 @@ std::string limit_text(const KeptText& said, const Limits& limits) {
   return "";
 }
 
-std::string said_text(const KeptText& said, const KeptText& printed) {
-  const std::string text = (said.empty() ? printed : said).excerpt();
-  if (text.empty()) return "";
-  return (text.find('\n') == std::string::npos ? "; it said: " : "; it said:\n") + text;
+std::string said_text(const std::string& said) {
+  if (said.empty()) return "";
+  return (said.find('\n') == std::string::npos ? "; it said: " : "; it said:\n") + said;
 }
+
+std::string Process::excerpt() const { return (said().empty() ? printed() : said()).excerpt(); }
 
 Process::Process(const Confined& confined) try : confined_(confined) {
   // A candidate that runs as the same user could otherwise read raycheck's memory.

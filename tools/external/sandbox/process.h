@@ -39,10 +39,6 @@ std::string last_line_text(const KeptText& said);
 /// Which limit a program that failed says that it met, as a clause; empty if it names no limit.
 std::string limit_text(const KeptText& said, const Limits& limits);
 
-/// A finished program's output, on standard error, else on standard output, as a clause with its
-/// first and last lines; empty if there is none.
-std::string said_text(const KeptText& said, const KeptText& printed);
-
 /// A process that is talked to through pipes, in a folder of its own. When it ends, so does
 /// everything that it started.
 /// Errors: ProcessFailure, also where it cannot be started; afterwards it is dead.
@@ -68,6 +64,8 @@ class Process {
   /// end of each.
   const KeptText& said() const { return said_; }
   const KeptText& printed() const { return printed_; }
+  /// First and last lines of what it said, or else of what it printed.
+  std::string excerpt() const;
   const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:

@@ -106,19 +106,6 @@ std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric
                        : fmt::format("it has none of the required files: {}", asked));
 }
 
-/// The reason in one line; what a program said, in lines of its own.
-Refusal in_one_line(Refusal refusal) {
-  constexpr std::string_view kIntroduction = "; it said:";
-  const std::size_t line = refusal.why.find('\n');
-  if (line == std::string::npos) return refusal;
-  refusal.said = refusal.why.substr(line + 1) + (refusal.said.empty() ? "" : "\n" + refusal.said);
-  refusal.why.resize(line);
-  if (refusal.why.ends_with(kIntroduction)) {
-    refusal.why.resize(line - kIntroduction.size());
-  }
-  return refusal;
-}
-
 RunOptions run_options(const Rubric& rubric, const Confinement& confinement) {
   RunOptions options;
   options.layers = confinement.layers;
@@ -242,7 +229,7 @@ class Preparing {
     if (!start_->links.empty()) renderer.program.readable.push_back(start_->linked->path());
     const DryRun& found =
         runnable.found.dry_run.emplace(dry_run(renderer, rubric_.driver, control));
-    if (found.refusal) throw SubmissionError(in_one_line(*found.refusal), runnable.found);
+    if (found.refusal) throw SubmissionError(*found.refusal, runnable.found);
     renderer.driver = found.driver;
     renderer.colours = found.colours;
     // All its requests together end by the rubric's `seconds`.
