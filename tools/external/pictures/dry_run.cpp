@@ -249,7 +249,9 @@ class DryRunner {
     });
   }
   static Refusal by_fractions(const Attempt& failed) {
-    return {"it reads numbers as integers, and fails where one has a fraction", failed.failure.why};
+    const auto& [why, said] = failed.failure;
+    return {"it reads numbers as integers, and fails where one has a fraction",
+            said.empty() ? why : said};
   }
 
   bool fails_on(const scene::Scene& scene, const DriverForm& form) const {
