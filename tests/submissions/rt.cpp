@@ -35,7 +35,7 @@ namespace {
       size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, epsilon,        \
       whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind,             \
       lines_for_columns, lines_from_the_last, whole_view, whole_d, least_size_wins,                \
-      largest_distance
+      largest_distance, centre_behind
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -226,6 +226,7 @@ std::optional<Number> intersect(const Roots& found) {
   Number s = found.smaller;
   if (has(Mistake::no_test_for_t) || has(Mistake::least_size_wins)) return s;
   if (has(Mistake::largest_distance) && s > 1e5) return {};
+  if (has(Mistake::centre_behind) && found.smaller + found.larger < 0) return {};
   if ((s < 0 && !has(Mistake::near_root_only)) || has(Mistake::far_root)) s = found.larger;
   if (s < (has(Mistake::epsilon) ? Number(0.001) : 0)) return {};
   return s;

@@ -89,7 +89,7 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
     EXPECT_TRUE(isolated_by.starts_with(GetParam().isolation())) << attack << isolated_by;
   }
   if (has_node) {
-    EXPECT_EQ(grading.result("ella")["score"], 107.5) << outcome.out;
+    EXPECT_EQ(grading.result("ella")["score"], 108) << outcome.out;
   }
   EXPECT_EQ(grading.result("jonas")["score"], 110) << outcome.out;
 }
