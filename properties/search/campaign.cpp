@@ -61,7 +61,7 @@ CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& t
   return {judged, trials.gave_rays(), judged ? trials.apply(law) : Verdict(law.name)};
 }
 
-bool fails_in_vain(const Verdict& verdict) {
+bool fails_always(const Verdict& verdict) {
   const std::vector<Discrepancy> worst = verdict.worst(1);
   return !worst.empty() && worst.front().failed.blame == Blame::kAnything;
 }
@@ -72,7 +72,7 @@ std::optional<Failure> failed_question(const Law& law, const Candidate& candidat
                                        const Case& the_case, const Asking& asking,
                                        const Verdict& found) {
   const std::vector<Discrepancy> worst = found.worst(1);
-  if (worst.empty() || worst.front().wrong != Wrong::kFailed || fails_in_vain(found)) return {};
+  if (worst.empty() || worst.front().wrong != Wrong::kFailed || fails_always(found)) return {};
   FailureSearch search;
   const Verdict verdict = verdict_on(law, candidate, the_case, asking.max_error, &search).verdict;
   for (Discrepancy& one : verdict.worst(kKeptDiscrepancies)) {
@@ -112,7 +112,7 @@ CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& ask
     }
     if (verdict.holds(asking.strict)) return false;
     // Failing whatever is asked says nothing about a simpler case.
-    if (answer.failure && fails_in_vain(verdict)) return false;
+    if (answer.failure && fails_always(verdict)) return false;
     if (!answer.failure) {
       part.replay = replay_text(law, candidate, from);
       part.defects = verdict.defects(asking.strict);
