@@ -17,6 +17,17 @@ Triple triple_at(const fast::Vectors& vectors, std::size_t k) {
   return {vectors.x[k], vectors.y[k], vectors.z[k]};
 }
 
+auto make_points(fast::PixelRayMethod::MakePoints make) {
+  return [make](const scene::Camera& camera, const scene::Conventions& conventions,
+                Candidate::Pixels pixels) {
+    fast::Vectors batch;
+    make(camera, conventions, pixels, batch);
+    std::vector<scene::Point3> points(pixels.size());
+    for (std::size_t k = 0; k < points.size(); ++k) points[k] = triple_at<scene::Point3>(batch, k);
+    return points;
+  };
+}
+
 auto make_rays(fast::PixelRayMethod::MakeRays make) {
   return [make](const scene::Camera& camera, const scene::Conventions& conventions,
                 Candidate::Pixels pixels) {
@@ -135,18 +146,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     const fast::CameraFrame frame = fast::camera_frame(camera);
     return FrameAnswer{frame.U, frame.V, frame.W};
   };
-  if (rays.pixel_points != nullptr) {
-    candidate.pixel_points = [make = rays.pixel_points](const scene::Camera& camera,
-                                                        const scene::Conventions& conventions,
-                                                        Candidate::Pixels pixels) {
-      fast::Vectors batch;
-      make(camera, conventions, pixels, batch);
-      std::vector<scene::Point3> points(pixels.size());
-      for (std::size_t k = 0; k < points.size(); ++k)
-        points[k] = triple_at<scene::Point3>(batch, k);
-      return points;
-    };
-  }
+  if (rays.pixel_points != nullptr) candidate.pixel_points = make_points(rays.pixel_points);
   if (rays.pixel_rays != nullptr) {
     candidate.pixel_rays = make_rays(rays.pixel_rays);
   } else {
