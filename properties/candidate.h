@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -80,14 +79,9 @@ struct DeclaredConventions {
 /// between two edges does not.
 bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
-/// What a function throws that would fail whatever it is asked.
-class CandidateUnavailable : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// The functions of an implementation; those that it lacks are empty. Functions refuse invalid
-/// input with std::invalid_argument; the what() of any other exception says how they failed.
+/// input with std::invalid_argument; the what() of any other exception (failures.h) says how they
+/// failed.
 /// Answers come in the order of the questions; an absent hit is a miss.
 struct Functions {
   using Pixels = std::span<const scene::Pixel>;

@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/code_line.h"
-#include "properties/other_size.h"
+#include "properties/failures.h"
 #include "scene/text.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/protocol/frames.h"
@@ -29,7 +28,7 @@ struct AnswerFailure {
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
-    if (size) throw properties::OtherSize(words, size->width(), size->height());
+    if (size) throw properties::OtherSize(words, size->width, size->height);
     if (fails_always || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::CandidateUnavailable(words);
     }
