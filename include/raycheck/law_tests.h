@@ -25,10 +25,8 @@ class LawTests {
   /// Cases per law and source, by default.
   static constexpr int kCases = 100;
 
-  /// With kCases cases per law and source.
-  explicit LawTests(Candidate candidate) : LawTests(std::move(candidate), usual()) {}
-  /// With as many as `options` say. An invalid candidate has one test, which fails and says why.
-  LawTests(Candidate candidate, JudgeOptions options)
+  /// An invalid candidate has one test, which fails and says why.
+  explicit LawTests(Candidate candidate, JudgeOptions options = usual())
       : candidate_(std::move(candidate)), options_(options) {
     try {
       checks_ = raycheck::checks(candidate_);
