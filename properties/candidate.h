@@ -91,12 +91,13 @@ struct Functions {
   std::function<FrameAnswer(const scene::Camera&)> frame;
   std::function<std::vector<scene::Point3>(const scene::Camera&, const scene::Conventions&, Pixels)>
       pixel_points;
-  /// From P along the unit direction D.
-  std::function<std::vector<scene::Ray>(const scene::Camera&, const scene::Conventions&, Pixels)>
-      pixel_rays;
-  /// From E along the unit direction D.
-  std::function<std::vector<scene::Ray>(const scene::Camera&, const scene::Conventions&, Pixels)>
-      focal_rays;
+  using MakeRays = std::function<std::vector<scene::Ray>(const scene::Camera&,
+                                                         const scene::Conventions&, Pixels)>;
+  MakeRays pixel_rays;  ///< From P along the unit direction D.
+  MakeRays focal_rays;  ///< From E along the same.
+  const MakeRays& rays_from(scene::Origin origin) const {
+    return origin == scene::Origin::kPixel ? pixel_rays : focal_rays;
+  }
   /// Every ray with every sphere: one list of hits per sphere.
   std::function<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
   std::function<std::vector<std::optional<std::size_t>>(Rays, Spheres, const scene::Conventions&)>

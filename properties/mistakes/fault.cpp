@@ -123,9 +123,8 @@ std::vector<std::optional<Ray>> FaultyView::rays(std::span<const Pixel> pixels) 
     }
   }
   try {
-    const auto& make =
-        taken_.conventions.origin == scene::Origin::kPixel ? rays_->pixel_rays : rays_->focal_rays;
-    const std::vector<Ray> made = make(*taken_.camera, taken_.conventions, asked);
+    const std::vector<Ray> made =
+        rays_->rays_from(taken_.conventions.origin)(*taken_.camera, taken_.conventions, asked);
     for (std::size_t k = 0; k < made.size(); ++k) {
       if (!is_black[k] && is_ray(made[k])) found[k] = made[k];
     }

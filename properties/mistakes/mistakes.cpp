@@ -99,9 +99,8 @@ void change_camera(const Mistake& mistake, Candidate& candidate) {
                                     Candidate::Pixels pixels) {
       conventions.origin = origin;
       const Input input(mistake, camera, conventions, pixels);
-      const auto& rays =
-          input.conventions.origin == Origin::kPixel ? right.pixel_rays : right.focal_rays;
-      return rays(input.camera, input.conventions, input.pixels);
+      return right.rays_from(input.conventions.origin)(input.camera, input.conventions,
+                                                       input.pixels);
     };
   };
   candidate.pixel_rays = rays_from(Origin::kPixel);

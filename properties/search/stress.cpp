@@ -35,8 +35,7 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
   Case result;
   result.scene.spheres = the_case.scene.spheres;
   result.scene.conventions = the_case.scene.conventions;
-  const auto& make = the_case.scene.conventions.origin == scene::Origin::kPixel ? rays.pixel_rays
-                                                                                : rays.focal_rays;
+  const auto& make = rays.rays_from(the_case.scene.conventions.origin);
   if (!make) return std::nullopt;
   for (const scene::Ray& ray :
        make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
