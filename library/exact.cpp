@@ -238,34 +238,9 @@ Intersection hit(const raycheck::Ray& ray, const Sphere& sphere, const Conventio
   return Ray(ray).hit(sphere, conventions);
 }
 
-std::vector<Intersection> hits(const std::vector<raycheck::Ray>& rays,
-                               const std::vector<Sphere>& spheres, const Conventions& conventions) {
-  const std::vector<scene::Sphere> all = inside(spheres);
-  const scene::Conventions asked = library::conventions(conventions);
-  std::vector<Intersection> met;
-  met.reserve(rays.size() * all.size());
-  for (const raycheck::Ray& ray : rays) {
-    const SharedRay of = shared(ray);
-    for (const scene::Sphere& sphere : all) met.push_back(hit_of(of, sphere, asked));
-  }
-  return met;
-}
-
 std::optional<Nearest> nearest(const raycheck::Ray& ray, const std::vector<Sphere>& spheres,
                                const Conventions& conventions) {
   return Ray(ray).nearest(spheres, conventions);
 }
-
-std::vector<std::optional<Nearest>> nearest(const std::vector<raycheck::Ray>& rays,
-                                            const std::vector<Sphere>& spheres,
-                                            const Conventions& conventions) {
-  const std::vector<scene::Sphere> all = inside(spheres);
-  const scene::Conventions asked = library::conventions(conventions);
-  std::vector<std::optional<Nearest>> found;
-  for (const raycheck::Ray& ray : rays) found.push_back(nearest_of(shared(ray), all, asked));
-  return found;
-}
-
-double ulp_error(double given, const Number& exact) { return exact.ulp_error(given); }
 
 }  // namespace raycheck::exact

@@ -106,9 +106,9 @@ std::vector<Law> laws() {
   return all;
 }
 
-std::vector<Question> questions(const Candidate& candidate) {
+std::vector<Check> checks(const Candidate& candidate) {
   const properties::Candidate inside = library::inside(candidate);
-  std::vector<Question> all;
+  std::vector<Check> all;
   const bool has_any = inside.frame || inside.pixel_points || inside.pixel_rays ||
                        inside.focal_rays || inside.intersect || inside.nearest;
   if (!has_any) return all;

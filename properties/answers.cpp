@@ -80,16 +80,14 @@ const std::vector<scene::Point3>& Answers::pixel_points() {
 
 bool Answers::has_rays() const {
   if (!case_.scene.camera) return true;
-  return conventions_.origin == scene::Origin::kPixel ? static_cast<bool>(candidate_.pixel_rays)
-                                                      : static_cast<bool>(candidate_.focal_rays);
+  return static_cast<bool>(candidate_.rays_from(conventions_.origin));
 }
 
 const std::vector<scene::Ray>& Answers::rays() {
   if (!case_.scene.camera) return case_.scene.rays;
   return once(rays_, [&] {
-    const auto& make = conventions_.origin == scene::Origin::kPixel ? candidate_.pixel_rays
-                                                                    : candidate_.focal_rays;
-    auto made = make(*case_.scene.camera, conventions_, case_.pixels);
+    auto made =
+        candidate_.rays_from(conventions_.origin)(*case_.scene.camera, conventions_, case_.pixels);
     require_count(made, ray_count(), "rays");
     return made;
   });

@@ -7,7 +7,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -80,14 +79,9 @@ struct DeclaredConventions {
 /// between two edges does not.
 bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
-/// What a function throws that would fail whatever it is asked.
-class CandidateUnavailable : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 /// The functions of an implementation; those that it lacks are empty. Functions refuse invalid
-/// input with std::invalid_argument; the what() of any other exception says how they failed.
+/// input with std::invalid_argument; the what() of any other exception (failures.h) says how they
+/// failed.
 /// Answers come in the order of the questions; an absent hit is a miss.
 struct Functions {
   using Pixels = std::span<const scene::Pixel>;
@@ -97,12 +91,13 @@ struct Functions {
   std::function<FrameAnswer(const scene::Camera&)> frame;
   std::function<std::vector<scene::Point3>(const scene::Camera&, const scene::Conventions&, Pixels)>
       pixel_points;
-  /// From P along the unit direction D.
-  std::function<std::vector<scene::Ray>(const scene::Camera&, const scene::Conventions&, Pixels)>
-      pixel_rays;
-  /// From E along the unit direction D.
-  std::function<std::vector<scene::Ray>(const scene::Camera&, const scene::Conventions&, Pixels)>
-      focal_rays;
+  using MakeRays = std::function<std::vector<scene::Ray>(const scene::Camera&,
+                                                         const scene::Conventions&, Pixels)>;
+  MakeRays pixel_rays;  ///< From P along the unit direction D.
+  MakeRays focal_rays;  ///< From E along the same.
+  const MakeRays& rays_from(scene::Origin origin) const {
+    return origin == scene::Origin::kPixel ? pixel_rays : focal_rays;
+  }
   /// Every ray with every sphere: one list of hits per sphere.
   std::function<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
   std::function<std::vector<std::optional<std::size_t>>(Rays, Spheres, const scene::Conventions&)>

@@ -23,18 +23,6 @@ constexpr std::string_view name(Standing standing) {
   return kStandingNames[static_cast<std::size_t>(standing)];
 }
 
-/// The standing of a wrong decision, by what a search among nearby inputs found.
-constexpr Standing standing_of(reference::Nearby found) {
-  switch (found) {
-    case reference::Nearby::kWitness:
-      return Standing::kExcused;
-    case reference::Nearby::kRefuted:
-      return Standing::kDefect;
-    default:
-      return Standing::kUndecided;
-  }
-}
-
 enum class ExcuseKind {
   kNone,
   kUndecided,
@@ -43,11 +31,22 @@ enum class ExcuseKind {
   kIllConditioned,
   kOutsideDomain,
 };
-inline constexpr std::array<std::string_view, 6> kExcuseNames = {
-    "", "undecided", "witness", "threshold", "ill-conditioned", "outside the domain"};
-constexpr std::string_view name(ExcuseKind kind) {
-  return kExcuseNames[static_cast<std::size_t>(kind)];
+/// A kind's name, and what it makes of an answer.
+struct ExcuseInfo {
+  std::string_view name;
+  Standing standing;
+};
+inline constexpr std::array<ExcuseInfo, 6> kExcuses = {
+    {{"", Standing::kDefect},
+     {"undecided", Standing::kUndecided},
+     {"witness", Standing::kExcused},
+     {"threshold", Standing::kExcused},
+     {"ill-conditioned", Standing::kExcused},
+     {"outside the domain", Standing::kNotJudged}}};
+constexpr const ExcuseInfo& info(ExcuseKind kind) {
+  return kExcuses[static_cast<std::size_t>(kind)];
 }
+constexpr std::string_view name(ExcuseKind kind) { return info(kind).name; }
 
 /// Why a discrepancy is not held against the method, if anything.
 struct Excuse {
@@ -59,18 +58,7 @@ struct Excuse {
   /// The changed inputs for which the answer is right, if there is a witness.
   reference::InputChange witness = {};
 
-  Standing standing() const {
-    switch (kind) {
-      case ExcuseKind::kNone:
-        return Standing::kDefect;
-      case ExcuseKind::kUndecided:
-        return Standing::kUndecided;
-      case ExcuseKind::kOutsideDomain:
-        return Standing::kNotJudged;
-      default:
-        return Standing::kExcused;
-    }
-  }
+  Standing standing() const { return info(kind).standing; }
   bool operator==(const Excuse&) const = default;
 };
 

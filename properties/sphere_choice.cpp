@@ -1,16 +1,20 @@
 #include "properties/sphere_choice.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "reference/account/nearby_choice.h"
+#include "reference/ray_error.h"
+#include "reference/visibility/visibility.h"
 
 namespace raycheck::properties {
 
 bool is_right(const Choice& choice) {
-  if (!choice.exact) return !choice.got;
-  return choice.got == kSomeSphere ||
-         (choice.got && std::find(choice.exact->ties.begin(), choice.exact->ties.end(),
-                                  *choice.got) != choice.exact->ties.end());
+  const auto& [ray, got, exact, what, is_first_of_ties] = choice;
+  if (!exact || !got) return !exact && !got;
+  if (got == kSomeSphere || *got == exact->index) return true;
+  return !is_first_of_ties &&
+         std::find(exact->ties.begin(), exact->ties.end(), *got) != exact->ties.end();
 }
 
 Wrong wrong_of(const Choice& choice) {
@@ -31,6 +35,21 @@ Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
       change);
 }
 
+void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected expected,
+                  const std::function<Excuse()>& excuse) {
+  const bool got_some = choice.got == kSomeSphere;
+  const Index sphere = choice.exact ? Index(choice.exact->index) : got_some ? Index() : choice.got;
+  trial.judge(
+      verdict,
+      {Quantity::kNearestSphere, expected, trial.place(choice.ray, sphere), wrong_of(choice)},
+      excuse, [&](Discrepancy& d) {
+        d.what = choice.what;
+        d.got_some_sphere = got_some;
+        if (choice.got && !got_some) d.got = {static_cast<double>(*choice.got)};
+        if (choice.exact) d.exact = {static_cast<double>(choice.exact->index)};
+      });
+}
+
 SpheresMet spheres_met(Trial& trial) {
   SpheresMet met{std::vector<std::uint32_t>(trial.ray_count()),
                  std::vector<bool>(trial.ray_count())};
@@ -43,6 +62,48 @@ SpheresMet spheres_met(Trial& trial) {
     }
   }
   return met;
+}
+
+namespace {
+
+/// The standing of a wrong choice.
+Standing standing_of(Trial& trial, std::size_t ray, Index got) {
+  const auto& spheres = trial.scene().spheres;
+  const scene::Conventions& conventions = trial.conventions();
+  const bool may_be_unjudged =
+      std::any_of(spheres.begin(), spheres.end(), [&](const scene::Sphere& sphere) {
+        return is_unjudged(trial.exact_ray(ray).intersect(sphere, conventions),
+                           conventions.tangent);
+      });
+  if (!trial.inside_domain() || may_be_unjudged) return Standing::kNotJudged;
+  return excuse(trial, ray, got, trial.excused_change()).standing();
+}
+
+}  // namespace
+
+std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const std::int32_t> seen) {
+  const auto& spheres = trial.scene().spheres;
+  std::vector<NearestHitError> errors(seen.size());
+  for (std::size_t ray = 0; ray < errors.size(); ++ray) {
+    const Index got = trial.nearest().at(ray);
+    const Index shown =
+        seen[ray] == reference::kNoSphere ? Index() : Index(static_cast<std::size_t>(seen[ray]));
+    if (got != shown) {
+      const auto nearest = trial.exact_ray(ray).nearest(spheres, trial.conventions());
+      errors[ray].wrong = wrong_of({ray, got, nearest});
+    }
+    if (errors[ray].wrong != Wrong::kNot) {
+      errors[ray].standing = standing_of(trial, ray, got);
+    } else if (got) {
+      const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
+      if (hit == nullptr) throw std::runtime_error("candidate misses the sphere it sees");
+      const reference::ExactRay& exact = trial.exact_ray(ray);
+      errors[ray].ulp = reference::parameter_error(
+          exact, spheres[*got], exact.intersect(spheres[*got], trial.conventions()), hit->parameter,
+          trial.precision());
+    }
+  }
+  return errors;
 }
 
 }  // namespace raycheck::properties

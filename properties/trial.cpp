@@ -37,10 +37,10 @@ bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
 }
 
 Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change) {
-  switch (standing_of(nearby.found)) {
-    case Standing::kExcused:
+  switch (nearby.found) {
+    case reference::Nearby::kWitness:
       return {ExcuseKind::kWitness, relative_change, std::move(nearby.witness)};
-    case Standing::kDefect:
+    case reference::Nearby::kRefuted:
       return {ExcuseKind::kNone, relative_change};
     default:
       return {ExcuseKind::kUndecided, relative_change};

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "properties/code_line.h"
 #include "properties/excuse.h"
+#include "properties/failures.h"
 #include "properties/quantity.h"
 #include "properties/stability.h"
 #include "properties/tally.h"

@@ -53,9 +53,12 @@ int main() {
   };
   for (std::uint64_t k = 0; k < 1000; ++k) {
     const raycheck::Case one = raycheck::make_case("tangent-ulps", 1, k, static_cast<int>(k % 54));
-    for (const auto& at : exact::hits(one.scene.rays, one.scene.spheres)) {
-      add(static_cast<double>(at.hit_class));
-      if (at.parameter) add(at.parameter->rounded());
+    for (const raycheck::Ray& ray : one.scene.rays) {
+      for (const raycheck::Sphere& its : one.scene.spheres) {
+        const exact::Intersection at = exact::hit(ray, its);
+        add(static_cast<double>(at.hit_class));
+        if (at.parameter) add(at.parameter->rounded());
+      }
     }
   }
   std::printf("1000 near-tangents: %016" PRIx64 "\n", hash);

@@ -19,6 +19,7 @@
 #include <raycheck/candidate.h>
 #include <raycheck/scene.h>
 
+#include <bit>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -53,58 +54,44 @@ namespace detail {
 
 inline Functions functions;
 
-inline Vector from_c(const raycheck_vector& v) { return {v.x, v.y, v.z}; }
-inline raycheck_vector to_c(const Vector& v) { return {v.x, v.y, v.z}; }
-inline Camera from_c(const raycheck_camera& c) {
-  return {from_c(c.eye), from_c(c.look_at), from_c(c.up), c.near_plane, c.left,
-          c.right,       c.bottom,          c.top,        c.width,      c.height};
+/// The structs of both headers have the same members.
+template <class To, class From>
+To as(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  return std::bit_cast<To>(from);
 }
-inline Ray from_c(const raycheck_ray& ray) { return {from_c(ray.origin), from_c(ray.direction)}; }
-inline raycheck_ray to_c(const Ray& ray) { return {to_c(ray.origin), to_c(ray.direction)}; }
-inline Sphere from_c(const raycheck_sphere& sphere) {
-  return {from_c(sphere.centre), sphere.radius};
-}
-inline ValidRoots from_c(const raycheck_valid_roots& v) {
-  return {v.t_min, v.t_max, static_cast<Ends>(v.ends), static_cast<TUnit>(v.unit),
-          static_cast<Culling>(v.culling)};
-}
-inline raycheck_valid_roots to_c(const ValidRoots& v) {
-  return {v.t_min, v.t_max, static_cast<int32_t>(v.ends), static_cast<int32_t>(v.unit),
-          static_cast<int32_t>(v.culling)};
-}
-inline Conventions from_c(const raycheck_conventions& c) {
-  return {static_cast<Rows>(c.rows),       static_cast<Samples>(c.samples),
-          static_cast<Origin>(c.origin),   static_cast<Root>(c.root),
-          static_cast<Tangent>(c.tangent), from_c(*raycheck_valid_roots_of(&c))};
+inline Conventions asked_of(const raycheck_conventions* conventions) {
+  return as<Conventions>(*(const raycheck_asked*)(const void*)conventions);
 }
 
 inline raycheck_frame frame(const raycheck_camera* camera) {
-  const Frame answer = functions.frame(from_c(*camera));
-  return {to_c(answer.u), to_c(answer.v), to_c(answer.w)};
+  return as<raycheck_frame>(functions.frame(as<Camera>(*camera)));
 }
 inline raycheck_vector pixel_point(const raycheck_camera* camera, const raycheck_conventions* asked,
                                    raycheck_pixel pixel) {
-  return to_c(functions.pixel_point(from_c(*camera), from_c(*asked), {pixel.i, pixel.j}));
+  return as<raycheck_vector>(
+      functions.pixel_point(as<Camera>(*camera), asked_of(asked), as<Pixel>(pixel)));
 }
 inline raycheck_ray pixel_ray(const raycheck_camera* camera, const raycheck_conventions* asked,
                               raycheck_pixel pixel) {
-  return to_c(functions.pixel_ray(from_c(*camera), from_c(*asked), {pixel.i, pixel.j}));
+  return as<raycheck_ray>(
+      functions.pixel_ray(as<Camera>(*camera), asked_of(asked), as<Pixel>(pixel)));
 }
 inline raycheck_ray focal_ray(const raycheck_camera* camera, const raycheck_conventions* asked,
                               raycheck_pixel pixel) {
-  return to_c(functions.focal_ray(from_c(*camera), from_c(*asked), {pixel.i, pixel.j}));
+  return as<raycheck_ray>(
+      functions.focal_ray(as<Camera>(*camera), asked_of(asked), as<Pixel>(pixel)));
 }
 inline raycheck_hit intersect(const raycheck_ray* ray, const raycheck_sphere* sphere,
                               const raycheck_conventions* asked) {
-  const auto hit = functions.intersect(from_c(*ray), from_c(*sphere), from_c(*asked));
-  if (!hit) return {0, 0, {0, 0, 0}};
-  return {1, hit->parameter, to_c(hit->point)};
+  const auto hit = functions.intersect(as<Ray>(*ray), as<Sphere>(*sphere), asked_of(asked));
+  return hit ? raycheck_hit{1, hit->parameter, as<raycheck_vector>(hit->point)} : raycheck_hit{};
 }
 inline int64_t nearest(const raycheck_ray* ray, const raycheck_sphere* spheres, size_t count,
                        const raycheck_conventions* asked) {
   std::vector<Sphere> list;
-  for (size_t k = 0; k < count; ++k) list.push_back(from_c(spheres[k]));
-  const auto index = functions.nearest(from_c(*ray), list, from_c(*asked));
+  for (size_t k = 0; k < count; ++k) list.push_back(as<Sphere>(spheres[k]));
+  const auto index = functions.nearest(as<Ray>(*ray), list, asked_of(asked));
   return index ? static_cast<int64_t>(*index) : -1;
 }
 
@@ -128,7 +115,7 @@ inline const raycheck_candidate* offer(const Functions& given) {
                given.largest_length,
                static_cast<int32_t>(given.precision),
                static_cast<int32_t>(given.roots),
-               to_c(given.valid)};
+               as<raycheck_valid_roots>(given.valid)};
   return &candidate;
 }
 

@@ -18,17 +18,17 @@
 #include <raycheck/law_tests.h>
 
 /// The test of a raycheck::Candidate, of this name.
-#define RAYCHECK_TESTS(name, candidate)                                                        \
-  TEST_CASE(name, "[raycheck]") {                                                              \
-    static const ::raycheck::LawTests raycheck_tests(candidate);                               \
-    for (const ::raycheck::Question& raycheck_question : raycheck_tests.questions()) {         \
-      DYNAMIC_SECTION(raycheck_question.law << "/" << raycheck_question.source) {              \
-        const ::raycheck::LawOutcome raycheck_outcome = raycheck_tests.run(raycheck_question); \
-        INFO(raycheck_outcome.text);                                                           \
-        CHECK(raycheck_outcome.passes);                                                        \
-      }                                                                                        \
-    }                                                                                          \
-  }                                                                                            \
+#define RAYCHECK_TESTS(name, candidate)                                                     \
+  TEST_CASE(name, "[raycheck]") {                                                           \
+    static const ::raycheck::LawTests raycheck_tests(candidate);                            \
+    for (const ::raycheck::Check& raycheck_check : raycheck_tests.checks()) {               \
+      DYNAMIC_SECTION(raycheck_check.law << "/" << raycheck_check.source) {                 \
+        const ::raycheck::LawOutcome raycheck_outcome = raycheck_tests.run(raycheck_check); \
+        INFO(raycheck_outcome.text);                                                        \
+        CHECK(raycheck_outcome.passes);                                                     \
+      }                                                                                     \
+    }                                                                                       \
+  }                                                                                         \
   static_assert(true, "a semicolon follows")
 
 #endif  // RAYCHECK_CATCH2_H_

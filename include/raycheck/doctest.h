@@ -14,17 +14,17 @@
 #include <raycheck/law_tests.h>
 
 /// The test of a raycheck::Candidate, of this name.
-#define RAYCHECK_TESTS(name, candidate)                                                        \
-  TEST_CASE(name) {                                                                            \
-    static const ::raycheck::LawTests raycheck_tests(candidate);                               \
-    for (const ::raycheck::Question& raycheck_question : raycheck_tests.questions()) {         \
-      SUBCASE((raycheck_question.law + "/" + raycheck_question.source).c_str()) {              \
-        const ::raycheck::LawOutcome raycheck_outcome = raycheck_tests.run(raycheck_question); \
-        INFO(raycheck_outcome.text);                                                           \
-        CHECK(raycheck_outcome.passes);                                                        \
-      }                                                                                        \
-    }                                                                                          \
-  }                                                                                            \
+#define RAYCHECK_TESTS(name, candidate)                                                     \
+  TEST_CASE(name) {                                                                         \
+    static const ::raycheck::LawTests raycheck_tests(candidate);                            \
+    for (const ::raycheck::Check& raycheck_check : raycheck_tests.checks()) {               \
+      SUBCASE((raycheck_check.law + "/" + raycheck_check.source).c_str()) {                 \
+        const ::raycheck::LawOutcome raycheck_outcome = raycheck_tests.run(raycheck_check); \
+        INFO(raycheck_outcome.text);                                                        \
+        CHECK(raycheck_outcome.passes);                                                     \
+      }                                                                                     \
+    }                                                                                       \
+  }                                                                                         \
   static_assert(true, "a semicolon follows")
 
 #endif  // RAYCHECK_DOCTEST_H_

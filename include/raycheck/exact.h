@@ -141,21 +141,10 @@ class RAYCHECK_API Camera {
 /// How a ray meets a sphere, as Ray::hit() says.
 RAYCHECK_API Intersection hit(const raycheck::Ray& ray, const Sphere& sphere,
                               const Conventions& conventions = {});
-/// The same for every ray and every sphere: spheres.size() answers per ray.
-RAYCHECK_API std::vector<Intersection> hits(const std::vector<raycheck::Ray>& rays,
-                                            const std::vector<Sphere>& spheres,
-                                            const Conventions& conventions = {});
 /// The sphere that a ray meets first; empty where it meets none.
 RAYCHECK_API std::optional<Nearest> nearest(const raycheck::Ray& ray,
                                             const std::vector<Sphere>& spheres,
                                             const Conventions& conventions = {});
-/// The same for every ray: one answer per ray.
-RAYCHECK_API std::vector<std::optional<Nearest>> nearest(const std::vector<raycheck::Ray>& rays,
-                                                         const std::vector<Sphere>& spheres,
-                                                         const Conventions& conventions = {});
-
-/// |given - exact| in units of the spacing of doubles around exact.
-RAYCHECK_API double ulp_error(double given, const Number& exact);
 
 }  // namespace exact
 }  // namespace raycheck

@@ -23,19 +23,19 @@ namespace raycheck {
 class LawTest : public testing::Test {
  public:
   /// Failures are reported at `file` and `line`.
-  LawTest(std::shared_ptr<const LawTests> tests, Question question, const char* file, int line)
-      : tests_(std::move(tests)), question_(std::move(question)), file_(file), line_(line) {}
+  LawTest(std::shared_ptr<const LawTests> tests, Check check, const char* file, int line)
+      : tests_(std::move(tests)), check_(std::move(check)), file_(file), line_(line) {}
 
   /// Judges, and fails or skips.
   void TestBody() override {
-    const LawOutcome outcome = tests_->run(question_);
+    const LawOutcome outcome = tests_->run(check_);
     if (outcome.says_too_little) GTEST_SKIP() << outcome.text;
     if (!outcome.passes) ADD_FAILURE_AT(file_, line_) << outcome.text;
   }
 
  private:
   std::shared_ptr<const LawTests> tests_;
-  Question question_;
+  Check check_;
   const char* file_;
   int line_;
 };
@@ -43,11 +43,11 @@ class LawTest : public testing::Test {
 /// Registers the tests; before RUN_ALL_TESTS.
 inline bool add_tests(const char* suite, LawTests law_tests, const char* file, int line) {
   const auto tests = std::make_shared<const LawTests>(std::move(law_tests));
-  for (const Question& question : tests->questions()) {
-    std::string name = question.law + "/" + question.source;
+  for (const Check& check : tests->checks()) {
+    std::string name = check.law + "/" + check.source;
     std::replace(name.begin(), name.end(), '-', '_');
     testing::RegisterTest(suite, name.c_str(), nullptr, nullptr, file, line,
-                          [=]() -> LawTest* { return new LawTest(tests, question, file, line); });
+                          [=]() -> LawTest* { return new LawTest(tests, check, file, line); });
   }
   return true;
 }

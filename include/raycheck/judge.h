@@ -69,7 +69,7 @@ struct Law {
 RAYCHECK_API std::vector<Law> laws();
 
 /// A law and where its cases come from.
-struct Question {
+struct Check {
   std::string law;     ///< Of laws().
   std::string source;  ///< Of sources().
 };
@@ -77,7 +77,7 @@ struct Question {
 /// The laws that apply to a candidate, each with every source that has cases for it at the
 /// candidate's level. Errors: std::invalid_argument saying what is invalid: no function at all, an
 /// empty range of lengths, t_min and t_max that do not make an interval.
-RAYCHECK_API std::vector<Question> questions(const Candidate& candidate);
+RAYCHECK_API std::vector<Check> checks(const Candidate& candidate);
 
 /// How many cases are tried, which ones, and what is tolerated.
 struct JudgeOptions {

@@ -25,28 +25,26 @@ class LawTests {
   /// Cases per law and source, by default.
   static constexpr int kCases = 100;
 
-  /// With kCases cases per law and source.
-  explicit LawTests(Candidate candidate) : LawTests(std::move(candidate), usual()) {}
-  /// With as many as `options` say. An invalid candidate has one test, which fails and says why.
-  LawTests(Candidate candidate, JudgeOptions options)
+  /// An invalid candidate has one test, which fails and says why.
+  explicit LawTests(Candidate candidate, JudgeOptions options = usual())
       : candidate_(std::move(candidate)), options_(options) {
     try {
-      questions_ = raycheck::questions(candidate_);
-      if (questions_.empty()) error_ = "candidate: no law applies to it";
+      checks_ = raycheck::checks(candidate_);
+      if (checks_.empty()) error_ = "candidate: no law applies to it";
     } catch (const std::invalid_argument& error) {
       error_ = error.what();
     }
     // Nothing to ask is not a success: one test fails.
-    if (!error_.empty()) questions_ = {{"candidate", "valid"}};
+    if (!error_.empty()) checks_ = {{"candidate", "valid"}};
   }
 
   /// What the tests ask, in the order of reports.
-  const std::vector<Question>& questions() const { return questions_; }
+  const std::vector<Check>& checks() const { return checks_; }
 
-  /// Judges the candidate. Domain: a question of questions().
-  LawOutcome run(const Question& question) const {
+  /// Judges the candidate. Domain: a check of checks().
+  LawOutcome run(const Check& check) const {
     if (!error_.empty()) return {false, false, error_};
-    const Verdict verdict = judge(candidate_, question.law, question.source, options_);
+    const Verdict verdict = judge(candidate_, check.law, check.source, options_);
     const bool says_too_little = verdict.finding != Finding::holds &&
                                  (verdict.passes() || verdict.finding == Finding::too_few_judged);
     return {verdict.passes() || says_too_little, says_too_little, verdict.text};
@@ -61,7 +59,7 @@ class LawTests {
 
   Candidate candidate_;
   JudgeOptions options_;
-  std::vector<Question> questions_;
+  std::vector<Check> checks_;
   std::string error_;  ///< Why nothing can be asked; empty if it can.
 };
 

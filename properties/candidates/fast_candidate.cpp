@@ -17,6 +17,17 @@ Triple triple_at(const fast::Vectors& vectors, std::size_t k) {
   return {vectors.x[k], vectors.y[k], vectors.z[k]};
 }
 
+auto make_points(fast::PixelRayMethod::MakePoints make) {
+  return [make](const scene::Camera& camera, const scene::Conventions& conventions,
+                Candidate::Pixels pixels) {
+    fast::Vectors batch;
+    make(camera, conventions, pixels, batch);
+    std::vector<scene::Point3> points(pixels.size());
+    for (std::size_t k = 0; k < points.size(); ++k) points[k] = triple_at<scene::Point3>(batch, k);
+    return points;
+  };
+}
+
 auto make_rays(fast::PixelRayMethod::MakeRays make) {
   return [make](const scene::Camera& camera, const scene::Conventions& conventions,
                 Candidate::Pixels pixels) {
@@ -51,6 +62,39 @@ std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
     }
   }
   return answers;
+}
+
+/// What the residuals' bounds gain over the point's: a point rounded to doubles is off by up to
+/// u |Q|, which is half the residual's condition number, (|Q| + |C| + |L| + r)/r or over s |D|, in
+/// units of u of r or s |D|.
+constexpr double kRoundedPointResidual = kModerateCondition / 2;
+
+void promise_bounds(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
+                    Promises& candidate) {
+  const auto promise = [&candidate](Quantity quantity, double bound) {
+    candidate.max_error[static_cast<std::size_t>(quantity)] = bound;
+  };
+  promise(Quantity::kFrame, fast::kFrameMaxUlp);
+  promise(Quantity::kOrthonormality, fast::kFrameMaxDefectUlp);
+  candidate.is_unconditional[static_cast<std::size_t>(Quantity::kOrthonormality)] = true;
+  promise(Quantity::kPixelPoint, rays.max_point_ulp);
+  promise(Quantity::kRayOrigin, rays.max_point_ulp);
+  promise(Quantity::kDirection, rays.max_direction_ulp);
+  promise(Quantity::kUnitDefect, rays.max_unit_defect_ulp);
+  // A ray's origin and direction are each off by its bound, and hence s and Q, in proportion to
+  // their condition numbers; audited by the campaigns.
+  const double inherited = std::max(rays.max_point_ulp, rays.max_direction_ulp);
+  const auto promise_hit = [&](Quantity quantity, double bound) {
+    promise(quantity, bound);
+    candidate.max_error_end_to_end[static_cast<std::size_t>(quantity)] = bound + inherited;
+  };
+  promise_hit(Quantity::kParameter, intersect.max_ulp);
+  promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
+  promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp + kRoundedPointResidual);
+  promise_hit(Quantity::kRayResidual, intersect.max_point_ulp + kRoundedPointResidual);
+  // A root off by x ulp is off by at most 2x u, and kappa is at least 1: scaling all lengths scales
+  // s.
+  promise(Quantity::kBackwardError, 2 * intersect.max_ulp);
 }
 
 }  // namespace
@@ -94,10 +138,6 @@ SphereHits list_of(const fast::Hits& hits) {
   return list;
 }
 
-double inherited_bound(const fast::PixelRayMethod& rays) {
-  return kRayShare * std::max(rays.max_point_ulp, rays.max_direction_ulp);
-}
-
 Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
                          const scene::PlanItems& items) {
   Candidate candidate;
@@ -106,18 +146,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     const fast::CameraFrame frame = fast::camera_frame(camera);
     return FrameAnswer{frame.U, frame.V, frame.W};
   };
-  if (rays.pixel_points != nullptr) {
-    candidate.pixel_points = [make = rays.pixel_points](const scene::Camera& camera,
-                                                        const scene::Conventions& conventions,
-                                                        Candidate::Pixels pixels) {
-      fast::Vectors batch;
-      make(camera, conventions, pixels, batch);
-      std::vector<scene::Point3> points(pixels.size());
-      for (std::size_t k = 0; k < points.size(); ++k)
-        points[k] = triple_at<scene::Point3>(batch, k);
-      return points;
-    };
-  }
+  if (rays.pixel_points != nullptr) candidate.pixel_points = make_points(rays.pixel_points);
   if (rays.pixel_rays != nullptr) {
     candidate.pixel_rays = make_rays(rays.pixel_rays);
   } else {
@@ -151,28 +180,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     return seen_through(scene, plan(scene, conventions, scene::Wanted::kNearest), rays, intersect,
                         pixels);
   };
-  const auto promise = [&candidate](Quantity quantity, double bound) {
-    candidate.max_error[static_cast<std::size_t>(quantity)] = bound;
-  };
-  promise(Quantity::kFrame, fast::kFrameMaxUlp);
-  promise(Quantity::kOrthonormality, fast::kFrameMaxDefectUlp);
-  candidate.is_unconditional[static_cast<std::size_t>(Quantity::kOrthonormality)] = true;
-  promise(Quantity::kPixelPoint, rays.max_point_ulp);
-  promise(Quantity::kRayOrigin, rays.max_point_ulp);
-  promise(Quantity::kDirection, rays.max_direction_ulp);
-  promise(Quantity::kUnitDefect, rays.max_unit_defect_ulp);
-  const double inherited = inherited_bound(rays);
-  const auto promise_hit = [&](Quantity quantity, double bound) {
-    promise(quantity, bound);
-    candidate.max_error_end_to_end[static_cast<std::size_t>(quantity)] = bound + inherited;
-  };
-  promise_hit(Quantity::kParameter, intersect.max_ulp);
-  promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
-  promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp + kRoundedPointResidual);
-  promise_hit(Quantity::kRayResidual, intersect.max_point_ulp + kRoundedPointResidual);
-  // A root off by x ulp is off by at most 2x u, and kappa is at least 1: scaling all lengths scales
-  // s.
-  promise(Quantity::kBackwardError, 2 * intersect.max_ulp);
+  promise_bounds(rays, intersect, candidate);
   candidate.exact_class = intersect.exact_class;
   const bool is_stable = rays.not_kept.empty() && intersect.not_kept.empty();
   candidate.level = is_stable ? Level::kDemanding : Level::kOrdinary;

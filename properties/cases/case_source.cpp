@@ -64,10 +64,6 @@ const CaseSource* find_case_source(std::string_view name) {
   return found == case_sources().end() ? nullptr : &*found;
 }
 
-Case any_case(const CaseSource& source, std::uint64_t seed) {
-  return ChosenSource{&source}.make(seed);
-}
-
 Case ChosenSource::make(std::uint64_t seed) const { return source->make(severity_of(seed), seed); }
 
 int ChosenSource::severity_of(std::uint64_t seed) const {

@@ -47,9 +47,6 @@ std::span<const CaseSource> case_sources();
 /// The source of this name, or null.
 const CaseSource* find_case_source(std::string_view name);
 
-/// A case whose severity follows from the seed; all are equally likely.
-Case any_case(const CaseSource& source, std::uint64_t seed);
-
 /// Severities first..last: all of them, or at most `most`, evenly spaced except for the last, which
 /// is always included. Domain: first <= last, most >= 1.
 std::vector<int> some_severities(int first, int last, int most = kMostSeverities);
@@ -59,6 +56,7 @@ struct ChosenSource {
   const CaseSource* source = nullptr;
   std::optional<int> severity = {};
 
+  /// The case of a seed; where none is wanted its severity follows from the seed, too.
   Case make(std::uint64_t seed) const;
   /// The severity of a seed's case; 0 for a source without a dial.
   int severity_of(std::uint64_t seed) const;

@@ -51,32 +51,24 @@ Camera course_camera(Random& random) {
 }
 
 /// Where a camera sees what.
-class View {
- public:
-  explicit View(const Camera& camera) : camera_(camera) {
-    const Vector3 back = camera.eye - camera.look_at;
-    w_ = times(1 / length(back), back);
-    const Vector3 side = cross(camera.up, w_);
-    u_ = times(1 / length(side), side);
-    v_ = cross(w_, u_);
-  }
+struct View {
+  explicit View(const Camera& of) : camera(of), axes(of) {}
 
   /// Towards a point of the image plane, sometimes a little outside its bounds.
   Vector3 sight(Random& random) const {
-    const double alpha = random.between(1.1 * camera_.left, 1.1 * camera_.right);
-    const double beta = random.between(1.1 * camera_.bottom, 1.1 * camera_.top);
-    const Vector3 along_w = times(camera_.near, w_);
-    const Vector3 along_u = times(alpha, u_);
-    const Vector3 along_v = times(beta, v_);
+    const double alpha = random.between(1.1 * camera.left, 1.1 * camera.right);
+    const double beta = random.between(1.1 * camera.bottom, 1.1 * camera.top);
+    const Vector3 along_w = times(camera.near, axes.w);
+    const Vector3 along_u = times(alpha, axes.u);
+    const Vector3 along_v = times(beta, axes.v);
     return {along_w.x + along_u.x + along_v.x, along_w.y + along_u.y + along_v.y,
             along_w.z + along_u.z + along_v.z};
   }
   /// Depth before the eye.
-  double depth(const Point3& point) const { return -dot(point - camera_.eye, w_); }
+  double depth(const Point3& point) const { return -dot(point - camera.eye, axes.w); }
 
- private:
-  const Camera& camera_;
-  Vector3 u_, v_, w_;
+  const Camera& camera;
+  const Axes axes;
 };
 
 Sphere rounded(const Point3& centre, double radius, double grain) {
@@ -86,7 +78,8 @@ Sphere rounded(const Point3& centre, double radius, double grain) {
 }
 
 /// Entirely beyond the image plane.
-Sphere beyond(Random& random, const Camera& camera, const View& view) {
+Sphere beyond(Random& random, const View& view) {
+  const Camera& camera = view.camera;
   for (;;) {
     const Vector3 sight = view.sight(random);
     const double times_near = random.between(1.5, 6);
@@ -98,7 +91,8 @@ Sphere beyond(Random& random, const Camera& camera, const View& view) {
 }
 
 /// Behind the eye, on the backward extension of rays.
-Sphere behind(Random& random, const Camera& camera, const View& view) {
+Sphere behind(Random& random, const View& view) {
+  const Camera& camera = view.camera;
   for (;;) {
     const Vector3 sight = view.sight(random);
     const double times_near = random.between(0.5, 5);
@@ -110,7 +104,8 @@ Sphere behind(Random& random, const Camera& camera, const View& view) {
 }
 
 /// Between the eye and the image plane.
-Sphere before(Random& random, const Camera& camera, const View& view) {
+Sphere before(Random& random, const View& view) {
+  const Camera& camera = view.camera;
   const double near = -camera.near;
   for (;;) {
     const Vector3 sight = view.sight(random);
@@ -142,11 +137,11 @@ Case course_scene(std::uint64_t seed, bool with_behind) {
     const View view(camera);
     auto& spheres = result.scene.spheres;
     if (with_behind) {
-      spheres.push_back(behind(random, camera, view));
-      spheres.push_back(before(random, camera, view));
+      spheres.push_back(behind(random, view));
+      spheres.push_back(before(random, view));
     }
     for (auto more = random.integer(2, 5); more > 0; --more) {
-      spheres.push_back(beyond(random, camera, view));
+      spheres.push_back(beyond(random, view));
     }
     if (random.one_in(2)) std::reverse(spheres.begin(), spheres.end());
     result.scene.camera = camera;

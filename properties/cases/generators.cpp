@@ -81,6 +81,13 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+Axes::Axes(const Camera& camera) {
+  const auto unit = [](const Vector3& x) { return times(1 / length(x), x); };
+  w = unit(camera.eye - camera.look_at);
+  u = unit(cross(camera.up, w));
+  v = cross(w, u);
+}
+
 Vector3 across(Random& random, const Vector3& direction) {
   for (;;) {
     const Vector3 v = cross(random.direction(), direction);

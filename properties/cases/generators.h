@@ -23,6 +23,12 @@ double length(const scene::Vector3& v);
 scene::Point3 along(const scene::Point3& origin, double t, const scene::Vector3& direction);
 scene::Vector3 times(double factor, const scene::Vector3& v);
 scene::Vector3 cross(const scene::Vector3& a, const scene::Vector3& b);
+/// A camera's axes.
+struct Axes {
+  explicit Axes(const scene::Camera& camera);
+  scene::Vector3 u, v, w;
+};
+
 /// A unit vector at right angles to `direction`.
 scene::Vector3 across(Random& random, const scene::Vector3& direction);
 

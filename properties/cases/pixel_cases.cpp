@@ -25,10 +25,7 @@ struct PixelAim {
 
 PixelAim aim_through(const scene::Scene& scene, const Pixel& pixel) {
   const Camera& camera = *scene.camera;
-  const auto unit = [](const Vector3& v) { return times(1 / length(v), v); };
-  const Vector3 W = unit(camera.eye - camera.look_at);
-  const Vector3 U = unit(cross(camera.up, W));
-  const Vector3 V = cross(W, U);
+  const auto [U, V, W] = Axes(camera);
   const auto share = [&](std::int64_t index, std::int64_t count) {
     const auto position = static_cast<double>(index);
     return scene.conventions.samples == scene::Samples::kEdges
@@ -43,7 +40,7 @@ PixelAim aim_through(const scene::Scene& scene, const Pixel& pixel) {
   const Vector3 to_pixel = {camera.near * W.x + alpha * U.x + beta * V.x,
                             camera.near * W.y + alpha * U.y + beta * V.y,
                             camera.near * W.z + alpha * U.z + beta * V.z};
-  const Vector3 direction = unit(to_pixel);
+  const Vector3 direction = times(1 / length(to_pixel), to_pixel);
   const Point3 point = along(camera.eye, 1, to_pixel);
   return {{{point, direction}, direction}, {{camera.eye, direction}, direction}, length(to_pixel)};
 }

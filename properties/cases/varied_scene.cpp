@@ -29,17 +29,6 @@ constexpr double kNoLength = 1e-12;
 
 double rounded(double x) { return scene::to_digits(x, kVariedDigits); }
 
-/// A camera's axes.
-struct Axes {
-  Vector3 u, v, w;
-  explicit Axes(const Camera& camera) {
-    const auto unit = [](const Vector3& x) { return times(1 / length(x), x); };
-    w = unit(camera.eye - camera.look_at);
-    u = unit(cross(camera.up, w));
-    v = cross(w, u);
-  }
-};
-
 /// A sphere's centre from the eye, along the axes.
 struct Seen {
   double u = 0, v = 0, w = 0;

@@ -31,28 +31,16 @@ void judge_image(Trial& trial, Verdict& verdict) {
     throw std::runtime_error("image: pixels are missing");
   }
   const SpheresMet met = spheres_met(trial);
-  std::size_t untold = 0;
+  std::size_t unidentified = 0;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (met.is_unjudged[k]) continue;
     const scene::Pixel& pixel = trial.pixels()[k];
     const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
-                        trial.exact_nearest()[k]};
-    untold += choice.got == kSomeSphere && choice.exact ? 1 : 0;
-    const Index shown = choice.exact                ? Index(choice.exact->index)
-                        : choice.got == kSomeSphere ? Index()
-                                                    : choice.got;
-    trial.judge(
-        verdict,
-        {Quantity::kNearestSphere, met.expected(k), trial.place(k, shown), wrong_of(choice)},
-        [&] { return excuse_of(trial, choice); },
-        [&](Discrepancy& d) {
-          d.what = "sphere shown";
-          d.got_some_sphere = choice.got == kSomeSphere;
-          if (choice.got && !d.got_some_sphere) d.got = {static_cast<double>(*choice.got)};
-          if (choice.exact) d.exact = {static_cast<double>(choice.exact->index)};
-        });
+                        trial.exact_nearest()[k], "sphere shown"};
+    unidentified += choice.got == kSomeSphere && choice.exact ? 1 : 0;
+    judge_choice(trial, verdict, choice, met.expected(k), [&] { return excuse_of(trial, choice); });
   }
-  if (untold > 0) {
+  if (unidentified > 0) {
     verdict.leave_out("which sphere is shown where a colour is none of the spheres'");
   }
 }

@@ -15,8 +15,45 @@ using reference::Intersection;
 
 /// A ray and a sphere that meet according to the candidate, the truth, or both.
 struct Encounter {
-  std::size_t ray;
-  std::size_t sphere;
+  Encounter(Trial& of, std::size_t ray_index, std::size_t sphere_index, const HitAnswer* hit,
+            const Intersection* at)
+      : trial(of),
+        ray_at(ray_index),
+        sphere_at(sphere_index),
+        ray(of.exact_ray(ray_index)),
+        sphere(of.scene().spheres[sphere_index]),
+        answer(hit),
+        exact(at) {}
+
+  Place place() const { return trial.place(ray_at, sphere_at); }
+  /// s, correctly rounded.
+  double rounded_s() const { return ray.rounded_parameter(sphere, *exact, trial.precision()); }
+  bool is_at_other_root() const {
+    const double s = answer->parameter;
+    // Roots may be closer than numbers of the format: the best answer is the one at its own root.
+    return reference::is_at_other_root(ray, sphere, *exact, s) && s != rounded_s();
+  }
+  /// Whether the candidate reports a hit that its own interval excludes.
+  bool is_excluded() const {
+    return answer != nullptr && properties::is_excluded(answer_of(ray, sphere, answer),
+                                                        exact != nullptr ? *exact : Intersection{},
+                                                        trial.conventions(), trial.precision());
+  }
+  Excuse excuse() const { return trial.excuse({answer_of(ray, sphere, answer)}); }
+  void describe(Discrepancy& d) const {
+    if (answer != nullptr) d.got = {answer->parameter};
+    if (is_excluded()) d.excluded_by = trial.conventions().valid;
+    if (exact != nullptr) d.exact = {rounded_s()};
+  }
+  /// The backward error of the answer, for exactly the ray that the candidate was given.
+  double backward_error() const {
+    return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
+  }
+
+  Trial& trial;
+  std::size_t ray_at, sphere_at;
+  const ExactRay& ray;
+  const scene::Sphere& sphere;
   const HitAnswer* answer;    ///< Null: a miss.
   const Intersection* exact;  ///< Null: a miss.
 };
@@ -31,7 +68,7 @@ void for_each_encounter(Trial& trial, Visit visit) {
     auto hit = hits.begin();
     const auto visit_false_hits_before = [&](std::size_t ray) {
       for (; hit != hits.end() && hit->ray < ray; ++hit) {
-        visit(Encounter{hit->ray, sphere, &hit->hit, nullptr});
+        visit(Encounter(trial, hit->ray, sphere, &hit->hit, nullptr));
       }
     };
     for (const Meeting& meeting : trial.exact_meetings(sphere)) {
@@ -42,57 +79,19 @@ void for_each_encounter(Trial& trial, Visit visit) {
       if (is_unjudged(at, tangent)) continue;
       const bool is_hit = counts_as_hit(at.hit_class, tangent);
       if (is_hit || is_answered) {
-        visit(Encounter{meeting.ray, sphere, answer, is_hit ? &at : nullptr});
+        visit(Encounter(trial, meeting.ray, sphere, answer, is_hit ? &at : nullptr));
       }
     }
     visit_false_hits_before(trial.ray_count());
   }
 }
 
-bool is_at_other_root(Trial& trial, const Encounter& both) {
-  const reference::ExactRay& ray = trial.exact_ray(both.ray);
-  const scene::Sphere& sphere = trial.scene().spheres[both.sphere];
-  const double s = both.answer->parameter;
-  // Roots may be closer than numbers of the format: the best answer is the one at its own root.
-  return reference::is_at_other_root(ray, sphere, *both.exact, s) &&
-         s != ray.rounded_parameter(sphere, *both.exact, trial.precision());
-}
-
-/// Whether the candidate reports a hit that its own interval excludes.
-bool is_excluded(Trial& trial, const Encounter& at) {
-  if (at.answer == nullptr) return false;
-  const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
-  return is_excluded(answer_of(trial.exact_ray(at.ray), sphere, at.answer),
-                     at.exact != nullptr ? *at.exact : Intersection{}, trial.conventions(),
-                     trial.precision());
-}
-
 /// Calls visit(encounter) where both the candidate and the truth have a hit, at one root.
 template <class Visit>
 void for_each_common_hit(Trial& trial, Visit visit) {
   for_each_encounter(trial, [&](const Encounter& at) {
-    if (at.answer != nullptr && at.exact != nullptr && !is_at_other_root(trial, at)) visit(at);
+    if (at.answer != nullptr && at.exact != nullptr && !at.is_at_other_root()) visit(at);
   });
-}
-
-Excuse excuse(Trial& trial, const Encounter& at) {
-  return trial.excuse(
-      {answer_of(trial.exact_ray(at.ray), trial.scene().spheres[at.sphere], at.answer)});
-}
-
-void describe_parameters(Trial& trial, const Encounter& at, Discrepancy& d) {
-  if (at.answer != nullptr) d.got = {at.answer->parameter};
-  if (is_excluded(trial, at)) d.excluded_by = trial.conventions().valid;
-  if (at.exact != nullptr) {
-    d.exact = {trial.exact_ray(at.ray).rounded_parameter(trial.scene().spheres[at.sphere],
-                                                         *at.exact, trial.precision())};
-  }
-}
-
-/// The backward error of an answer, for exactly the ray that the candidate was given.
-double backward_error(Trial& trial, const Encounter& at) {
-  return reference::backward_error(trial.rays()[at.ray], trial.scene().spheres[at.sphere],
-                                   at.answer->parameter);
 }
 
 /// How many pairs are not judged.
@@ -114,13 +113,11 @@ void judge_class(Trial& trial, Verdict& verdict) {
     const bool false_hit = at.exact == nullptr;
     trial.judge(
         verdict,
-        {Quantity::kClass, false_hit ? Expected::kMiss : Expected::kHit,
-         trial.place(at.ray, at.sphere),
+        {Quantity::kClass, false_hit ? Expected::kMiss : Expected::kHit, at.place(),
          missed      ? Wrong::kMissed
          : false_hit ? Wrong::kFalseHit
                      : Wrong::kNot},
-        [&] { return excuse(trial, at); },
-        [&](Discrepancy& d) { describe_parameters(trial, at, d); });
+        [&] { return at.excuse(); }, [&](Discrepancy& d) { at.describe(d); });
     --misses;
   });
   verdict.judged_right(Quantity::kClass, Expected::kMiss, misses);
@@ -136,10 +133,9 @@ void judge_root(Trial& trial, Verdict& verdict) {
     if (at.answer == nullptr || at.exact == nullptr) return;
     trial.judge(
         verdict,
-        {Quantity::kRoot, root_expected(*at.exact), trial.place(at.ray, at.sphere),
-         is_at_other_root(trial, at) || is_excluded(trial, at) ? Wrong::kWrongRoot : Wrong::kNot},
-        [&] { return excuse(trial, at); },
-        [&](Discrepancy& d) { describe_parameters(trial, at, d); });
+        {Quantity::kRoot, root_expected(*at.exact), at.place(),
+         at.is_at_other_root() || at.is_excluded() ? Wrong::kWrongRoot : Wrong::kNot},
+        [&] { return at.excuse(); }, [&](Discrepancy& d) { at.describe(d); });
   });
   leave_out_without_hits(verdict);
 }
@@ -148,12 +144,11 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
     trial.measure(
         verdict,
-        {Quantity::kParameter, trial.place(at.ray, at.sphere),
-         reference::parameter_error(trial.exact_ray(at.ray), trial.scene().spheres[at.sphere],
-                                    *at.exact, at.answer->parameter, trial.precision())},
-        [&] { return trial.condition_of_parameter(at.ray, at.sphere); },
-        [&](Discrepancy& d) { describe_parameters(trial, at, d); },
-        [&] { return backward_error(trial, at); });
+        {Quantity::kParameter, at.place(),
+         reference::parameter_error(at.ray, at.sphere, *at.exact, at.answer->parameter,
+                                    trial.precision())},
+        [&] { return trial.condition_of_parameter(at.ray_at, at.sphere_at); },
+        [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); });
   });
   leave_out_without_hits(verdict);
 }
@@ -162,9 +157,8 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
     // This is already a change of the inputs: no condition number magnifies it.
     trial.measure(
-        verdict,
-        {Quantity::kBackwardError, trial.place(at.ray, at.sphere), backward_error(trial, at)},
-        [] { return 1; }, [&](Discrepancy& d) { d.got = {at.answer->parameter}; });
+        verdict, {Quantity::kBackwardError, at.place(), at.backward_error()}, [] { return 1; },
+        [&](Discrepancy& d) { d.got = {at.answer->parameter}; });
   });
   leave_out_without_hits(verdict);
 }
@@ -172,14 +166,14 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
 /// How the candidate's point is off its sphere and its ray, in units of u of r and of s |D|. Both
 /// are differences of world coordinates, so their condition is the size of these over r and s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
-  const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
-  const ExactRay& ray = trial.exact_ray(at.ray);
+  const ExactRay& ray = at.ray;
+  const scene::Sphere& sphere = at.sphere;
   const scene::Point3& answer = at.answer->point;
   const auto measure = [&](Quantity quantity, const std::optional<double>& error,
                            const auto& scale) {
     if (!error) return;
     trial.measure(
-        verdict, {quantity, trial.place(at.ray, at.sphere), *error},
+        verdict, {quantity, at.place(), *error},
         [&] {
           const Enclosure3 point = reference::enclose_exactly(answer);
           const Enclosure3 centre = reference::enclose_exactly(sphere.centre);
@@ -201,18 +195,16 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
 
 void judge_hit_point(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
-    const ExactRay& ray = trial.exact_ray(at.ray);
-    const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
     trial.measure(
         verdict,
-        {Quantity::kHitPoint, trial.place(at.ray, at.sphere),
-         reference::hit_point_error(ray, sphere, *at.exact, at.answer->point)},
-        [&] { return reference::condition_of_computed_point(ray, sphere, *at.exact); },
+        {Quantity::kHitPoint, at.place(),
+         reference::hit_point_error(at.ray, at.sphere, *at.exact, at.answer->point)},
+        [&] { return reference::condition_of_computed_point(at.ray, at.sphere, *at.exact); },
         [&](Discrepancy& d) {
           d.got = numbers(at.answer->point);
-          d.exact = numbers(ray.rounded_point(sphere, *at.exact, trial.precision()));
+          d.exact = numbers(at.ray.rounded_point(at.sphere, *at.exact, trial.precision()));
         },
-        [&] { return backward_error(trial, at); });
+        [&] { return at.backward_error(); });
     judge_residuals(trial, verdict, at);
   });
   leave_out_without_hits(verdict);

@@ -145,7 +145,7 @@ LawJudgement judge(const Law& law, Trial& trial) {
   } catch (const CandidateUnavailable& error) {
     return judge_unavailable(law, trial, error.what());
   } catch (const FailedAtLine& error) {
-    return judge_apart(law, trial, error.what(), error.line());
+    return judge_apart(law, trial, error.what(), error.line);
   } catch (const std::exception& error) {
     return judge_apart(law, trial, error.what());
   }

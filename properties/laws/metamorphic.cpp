@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <initializer_list>
 #include <limits>
 #include <string>
 
@@ -22,91 +22,92 @@ using scene::Scene;
 /// What comparing hits needs, besides rays.
 constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 
-bool is_at_other_root(Trial& trial, std::size_t ray, std::size_t sphere, const HitAnswer& hit) {
-  return reference::is_at_other_root(trial.exact_ray(ray), trial.scene().spheres[sphere],
-                                     trial.exact_intersection(ray, sphere), hit.parameter);
-}
+/// What becomes of a case.
+struct Transformation {
+  std::string what;
+  scene::Vector3 (*map)(const scene::Vector3&);  ///< Of directions.
+  double factor = 1;                             ///< Of parameters.
+};
 
-/// Compares the hits of a case and its transformed case; `factor` takes a parameter of the first to
-/// the second. The exact answers, equal in class and root, tell which of two contradicting answers
-/// is wrong, and how well-conditioned a pair is.
-void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std::string& what,
-                  double factor) {
-  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
-    const auto& hits = trial.hits(sphere);
-    const auto& others = transformed.hits(sphere);
-    for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-      const Place place = trial.place(k, sphere);
-      const HitAnswer* const hit = find_hit(hits, k);
-      const HitAnswer* const other = find_hit(others, k);
-      const auto describe = [&](Discrepancy& d) {
-        d.what = what;
-        d.symbol = info(Quantity::kParameter).symbol;
-        if (other != nullptr) d.got = {other->parameter};
-        if (hit != nullptr) d.exact = {hit->parameter * factor};
-      };
-      const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
-      const scene::Sphere& other_sphere = transformed.scene().spheres[sphere];
-      const bool differ = (hit == nullptr) != (other == nullptr);
-      const bool unjudged =
-          is_unjudged(trial.exact_intersection(k, sphere), trial.conventions().tangent);
-      if (differ && unjudged) continue;
-      const auto excuse = [&] {
-        return trial.excuse({answer_of(trial.exact_ray(k), the_sphere, hit),
-                             answer_of(transformed.exact_ray(k), other_sphere, other)});
-      };
-      const bool is_hit = trial.exact_hit(k, sphere);
-      const Expected expected = is_hit ? Expected::kHit : Expected::kMiss;
-      // Two answers that are equally wrong agree, but are not right.
-      if (!differ && !unjudged && (hit != nullptr) != is_hit) {
-        verdict.not_right(Quantity::kClass, expected);
-        continue;
-      }
-      trial.judge(verdict,
-                  {Quantity::kClass, expected, place,
-                   !differ          ? Wrong::kNot
-                   : hit != nullptr ? Wrong::kMissed
-                                    : Wrong::kFalseHit},
-                  excuse, describe);
-      if (hit == nullptr || other == nullptr) continue;
-      // Of ulps as of u: where floats underflow gradually, that is not held against a method.
-      double error = reference::ulp_error(other->parameter, Enclosure(hit->parameter * factor, 128),
-                                          trial.precision()) *
-                     (scene::unit_roundoff(trial.precision()) / kDoubleRoundoff);
-      if (std::isinf(error) && is_hit && std::isfinite(other->parameter)) {
-        // One of them is 0: their size is the exact one's.
-        const Enclosure apart = Enclosure(other->parameter, 128) / Enclosure(factor, 128) -
-                                Enclosure(hit->parameter, 128);
-        error = reference::in_units_of_u(
-            apart / trial.exact_ray(k).parameter(the_sphere, trial.exact_intersection(k, sphere)));
-      }
-      const double bound = 2 * trial.bound(Quantity::kParameter);
-      if (is_hit) {
-        // Parameters at different roots are a chord apart, however accurate both are.
-        const bool is_other_root =
-            error > bound && is_at_other_root(trial, k, sphere, *hit) !=
-                                 is_at_other_root(transformed, k, sphere, *other);
-        trial.judge(verdict,
-                    {Quantity::kRoot, root_expected(trial.exact_intersection(k, sphere)), place,
-                     is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
-                    excuse, describe);
-        if (is_other_root) continue;
-      }
-      const auto condition = [&] {
-        return is_hit ? reference::condition_of_parameter(trial.exact_ray(k), the_sphere,
-                                                          trial.exact_intersection(k, sphere))
-                      : std::numeric_limits<double>::infinity();
-      };
-      trial.measure(verdict, {Quantity::kInvariance, place, error, bound}, condition, describe);
-    }
+/// A candidate's answer about a ray and a sphere.
+struct PairAnswer {
+  Trial& trial;
+  std::size_t ray, sphere_index;
+  const HitAnswer* hit = find_hit(trial.hits(sphere_index), ray);  ///< Null: a miss.
+
+  const scene::Sphere& sphere() const { return trial.scene().spheres[sphere_index]; }
+  RayAnswer answer() const { return answer_of(trial.exact_ray(ray), sphere(), hit); }
+  reference::Intersection exact() const { return trial.exact_intersection(ray, sphere_index); }
+  bool is_at_other_root() const {
+    return reference::is_at_other_root(trial.exact_ray(ray), sphere(), exact(), hit->parameter);
   }
+};
+
+/// How far the parameters of two hits are apart, in u.
+double error_between(const PairAnswer& first, const PairAnswer& second, double factor,
+                     bool is_hit) {
+  const scene::Precision precision = first.trial.precision();
+  const double s = first.hit->parameter, other = second.hit->parameter;
+  // Of ulps as of u: where floats underflow gradually, that is not held against a method.
+  const double error = reference::ulp_error(other, Enclosure(s * factor, 128), precision) *
+                       (scene::unit_roundoff(precision) / kDoubleRoundoff);
+  if (!std::isinf(error) || !is_hit || !std::isfinite(other)) return error;
+  // One of them is 0: their size is the exact one's.
+  const Enclosure apart = Enclosure(other, 128) / Enclosure(factor, 128) - Enclosure(s, 128);
+  return reference::in_units_of_u(
+      apart / first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
 }
 
-/// Compares the directions of a case and its transformed case; `map` takes the first to the second.
-void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, const std::string& what,
-                        const std::function<scene::Vector3(const scene::Vector3&)>& map) {
+/// The exact answers, equal in class and root, tell which of two contradicting answers is wrong,
+/// and how well-conditioned a pair is.
+void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& verdict,
+                  const Transformation& by) {
+  Trial& trial = first.trial;
+  const reference::Intersection at = first.exact();
+  const bool is_hit = trial.exact_hit(first.ray, first.sphere_index);
+  const bool unjudged = is_unjudged(at, trial.conventions().tangent);
+  const bool differ = (first.hit == nullptr) != (second.hit == nullptr);
+  if (differ && unjudged) return;
+  const Place place = trial.place(first.ray, first.sphere_index);
+  const Expected expected = is_hit ? Expected::kHit : Expected::kMiss;
+  // Two answers that are equally wrong agree, but are not right.
+  if (!differ && !unjudged && (first.hit != nullptr) != is_hit) {
+    return verdict.not_right(Quantity::kClass, expected);
+  }
+  const auto describe = [&](Discrepancy& d) {
+    d.what = by.what;
+    d.symbol = info(Quantity::kParameter).symbol;
+    if (second.hit != nullptr) d.got = {second.hit->parameter};
+    if (first.hit != nullptr) d.exact = {first.hit->parameter * by.factor};
+  };
+  const auto excuse = [&] { return trial.excuse({first.answer(), second.answer()}); };
+  const Wrong wrong = !differ ? Wrong::kNot : first.hit ? Wrong::kMissed : Wrong::kFalseHit;
+  trial.judge(verdict, {Quantity::kClass, expected, place, wrong}, excuse, describe);
+  if (first.hit == nullptr || second.hit == nullptr) return;
+  const double error = error_between(first, second, by.factor, is_hit);
+  const double bound = 2 * trial.bound(Quantity::kParameter);
+  if (is_hit) {
+    // Parameters at different roots are a chord apart, however accurate both are.
+    const bool is_other_root =
+        error > bound && first.is_at_other_root() != second.is_at_other_root();
+    trial.judge(verdict,
+                {Quantity::kRoot, root_expected(at), place,
+                 is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
+                excuse, describe);
+    if (is_other_root) return;
+  }
+  const auto condition = [&] {
+    return is_hit
+               ? reference::condition_of_parameter(trial.exact_ray(first.ray), first.sphere(), at)
+               : std::numeric_limits<double>::infinity();
+  };
+  trial.measure(verdict, {Quantity::kInvariance, place, error, bound}, condition, describe);
+}
+
+void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
+                        const Transformation& by) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-    const scene::Vector3 expected = map(trial.rays()[k].direction);
+    const scene::Vector3 expected = by.map(trial.rays()[k].direction);
     const scene::Vector3& got = transformed.rays()[k].direction;
     trial.measure(
         verdict,
@@ -116,11 +117,29 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, cons
          2 * trial.bound(Quantity::kDirection)},
         [&] { return reference::condition_of_direction(trial.exact_ray(k)); },
         [&](Discrepancy& d) {
-          d.what = what;
+          d.what = by.what;
           d.symbol = info(Quantity::kDirection).symbol;
           d.got = numbers(got);
           d.exact = numbers(expected);
         });
+  }
+}
+
+/// Empty where directions, hits or both can be compared.
+std::string_view why_nothing_to_compare(const Trial& trial) {
+  return trial.scene().camera ? std::string_view() : what_is_missing(kOfHits, trial);
+}
+
+/// Compares the answers about a case with those about the transformed scene.
+void compare(Trial& trial, Verdict& verdict, const Scene& scene, const Transformation& by) {
+  const Case transformed_case{scene, trial.pixels()};
+  Trial transformed(transformed_case, trial.candidate());
+  if (scene.camera) compare_directions(trial, transformed, verdict, by);
+  if (!what_is_missing(kOfHits, trial).empty()) return;
+  for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {
+    for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
+      compare_hits({trial, ray, sphere}, {transformed, ray, sphere}, verdict, by);
+    }
   }
 }
 
@@ -147,36 +166,24 @@ std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precisio
   return exact ? std::optional(scene) : std::nullopt;
 }
 
-/// Whether an interval of parameters is the same in every unit of length.
-bool is_scale_free(const scene::ValidRoots& valid) {
-  return valid.t_min == 0 && std::isinf(valid.t_max);
-}
-
 void judge_scaling(Trial& trial, Verdict& verdict) {
-  const std::string_view no_hits = what_is_missing(kOfHits, trial);
-  const bool hits = no_hits.empty();
-  const bool directions = trial.scene().camera.has_value();
-  if (!hits && !directions) return verdict.leave_out(std::string(no_hits));
-  bool is_tried = false;
+  const std::string_view nothing = why_nothing_to_compare(trial);
+  if (!nothing.empty()) return verdict.leave_out(std::string(nothing));
   // A candidate's own absolute ends stay where they are.
   const auto& own = trial.candidate().declared.valid;
-  if (own && own->unit == scene::TUnit::kAbsolute && !is_scale_free(*own)) {
+  const bool is_scale_free =
+      !own || own->unit == scene::TUnit::kRadius || (own->t_min == 0 && std::isinf(own->t_max));
+  if (!is_scale_free) {
     return verdict.leave_out("the candidate's own t_min or t_max does not scale with the scene");
   }
+  bool is_tried = false;
   for (const int exponent : {-120, -40, 3, 40, 120}) {
     const auto scene = scaled(trial.scene(), exponent, trial.precision());
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
     is_tried = true;
-    const Case transformed_case{*scene, trial.pixels()};
-    Trial transformed(transformed_case, trial.candidate());
-    const std::string what = "scaled by 2^" + std::to_string(exponent);
-    if (directions) {
-      compare_directions(trial, transformed, verdict, what,
-                         [](const scene::Vector3& v) { return v; });
-    }
-    if (hits) {
-      compare_hits(trial, transformed, verdict, what, std::ldexp(1.0, exponent));
-    }
+    compare(trial, verdict, *scene,
+            {"scaled by 2^" + std::to_string(exponent), [](const scene::Vector3& v) { return v; },
+             std::ldexp(1.0, exponent)});
   }
   if (!is_tried) verdict.leave_out("no scaled scene stays in the method's stated domain");
 }
@@ -189,24 +196,24 @@ struct AxesMap {
 };
 constexpr AxesMap kAxesMaps[] = {
     {"axes permuted: (y, z, x)", false,
-     [](const scene::Vector3& v) {
-       return scene::Vector3{v.y, v.z, v.x};
+     [](const scene::Vector3& v) -> scene::Vector3 {
+       return {v.y, v.z, v.x};
      }},
     {"axes negated: (-x, -y, z)", false,
-     [](const scene::Vector3& v) {
-       return scene::Vector3{-v.x, -v.y, v.z};
+     [](const scene::Vector3& v) -> scene::Vector3 {
+       return {-v.x, -v.y, v.z};
      }},
     {"axes negated: (x, -y, -z)", false,
-     [](const scene::Vector3& v) {
-       return scene::Vector3{v.x, -v.y, -v.z};
+     [](const scene::Vector3& v) -> scene::Vector3 {
+       return {v.x, -v.y, -v.z};
      }},
     {"axes swapped: (y, x, z)", true,
-     [](const scene::Vector3& v) {
-       return scene::Vector3{v.y, v.x, v.z};
+     [](const scene::Vector3& v) -> scene::Vector3 {
+       return {v.y, v.x, v.z};
      }},
     {"axis negated: (x, y, -z)", true,
-     [](const scene::Vector3& v) {
-       return scene::Vector3{v.x, v.y, -v.z};
+     [](const scene::Vector3& v) -> scene::Vector3 {
+       return {v.x, v.y, -v.z};
      }},
 };
 
@@ -229,18 +236,11 @@ Scene rotated(Scene scene, const AxesMap& map) {
 }
 
 void judge_axes(Trial& trial, Verdict& verdict) {
-  const std::string_view no_hits = what_is_missing(kOfHits, trial);
-  const bool hits = no_hits.empty();
-  const bool directions = trial.scene().camera.has_value();
-  if (!hits && !directions) return verdict.leave_out(std::string(no_hits));
+  const std::string_view nothing = why_nothing_to_compare(trial);
+  if (!nothing.empty()) return verdict.leave_out(std::string(nothing));
   for (const AxesMap& map : kAxesMaps) {
     if (map.is_mirror && trial.scene().camera) continue;
-    const Case transformed_case{rotated(trial.scene(), map), trial.pixels()};
-    Trial transformed(transformed_case, trial.candidate());
-    if (directions) {
-      compare_directions(trial, transformed, verdict, map.what, map.apply);
-    }
-    if (hits) compare_hits(trial, transformed, verdict, map.what, 1);
+    compare(trial, verdict, rotated(trial.scene(), map), {map.what, map.apply});
   }
 }
 
@@ -253,19 +253,14 @@ std::optional<double> exact_sum(double a, double b, scene::Precision precision) 
   return is_exact ? std::optional(sum) : std::nullopt;
 }
 
-/// p a + q b, where p a and q b do not round and the sum is of the format.
+/// a + k b, where k b does not round and the sum is of the format.
 template <class To, class A, class B>
-std::optional<To> exact_sum_of(const A& a, const B& b, double p, double q,
-                               scene::Precision precision) {
-  const auto sum = [&](double from_a, double from_b) -> std::optional<double> {
-    if (p * from_a / p != from_a || q * from_b / q != from_b) return std::nullopt;
-    return exact_sum(p * from_a, q * from_b, precision);
+std::optional<To> exact_sum_of(const A& a, const B& b, double k, scene::Precision precision) {
+  const auto sum = [&](double from_a, double from_b) {
+    return k * from_b / k == from_b ? exact_sum(from_a, k * from_b, precision) : std::nullopt;
   };
-  const auto x = sum(a.x, b.x);
-  const auto y = sum(a.y, b.y);
-  const auto z = sum(a.z, b.z);
-  if (!x || !y || !z) return std::nullopt;
-  return To{*x, *y, *z};
+  const auto x = sum(a.x, b.x), y = sum(a.y, b.y), z = sum(a.z, b.z);
+  return x && y && z ? std::optional(To{*x, *y, *z}) : std::nullopt;
 }
 
 /// Two cameras with the same axes: the candidate's frames must agree.
@@ -298,41 +293,32 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
   compare("W", other.W, frame.W);
 }
 
-void judge_look_at(Trial& trial, Verdict& verdict) {
+/// Adds multiples of E - A to look-at or `up`, where no step rounds: the axes stay.
+template <class Moved>
+void judge_moved(Trial& trial, Verdict& verdict, Moved scene::Camera::*member,
+                 std::initializer_list<double> multiples, const char* what) {
   const scene::Camera& camera = *trial.scene().camera;
   const auto along =
-      exact_sum_of<scene::Vector3>(camera.look_at, camera.eye, 1, -1, trial.precision());
-  // A + k (A - E) lies on the view axis where no step rounds.
-  for (const double multiple : {-0.5, 1.0, 2.0, 8.0}) {
-    if (!along) break;
-    const auto moved =
-        exact_sum_of<scene::Point3>(camera.look_at, *along, 1, multiple, trial.precision());
+      exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, -1, trial.precision());
+  for (const double multiple : multiples) {
+    if (!along) return;
+    const auto moved = exact_sum_of<Moved>(camera.*member, *along, multiple, trial.precision());
     if (!moved) continue;
     scene::Camera other = camera;
-    other.look_at = *moved;
-    compare_frames(trial, verdict, other, "look-at moved along the view axis");
-  }
-  if (verdict.compared() == 0) {
-    return verdict.leave_out("no point A + k (A - E) tried is of the format");
+    other.*member = *moved;
+    compare_frames(trial, verdict, other, what);
   }
 }
 
+void judge_look_at(Trial& trial, Verdict& verdict) {
+  judge_moved(trial, verdict, &scene::Camera::look_at, {0.5, -1, -2, -8},
+              "look-at moved along the view axis");
+  if (verdict.compared() == 0) verdict.leave_out("no point A + k (A - E) tried is of the format");
+}
+
 void judge_up(Trial& trial, Verdict& verdict) {
-  const scene::Camera& camera = *trial.scene().camera;
-  const auto along =
-      exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, 1, -1, trial.precision());
-  for (const double multiple : {-1.0, 0.5, 1.0, 4.0}) {
-    if (!along) break;
-    const auto tilted =
-        exact_sum_of<scene::Vector3>(camera.up, *along, 1, multiple, trial.precision());
-    if (!tilted) continue;
-    scene::Camera other = camera;
-    other.up = *tilted;
-    compare_frames(trial, verdict, other, "up + k (E - A)");
-  }
-  if (verdict.compared() == 0) {
-    return verdict.leave_out("no vector up + k (E - A) tried is of the format");
-  }
+  judge_moved(trial, verdict, &scene::Camera::up, {-1, 0.5, 1, 4}, "up + k (E - A)");
+  if (verdict.compared() == 0) verdict.leave_out("no vector up + k (E - A) tried is of the format");
 }
 
 void judge_growing_radius(Trial& trial, Verdict& verdict) {

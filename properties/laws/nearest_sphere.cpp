@@ -44,18 +44,12 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
     // One case a ray: right in both orders.
     Choice choice{k, trial.nearest()[k], exact};
-    const bool right_forwards = is_right(choice);
-    if (right_forwards) choice.got = reversed_got;
-    trial.judge(
-        verdict,
-        {Quantity::kNearestSphere, met.expected(k),
-         trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice)},
-        [&] { return excuse(trial, k, choice.got, trial.excused_change()); },
-        [&](Discrepancy& d) {
-          d.what = right_forwards ? "sphere index, spheres in reverse order" : "sphere index";
-          if (choice.got) d.got = {static_cast<double>(*choice.got)};
-          if (exact) d.exact = {static_cast<double>(exact->index)};
-        });
+    if (is_right(choice)) {
+      choice.got = reversed_got;
+      choice.what = "sphere index, spheres in reverse order";
+    }
+    judge_choice(trial, verdict, choice, met.expected(k),
+                 [&] { return excuse(trial, k, choice.got, trial.excused_change()); });
   }
 }
 
@@ -99,23 +93,12 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
   for (std::size_t k = 0; k < answers.size(); ++k) {
     if (met.is_unjudged[k]) continue;
     const auto& exact = seen.exact_nearest()[k];
-    const Choice choice{k, answers[k] ? Index(answers[k]->sphere) : Index(), exact};
-    const bool right = is_right(choice) && !(exactly && exact && exact->index != *choice.got);
-    seen.judge(
-        verdict,
-        {Quantity::kNearestSphere, met.expected(k),
-         seen.place(k, exact ? Index(exact->index) : choice.got),
-         right           ? Wrong::kNot
-         : !choice.exact ? Wrong::kFalseHit
-         : !choice.got   ? Wrong::kMissed
-                         : Wrong::kWrongSphere},
-        [&] { return exactly ? Excuse{} : excuse(seen, k, choice.got, seen.excused_change()); },
-        [&](Discrepancy& d) {
-          d.what = "sphere index";
-          if (choice.got) d.got = {static_cast<double>(*choice.got)};
-          if (exact) d.exact = {static_cast<double>(exact->index)};
-        });
-    if (right && exactly && exact) {
+    const Choice choice{k, answers[k] ? Index(answers[k]->sphere) : Index(), exact, "sphere index",
+                        exactly};
+    judge_choice(seen, verdict, choice, met.expected(k), [&] {
+      return exactly ? Excuse{} : excuse(seen, k, choice.got, seen.excused_change());
+    });
+    if (is_right(choice) && exactly && exact) {
       measure_parameter(seen, verdict, k, answers[k]->parameter);
     }
   }

@@ -43,5 +43,7 @@ inline constexpr Needs kOfIntersections =
 
 /// Which need a trial does not meet, as a sentence; empty when it meets all.
 std::string_view what_is_missing(Needs needs, const Trial& trial);
+/// Whether its scene meets all needs, whatever the candidate lacks.
+bool scene_suits(Needs needs, const Trial& trial);
 
 }  // namespace raycheck::properties

@@ -9,6 +9,16 @@ using scene::Conventions;
 using scene::Ray;
 using scene::Sphere;
 
+namespace {
+
+HitFormulas completed(HitFormulas formulas) {
+  if (!formulas.roots) formulas.roots = fast::kCross.roots;
+  if (!formulas.choose) formulas.choose = usual_choice;
+  return formulas;
+}
+
+}  // namespace
+
 HitAnswer hit_at(const Ray& ray, double s) {
   return {s, scene::Point3{ray.origin.x + s * ray.direction.x, ray.origin.y + s * ray.direction.y,
                            ray.origin.z + s * ray.direction.z}};
@@ -64,16 +74,6 @@ Hit usual_choice(const Ray& ray, const fast::Roots& roots, const Conventions& co
   return hit_at(ray, roots.larger);
 }
 
-void answer_by_choice(Candidate& candidate, const MakeRoots& roots, const ChooseHit& choose) {
-  answer_by(candidate, [roots, choose](Candidate::Rays rays, const Sphere& sphere,
-                                       const Conventions& conventions) {
-    std::vector<Hit> hits;
-    hits.reserve(rays.size());
-    for (const Ray& ray : rays) hits.push_back(choose(ray, roots(ray, sphere), conventions));
-    return hits;
-  });
-}
-
 std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other) {
   const auto join = [](auto& its, const auto& others) {
     const bool is_free = !its || !others;
@@ -85,27 +85,37 @@ std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other) {
   return all_free ? std::optional(std::move(one)) : std::nullopt;
 }
 
-NearestSpheres nearest_by(const HitFormulas& formulas) {
-  return
-      [roots_of = formulas.roots ? formulas.roots : MakeRoots(fast::kCross.roots),
-       choose = formulas.choose ? formulas.choose : ChooseHit(usual_choice), rank = formulas.rank](
-          Candidate::Rays rays, Candidate::Spheres spheres, const Conventions& conventions) {
-        std::vector<std::optional<std::size_t>> nearest(rays.size());
-        for (std::size_t k = 0; k < rays.size(); ++k) {
-          double least = 0;
-          for (std::size_t index = 0; index < spheres.size(); ++index) {
-            const fast::Roots roots = roots_of(rays[k], spheres[index]);
-            const Hit hit = choose(rays[k], roots, conventions);
-            if (!hit) continue;
-            const double its =
-                rank ? rank(index, rays[k], spheres[index], roots, hit->parameter) : hit->parameter;
-            if (nearest[k] && least <= its) continue;
-            nearest[k] = index;
-            least = its;
-          }
-        }
-        return nearest;
-      };
+AskSphere hits_by(HitFormulas formulas) {
+  return [formulas = completed(std::move(formulas))](Candidate::Rays rays, const Sphere& sphere,
+                                                     const Conventions& conventions) {
+    std::vector<Hit> hits;
+    for (const Ray& ray : rays) {
+      hits.push_back(formulas.choose(ray, formulas.roots(ray, sphere), conventions));
+    }
+    return hits;
+  };
+}
+
+NearestSpheres nearest_by(HitFormulas given) {
+  return [formulas = completed(std::move(given))](Candidate::Rays rays, Candidate::Spheres spheres,
+                                                  const Conventions& conventions) {
+    std::vector<std::optional<std::size_t>> nearest(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      double least = 0;
+      for (std::size_t index = 0; index < spheres.size(); ++index) {
+        const fast::Roots roots = formulas.roots(rays[k], spheres[index]);
+        const Hit hit = formulas.choose(rays[k], roots, conventions);
+        if (!hit) continue;
+        const double its =
+            formulas.rank ? formulas.rank(index, rays[k], spheres[index], roots, hit->parameter)
+                          : hit->parameter;
+        if (nearest[k] && least <= its) continue;
+        nearest[k] = index;
+        least = its;
+      }
+    }
+    return nearest;
+  };
 }
 
 }  // namespace raycheck::properties

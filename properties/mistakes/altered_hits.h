@@ -39,25 +39,23 @@ bool meets(const fast::Roots& roots, const scene::Conventions& conventions);
 Hit usual_choice(const scene::Ray& ray, const fast::Roots& roots,
                  const scene::Conventions& conventions);
 
-/// answer_by() a choice between two roots; input is not checked.
-void answer_by_choice(Candidate& candidate, const MakeRoots& roots, const ChooseHit& choose);
-
 /// What a hit sphere is ranked by, given its index in the file, the roots and the chosen s.
 using RankSphere = std::function<double(std::size_t index, const scene::Ray&, const scene::Sphere&,
                                         const fast::Roots&, double s)>;
 
-/// The formulas by which the nearest sphere is found; an empty one is a correct method's, with the
-/// roots of `cross`.
+/// Wrong formulas for hits and the nearest sphere; an empty one is a correct method's, with the
+/// roots of `cross`. With a `rank` of its own only the nearest sphere is wrong.
 struct HitFormulas {
   MakeRoots roots = {};
   ChooseHit choose = {};
   RankSphere rank = {};
+  explicit operator bool() const { return roots || choose || rank; }
 };
-
 /// The formulas of both; empty where both have one for the same thing.
 std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other);
-
+/// Hits by a choice between two roots; input is not checked.
+AskSphere hits_by(HitFormulas formulas);
 /// The nearest is the hit sphere of least rank, among equals the earlier in the file.
-NearestSpheres nearest_by(const HitFormulas& formulas);
+NearestSpheres nearest_by(HitFormulas formulas);
 
 }  // namespace raycheck::properties

@@ -16,11 +16,6 @@ namespace {
 
 using scene::Vector3;
 
-template <class Triple>
-Vector3 vector(const Triple& v) {
-  return {v.x, v.y, v.z};
-}
-
 template <class Change>
 double size_of(const Vector3& v, const Change& change) {
   return std::max({change(v.x), change(v.y), change(v.z)});

@@ -93,7 +93,7 @@ std::string sentence_of(const std::vector<Fault>& alternatives) {
 }
 
 bool can_be_together(const Mistake& a, const Mistake& b) {
-  return !(a.makes_rays && b.makes_rays) && joined(a.hits, b.hits);
+  return !(a.makes_rays() && b.makes_rays()) && joined(a.hits, b.hits);
 }
 
 FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)
@@ -102,11 +102,10 @@ FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)
   for (const Mistake* mistake : fault) {
     taken_ = mistaken(*mistake, std::move(taken_));
     if (mistake->pixel) pixels_.push_back(mistake);
-    if (mistake->makes_rays) rays_ = &mistake->candidate;
+    if (mistake->makes_rays()) rays_ = &mistake->candidate;
     hits = joined(std::move(hits), mistake->hits).value();
   }
-  const bool has_formulas = hits.roots || hits.choose || hits.rank;
-  nearest_ = has_formulas ? nearest_by(hits) : right().nearest;
+  nearest_ = hits ? nearest_by(std::move(hits)) : right().nearest;
 }
 
 std::vector<std::optional<Ray>> FaultyView::rays(std::span<const Pixel> pixels) const {
@@ -124,9 +123,8 @@ std::vector<std::optional<Ray>> FaultyView::rays(std::span<const Pixel> pixels) 
     }
   }
   try {
-    const auto& make =
-        taken_.conventions.origin == scene::Origin::kPixel ? rays_->pixel_rays : rays_->focal_rays;
-    const std::vector<Ray> made = make(*taken_.camera, taken_.conventions, asked);
+    const std::vector<Ray> made =
+        rays_->rays_from(taken_.conventions.origin)(*taken_.camera, taken_.conventions, asked);
     for (std::size_t k = 0; k < made.size(); ++k) {
       if (!is_black[k] && is_ray(made[k])) found[k] = made[k];
     }
@@ -150,9 +148,8 @@ ImageAnswer FaultyView::seen(std::span<const Pixel> pixels, double growth) const
   const scene::Point3& eye = taken_.camera->eye;
   for (Sphere& sphere : spheres) {
     if (growth == 0) break;
-    const auto& [x, y, z] = sphere.centre;
-    const double way = std::hypot(x - eye.x, y - eye.y, z - eye.z) + sphere.radius;
-    sphere.radius = std::fmax(0, sphere.radius + growth * way);
+    const double reach = norm(sphere.centre - eye) + sphere.radius;
+    sphere.radius = std::fmax(0, sphere.radius + growth * reach);
   }
   const auto nearest = nearest_(valid, spheres, taken_.conventions);
   for (std::size_t k = 0; k < nearest.size(); ++k) answer[indices[k]] = nearest[k];

@@ -5,15 +5,13 @@
 #include <limits>
 #include <vector>
 
+#include "properties/mistakes/mistake_list.h"
+
 namespace raycheck::properties {
 namespace {
 
 using scene::Root;
 using scene::Vector3;
-
-double norm(const Vector3& v) { return std::hypot(v.x, v.y, v.z); }
-/// Distance from the world's origin.
-double way_to(const scene::Point3& p) { return std::hypot(p.x, p.y, p.z); }
 
 /// The exponent of the largest power of ten up to `radii`.
 int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(radii))); }
@@ -29,8 +27,9 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   const double r = sphere.radius, t = norm(T);
   const double v = T.x * D.x + T.y * D.y + T.z * D.z;
   // |T x D|, and how far off it may be, like v.
-  const double m = norm({T.y * D.z - T.z * D.y, T.z * D.x - T.x * D.z, T.x * D.y - T.y * D.x});
-  const double off = kRoundings * u * (way_to(ray.origin) + way_to(sphere.centre) + t + r);
+  const double m =
+      norm(Vector3{T.y * D.z - T.z * D.y, T.z * D.x - T.x * D.z, T.x * D.y - T.y * D.x});
+  const double off = kRoundings * u * (norm(ray.origin) + norm(sphere.centre) + t + r);
   double error = 2 * off * (m + r) + off * off;
   if (arithmetic != Arithmetic::kSingle) error += kRoundings * u * (t * t + r * r);
   const double half_chord_sq = (r - m) * (r + m);

@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "properties/mistakes/changed_question.h"
 #include "properties/mistakes/mistake_list.h"
 
 namespace raycheck::properties {
@@ -14,6 +13,14 @@ using scene::Camera;
 using scene::Conventions;
 using scene::Origin;
 using scene::Pixel;
+
+Mistake pixel_mistake(std::string sentence, ChangePixel change) {
+  return {.sentence = std::move(sentence), .step = Step::kPixelPoint, .pixel = std::move(change)};
+}
+
+Mistake convention_mistake(std::string sentence, ChangeConventions change, Step step) {
+  return {.sentence = std::move(sentence), .step = step, .conventions = std::move(change)};
+}
 
 /// Exchanged loops: the k-th pixel of the picture is the k-th of as many lines as there are
 /// columns, of as many values as there are rows.

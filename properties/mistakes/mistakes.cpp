@@ -4,25 +4,158 @@
 #include <iterator>
 #include <utility>
 
+#include "fast/pixel_ray.h"
 #include "properties/candidates/fast_candidate.h"
 #include "properties/mistakes/mistake_list.h"
 
 namespace raycheck::properties {
+namespace {
+
+using scene::Camera;
+using scene::Conventions;
+using scene::Origin;
+using scene::Pixel;
+using scene::Point3;
+using scene::Ray;
+using scene::Vector3;
+
+/// Calls tell(P, g) for each pixel, g = nW + alpha U + beta V.
+template <class Tell>
+void walk(const CameraFormulas& formulas, const Camera& camera, const Conventions& conventions,
+          Candidate::Pixels pixels, const Tell& tell) {
+  const auto [U, V, W] = formulas.frame(camera);
+  const double n = camera.near;
+  for (const Pixel& pixel : pixels) {
+    const auto [alpha, beta] = fast::plane_position(camera, conventions, pixel);
+    const Vector3 g = {n * W.x + alpha * U.x + beta * V.x, n * W.y + alpha * U.y + beta * V.y,
+                       n * W.z + alpha * U.z + beta * V.z};
+    tell(formulas.point(camera, g), g);
+  }
+}
+
+/// Makes rays by these formulas.
+void use(CameraFormulas formulas, Candidate& candidate) {
+  if (!formulas.frame) formulas.frame = candidate.frame;
+  if (!formulas.point) {
+    formulas.point = [](const Camera& camera, const Vector3& g) {
+      return Point3{camera.eye.x + g.x, camera.eye.y + g.y, camera.eye.z + g.z};
+    };
+  }
+  if (!formulas.direction) {
+    formulas.direction = [](const Camera&, const Point3&, const Vector3& g) {
+      return normalised(g);
+    };
+  }
+  candidate.frame = formulas.frame;
+  candidate.pixel_points = [formulas](const Camera& camera, const Conventions& conventions,
+                                      Candidate::Pixels pixels) {
+    std::vector<Point3> points;
+    walk(formulas, camera, conventions, pixels,
+         [&](const Point3& P, const Vector3&) { points.push_back(P); });
+    return points;
+  };
+  const auto rays_from = [&formulas](bool at_eye) {
+    return [formulas, at_eye](const Camera& camera, const Conventions& conventions,
+                              Candidate::Pixels pixels) {
+      std::vector<Ray> rays;
+      walk(formulas, camera, conventions, pixels, [&](const Point3& P, const Vector3& g) {
+        rays.push_back({at_eye ? camera.eye : P, formulas.direction(camera, P, g)});
+      });
+      return rays;
+    };
+  };
+  candidate.pixel_rays = rays_from(formulas.starts_at_eye);
+  candidate.focal_rays = rays_from(true);
+}
+
+/// The arguments of a question about a camera's pixels, as a mistake takes them.
+struct Input {
+  Input(const Mistake& mistake, const Camera& given, const Conventions& under, Candidate::Pixels of)
+      : camera(given), conventions(under), pixels(of.begin(), of.end()) {
+    if (mistake.camera) mistake.camera(camera, under);
+    if (mistake.conventions) mistake.conventions(conventions);
+    if (!mistake.pixel) return;
+    for (Pixel& one : pixels) one = mistake.pixel(given, under, one);
+  }
+
+  Camera camera;
+  Conventions conventions;
+  std::vector<Pixel> pixels;
+};
+
+/// Takes another camera, other conventions or another pixel.
+void change_camera(const Mistake& mistake, Candidate& candidate) {
+  const Candidate right = candidate;
+  candidate.frame = [right, mistake](const Camera& camera) {
+    return right.frame(Input(mistake, camera, {}, {}).camera);
+  };
+  candidate.pixel_points = [right, mistake](const Camera& camera, const Conventions& conventions,
+                                            Candidate::Pixels pixels) {
+    const Input input(mistake, camera, conventions, pixels);
+    return right.pixel_points(input.camera, input.conventions, input.pixels);
+  };
+  const auto rays_from = [&](Origin origin) {
+    return [right, mistake, origin](const Camera& camera, Conventions conventions,
+                                    Candidate::Pixels pixels) {
+      conventions.origin = origin;
+      const Input input(mistake, camera, conventions, pixels);
+      return right.rays_from(input.conventions.origin)(input.camera, input.conventions,
+                                                       input.pixels);
+    };
+  };
+  candidate.pixel_rays = rays_from(Origin::kPixel);
+  candidate.focal_rays = rays_from(Origin::kFocal);
+}
+
+/// Takes other spheres, or other conventions.
+void change_spheres(const Mistake& mistake, Candidate& candidate) {
+  const auto taking = [&mistake](const auto& answer) {
+    return
+        [mistake, answer](Candidate::Rays rays, Candidate::Spheres given, Conventions conventions) {
+          std::vector<scene::Sphere> spheres(given.begin(), given.end());
+          if (mistake.sphere) std::for_each(spheres.begin(), spheres.end(), mistake.sphere);
+          if (mistake.conventions) mistake.conventions(conventions);
+          return answer(rays, spheres, conventions);
+        };
+  };
+  candidate.intersect = taking(candidate.intersect);
+  candidate.nearest = taking(candidate.nearest);
+}
+
+void change_hits(const Mistake& mistake, Candidate& candidate) {
+  if (mistake.hit) {
+    answer_by(candidate, [ask = hits_of(candidate), change = mistake.hit](
+                             Candidate::Rays rays, const scene::Sphere& sphere,
+                             const Conventions& conventions) {
+      std::vector<Hit> hits = ask(rays, sphere, conventions);
+      for (std::size_t k = 0; k < hits.size(); ++k) {
+        if (hits[k]) hits[k] = change(rays[k], *hits[k]);
+      }
+      return hits;
+    });
+  } else if (mistake.hits.rank) {
+    candidate.nearest = nearest_by(mistake.hits);  // the hits stay as they are
+  } else if (mistake.hits) {
+    answer_by(candidate, hits_by(mistake.hits));
+  }
+}
+
+Candidate candidate_with(const Mistake& mistake) {
+  Candidate candidate = right_candidate();
+  if (mistake.makes_rays()) use(mistake.rays, candidate);
+  if (mistake.camera || mistake.conventions || mistake.pixel) change_camera(mistake, candidate);
+  if (mistake.sphere || mistake.conventions) change_spheres(mistake, candidate);
+  change_hits(mistake, candidate);
+  return candidate;
+}
+
+}  // namespace
 
 Candidate right_candidate() { return fast_candidate(fast::kDirectRays, fast::kCross); }
 
-void find_hits_by(Mistake& mistake, const HitFormulas& formulas) {
-  answer_by_choice(mistake.candidate,
-                   formulas.roots ? formulas.roots : MakeRoots(fast::kCross.roots),
-                   formulas.choose ? formulas.choose : ChooseHit(usual_choice));
-  mistake.hits = formulas;
-}
-
-Mistake hit_mistake(std::string sentence, const HitFormulas& formulas) {
-  Mistake mistake = {.sentence = std::move(sentence), .step = Step::kIntersect};
-  mistake.candidate = right_candidate();
-  find_hits_by(mistake, formulas);
-  return mistake;
+Vector3 normalised(const Vector3& v) {
+  const double factor = 1 / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+  return {factor * v.x, factor * v.y, factor * v.z};
 }
 
 std::span<const Mistake> mistakes() {
@@ -32,6 +165,7 @@ std::span<const Mistake> mistakes() {
                                       intersect_mistakes(), threshold_mistakes()}) {
       std::move(more.begin(), more.end(), std::back_inserter(all));
     }
+    for (Mistake& mistake : all) mistake.candidate = candidate_with(mistake);
     return all;
   }();
   return kMistakes;
@@ -49,7 +183,7 @@ scene::Scene mistaken(const Mistake& mistake, scene::Scene scene) {
   if (mistake.camera) mistake.camera(scene.camera.value(), given);
   if (mistake.conventions) mistake.conventions(scene.conventions);
   if (mistake.sphere) {
-    for (scene::Sphere& sphere : scene.spheres) mistake.sphere(sphere);
+    std::for_each(scene.spheres.begin(), scene.spheres.end(), mistake.sphere);
   }
   return scene;
 }

@@ -24,9 +24,21 @@ using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene
                                                const scene::Pixel&)>;
 /// Another sphere than the one given.
 using ChangeSphere = std::function<void(scene::Sphere&)>;
+/// Another hit than the right one.
+using ChangeHit = std::function<HitAnswer(const scene::Ray&, HitAnswer)>;
 
-/// One classic mistake. With a change it answers a different question rightly; without one it is a
-/// wrong formula.
+/// The formulas from a camera to its rays; an empty one is the right one.
+struct CameraFormulas {
+  std::function<FrameAnswer(const scene::Camera&)> frame = {};
+  /// P from g = nW + alpha U + beta V
+  std::function<scene::Point3(const scene::Camera&, const scene::Vector3&)> point = {};
+  /// D from P and g
+  std::function<scene::Vector3(const scene::Camera&, const scene::Point3&, const scene::Vector3&)>
+      direction = {};
+  bool starts_at_eye = false;  ///< Whatever the origin convention says.
+};
+
+/// One classic mistake: the right answer to another question, or wrong formulas.
 struct Mistake {
   std::string sentence;  ///< "rows are upside down"
   Step step = Step::kFrame;
@@ -36,21 +48,22 @@ struct Mistake {
   ChangeSphere sphere = {};
   /// Pixels that `pixel` puts outside the image are black; otherwise they have rays, too.
   bool black_outside = false;
-  /// Makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
-  /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.
-  Candidate candidate = {};
-  /// Whether it makes rays by its own formula.
-  bool makes_rays = false;
-  /// Its own formulas for hits and the nearest sphere; empty where it follows correct methods.
+  CameraFormulas rays = {};
   HitFormulas hits = {};
+  ChangeHit hit = {};  ///< Pictures do not show it.
   /// Mistakes of one family differ in a size, and each does all that the one before it does: of
   /// several that explain the same answers the first is meant. Empty: it is alone.
   std::string_view family = {};
+  /// Makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
+  /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.
+  Candidate candidate = {};
+
+  /// Whether it makes rays by its own formula.
+  bool makes_rays() const { return rays.frame || rays.point || rays.direction; }
 };
 
 /// Every mistake; their sentences differ.
 std::span<const Mistake> mistakes();
-
 /// The mistake with this sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "properties/mistakes/changed_question.h"
 #include "properties/mistakes/mistake_list.h"
 
 namespace raycheck::properties {
@@ -168,45 +167,44 @@ void truncate_sphere(Sphere& sphere) {
   sphere.radius = std::trunc(sphere.radius);
 }
 
-std::vector<Mistake> integer_mistakes() {
-  return {scene_mistake("numbers are read as integers: their fractions are dropped", Step::kFrame,
-                        truncate_camera, truncate_sphere),
-          scene_mistake("the camera's numbers are read as integers: their fractions are dropped",
-                        Step::kFrame, truncate_camera, {}),
-          scene_mistake("eye, look and up are read as integers: their fractions are dropped",
-                        Step::kFrame, [](Camera& its, auto&) { truncate_view(its); }, {}),
-          scene_mistake("eye, look, up and d are read as integers: their fractions are dropped",
-                        Step::kFrame,
-                        [](Camera& its, auto&) {
-                          truncate_view(its);
-                          truncate_near(its);
-                        },
-                        {}),
+Mistake sphere_mistake(std::string sentence, ChangeSphere change) {
+  return {.sentence = std::move(sentence), .step = Step::kIntersect, .sphere = std::move(change)};
+}
+
+std::vector<Mistake> read_mistakes() {
+  return {{.sentence = "numbers are read as integers: their fractions are dropped",
+           .step = Step::kFrame,
+           .camera = truncate_camera,
+           .sphere = truncate_sphere},
+          camera_mistake("the camera's numbers are read as integers: their fractions are dropped",
+                         truncate_camera, Step::kFrame),
+          camera_mistake(
+              "eye, look and up are read as integers: their fractions are dropped",
+              [](Camera& its, auto&) { truncate_view(its); }, Step::kFrame),
+          camera_mistake(
+              "eye, look, up and d are read as integers: their fractions are dropped",
+              [](Camera& its, auto&) {
+                truncate_view(its);
+                truncate_near(its);
+              },
+              Step::kFrame),
           camera_mistake("d is read as an integer: its fraction is dropped",
                          [](Camera& its, auto&) { truncate_near(its); }),
           camera_mistake("the bounds are read as integers: their fractions are dropped",
                          [](Camera& its, auto&) { truncate_bounds(its); }),
-          scene_mistake("the spheres' numbers are read as integers: their fractions are dropped",
-                        Step::kIntersect, {}, truncate_sphere)};
-}
-
-std::vector<Mistake> radius_mistakes() {
-  const auto with_radius = [](std::string sentence, double (*change)(double)) {
-    return scene_mistake(std::move(sentence), Step::kIntersect, {},
-                         [change](Sphere& sphere) { sphere.radius = change(sphere.radius); });
-  };
-  return {with_radius("the squared radius is squared again: d^2 = r^4 - (|T|^2 - v^2)",
-                      [](double r) { return r * r; }),
-          with_radius("the radius is not squared: d^2 = r - (|T|^2 - v^2)",
-                      [](double r) { return std::sqrt(r); })};
+          sphere_mistake("the spheres' numbers are read as integers: their fractions are dropped",
+                         truncate_sphere),
+          sphere_mistake("the squared radius is squared again: d^2 = r^4 - (|T|^2 - v^2)",
+                         [](Sphere& sphere) { sphere.radius *= sphere.radius; }),
+          sphere_mistake("the radius is not squared: d^2 = r - (|T|^2 - v^2)",
+                         [](Sphere& sphere) { sphere.radius = std::sqrt(sphere.radius); })};
 }
 
 }  // namespace
 
 std::vector<Mistake> number_mistakes() {
   std::vector<Mistake> all = bound_mistakes();
-  for (auto& more : {integer_mistakes(), radius_mistakes()})
-    all.insert(all.end(), more.begin(), more.end());
+  for (Mistake& mistake : read_mistakes()) all.push_back(std::move(mistake));
   return all;
 }
 

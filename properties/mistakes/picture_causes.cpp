@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "properties/mistakes/picture_suspects.h"
+#include "properties/mistakes/picture_evidence.h"
 
 namespace raycheck::properties {
 namespace {

@@ -91,8 +91,8 @@ bool Evidence::is_uniform() const {
 bool Evidence::has_background() const {
   const ImageAnswer& image = picture_->image;
   const bool has_black = std::find(image.begin(), image.end(), std::nullopt) != image.end();
-  const auto untold = std::count(image.begin(), image.end(), std::optional(kSomeSphere));
-  const bool is_most = 2 * static_cast<std::size_t>(untold) > image.size();
+  const auto unidentified = std::count(image.begin(), image.end(), std::optional(kSomeSphere));
+  const bool is_most = 2 * static_cast<std::size_t>(unidentified) > image.size();
   return !has_black && (is_most || all_errors_ == 0);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-// Pictures, and how well a fault agrees with them. Internal to picture_causes.
+// Pictures, how well a fault agrees with them, and the faults that explain them. Internal to
+// picture_causes.
 
 #include <optional>
 #include <span>
@@ -65,5 +66,17 @@ bool is_as(const std::optional<std::size_t>& shown, const std::optional<std::siz
 
 /// How many pixels of an image are not as expected.
 std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expected);
+
+using Pictures = std::vector<Evidence>;
+
+/// A fault that is not refuted, and how many pixels it does not explain.
+struct Suspect {
+  Fault fault;
+  std::uint64_t left = 0;
+};
+
+/// What explains pictures with errors, the best first, as picture_causes() has it; those with most
+/// errors come first. If all pictures are right except for excuses: what makes exactly these.
+std::vector<Suspect> find_suspects(const Pictures& pictures);
 
 }  // namespace raycheck::properties

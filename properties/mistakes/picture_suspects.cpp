@@ -1,9 +1,9 @@
-#include "properties/mistakes/picture_suspects.h"
-
 #include <algorithm>
 #include <set>
 #include <utility>
 
+#include "properties/mistakes/picture_causes.h"
+#include "properties/mistakes/picture_evidence.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
 

@@ -16,13 +16,8 @@ using scene::Scene;
 
 /// Whether some ray meets nothing, but its line does.
 bool has_ray_with_all_behind(const Scene& scene) {
-  const Candidate right = right_candidate();
-  const auto rays = [&] {
-    const bool from_pixels = scene.conventions.origin == scene::Origin::kPixel;
-    const std::vector<scene::Pixel> pixels = all_pixels(*scene.camera);
-    return (from_pixels ? right.pixel_rays : right.focal_rays)(*scene.camera, scene.conventions,
-                                                               pixels);
-  }();
+  const auto rays = right_candidate().rays_from(scene.conventions.origin)(
+      *scene.camera, scene.conventions, all_pixels(*scene.camera));
   return std::any_of(rays.begin(), rays.end(), [&](const scene::Ray& ray) {
     bool is_behind = false;
     for (const scene::Sphere& sphere : scene.spheres) {

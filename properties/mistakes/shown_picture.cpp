@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "properties/other_size.h"
+#include "properties/failures.h"
 #include "reference/visibility/visibility.h"
 #include "scene/plan/plan.h"
 
@@ -28,7 +28,7 @@ std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& c
   try {
     shown.image = candidate.image(shown.scene, shown.scene.conventions);
   } catch (const OtherSize& other) {
-    shown.sides_exchanged = other.width() == camera.height && other.height() == camera.width;
+    shown.sides_exchanged = other.width == camera.height && other.height == camera.width;
     if (!shown.sides_exchanged) return {};
   } catch (const std::runtime_error&) {
     return {};

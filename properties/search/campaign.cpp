@@ -3,7 +3,6 @@
 #include <rapidcheck/Random.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <limits>
 #include <stdexcept>
@@ -18,33 +17,6 @@
 
 namespace raycheck::properties {
 namespace {
-
-/// Where a case comes from.
-struct Provenance {
-  ChosenSource source;
-  std::uint64_t seed = 0;
-};
-
-std::string replay_text(const Law& law, const Candidate& candidate, const Provenance& from) {
-  char digits[17] = {};
-  std::to_chars(digits, digits + 16, from.seed, 16);
-  return std::string(law.name) + ":" + candidate.name + ":" + from.source.name() + ":" + digits;
-}
-
-/// How one source is tried.
-struct Asking {
-  ChosenSource source;
-  int cases = 0;
-  std::uint64_t seed = 0;  ///< Of the campaign.
-  std::optional<double> max_error;
-  bool strict = false;
-  bool shrinks = false;
-};
-
-struct CampaignAnswer {
-  CampaignPart part;
-  std::optional<Failure> failure;
-};
 
 /// A law's verdict on a case.
 struct CaseVerdict {
@@ -61,114 +33,150 @@ CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& t
   return {judged, trials.gave_rays(), judged ? trials.apply(law) : Verdict(law.name)};
 }
 
-bool fails_in_vain(const Verdict& verdict) {
+bool fails_always(const Verdict& verdict) {
   const std::vector<Discrepancy> worst = verdict.worst(1);
   return !worst.empty() && worst.front().failed.blame == Blame::kAnything;
 }
 
-/// The question within a failed case that a candidate fails on: found by halving, since each
-/// simpler case could run into the time limit for a reply.
-std::optional<Failure> failed_question(const Law& law, const Candidate& candidate,
-                                       const Case& the_case, const Asking& asking,
-                                       const Verdict& found) {
-  const std::vector<Discrepancy> worst = found.worst(1);
-  if (worst.empty() || worst.front().wrong != Wrong::kFailed || fails_in_vain(found)) return {};
-  FailureSearch search;
-  const Verdict verdict = verdict_on(law, candidate, the_case, asking.max_error, &search).verdict;
-  for (Discrepancy& one : verdict.worst(kKeptDiscrepancies)) {
-    if (one.failed.blame != Blame::kQuestion) continue;
-    Case question{*one.failed.scene, {}};
-    if (question.scene.camera) {
-      question.pixels = {one.place.pixel.value()};
-    } else {
-      one.place = {0, {}, one.place.sphere ? std::optional<std::size_t>(0) : std::nullopt};
-    }
-    Verdict of_question(law.name);
-    of_question.add(one);
-    return Failure{std::move(question), std::move(of_question), {}};
-  }
-  return {};
-}
+/// A law judged on a candidate, case after case, until one breaks it.
+class LawSearch {
+ public:
+  LawSearch(const Law& law, const Candidate& candidate, std::optional<double> max_error,
+            bool strict)
+      : law_(law), candidate_(candidate), max_error_(max_error), strict_(strict) {}
 
-/// Judges cases, whose seeds `choose` draws, until one breaks the law, and shrinks that one if
-/// wanted: to the first simpler one that fails, too, and so on until none does.
-template <class Choose>
-CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& asking,
-                   const RunControl& control, Choose choose) {
-  CampaignAnswer answer;
-  CampaignPart& part = answer.part;
-  part.source = asking.source;
-  const auto breaks = [&](const Case& the_case, const Provenance& from) {
-    auto [judged, given, verdict] = verdict_on(law, candidate, the_case, asking.max_error);
-    if (!answer.failure) {  // after a failure come shrinking steps
-      ++part.counts.cases;
-      part.counts.given_rays += given ? 1 : 0;
-      part.counts.not_judged += judged ? 0 : 1;
-      if (!verdict.reason_left_out().empty() && verdict.compared() == 0) {
-        ++part.counts.left_out;
-        part.counts.reason = verdict.reason_left_out();
+  CampaignPart part;
+  std::optional<Failure> failure;
+
+  /// Judges random cases of a source, as RapidCheck draws them: one stream per case, split off a
+  /// common one.
+  void run(const ChosenSource& source, int cases, std::uint64_t seed, const RunControl& control) {
+    part.source = source;
+    rc::Random all(Random(seed ^ source.hash()).bits());
+    until_interrupted([&] {
+      for (int k = 0; k < cases && !failure && !control.interrupted(); ++k) {
+        rc::Random one = all.split();
+        judge_seed(one.split().next());
       }
-      part.verdict.merge(verdict);
+    });
+  }
+  /// Judges one case of a source, and shrinks it.
+  void replay(const ChosenSource& source, std::uint64_t seed) {
+    part.source = source;
+    until_interrupted([&] {
+      judge_seed(seed);
+      shrink();
+    });
+  }
+  /// Judges a case, and shrinks it.
+  void replay(Case the_case) {
+    until_interrupted([&] {
+      judge(rounded_case(std::move(the_case), candidate_.precision));
+      shrink();
+    });
+  }
+
+ private:
+  template <class Work>
+  void until_interrupted(const Work& work) {
+    try {
+      work();
+    } catch (const scene::Interrupted&) {
+      // The cases judged before that count.
     }
-    if (verdict.holds(asking.strict)) return false;
+    if (!strict_) part.undecided = part.verdict.undecided();
+  }
+
+  void judge_seed(std::uint64_t seed) {
+    judge(rounded_case(part.source.make(seed), candidate_.precision));
+    if (!failure) return;
+    char digits[17] = {};
+    std::to_chars(digits, digits + 16, seed, 16);
+    part.replay = failure->replay =
+        std::string(law_.name) + ":" + candidate_.name + ":" + part.source.name() + ":" + digits;
+  }
+
+  void judge(const RoundedCase& rounded) {
+    if (rounded.the_case) {
+      breaks(*rounded.the_case);
+      return;
+    }
+    ++part.counts.cases;
+    ++part.counts.left_out;
+    part.counts.reason = rounded.reason;
+  }
+
+  /// Whether a case breaks the law; counts those before the first that does.
+  bool breaks(const Case& the_case) {
+    auto [judged, given, verdict] = verdict_on(law_, candidate_, the_case, max_error_);
+    const bool is_shrinking = failure.has_value();
+    if (!is_shrinking) count(judged, given, verdict);
+    if (verdict.holds(strict_)) return false;
     // Failing whatever is asked says nothing about a simpler case.
-    if (answer.failure && fails_in_vain(verdict)) return false;
-    if (!answer.failure) {
-      part.replay = replay_text(law, candidate, from);
-      part.defects = verdict.defects(asking.strict);
-      part.failed_at = verdict.failed_at(asking.strict);
+    if (is_shrinking && fails_always(verdict)) return false;
+    if (!is_shrinking) {
+      part.defects = verdict.defects(strict_);
+      part.failed_at = verdict.failed_at(strict_);
     }
-    answer.failure = Failure{the_case, std::move(verdict), part.replay};
+    failure = Failure{the_case, std::move(verdict), part.replay};
     return true;
-  };
-  // As RapidCheck draws them: one stream per case, split off a common one.
-  rc::Random all(Random(asking.seed ^ asking.source.hash()).bits());
-  try {
-    for (int k = 0; k < asking.cases && !control.interrupted(); ++k) {
-      rc::Random one = all.split();
-      const Provenance from = {asking.source, choose(one)};
-      auto [failing, reason, changed] =
-          rounded_case(asking.source.make(from.seed), candidate.precision);
-      if (!failing) {
-        ++part.counts.cases;
-        ++part.counts.left_out;
-        part.counts.reason = std::move(reason);
-        continue;
-      }
-      if (!breaks(*failing, from)) continue;
-      const auto fails = [&](const Case& simpler) {
-        return !control.interrupted() && is_of_format(simpler.scene, candidate.precision) &&
-               breaks(simpler, from);
-      };
-      if (!asking.shrinks) break;
-      if (auto question =
-              failed_question(law, candidate, *failing, asking, answer.failure->verdict)) {
-        question->replay = part.replay;
-        *failing = question->shrunk;
-        answer.failure = std::move(question);
-      }
-      smallest(*std::move(failing), std::numeric_limits<int>::max(), fails);
-      break;
-    }
-  } catch (const scene::Interrupted&) {
-    // The cases judged before that count.
   }
-  if (!asking.strict) part.undecided = part.verdict.undecided();
-  return answer;
-}
 
-CampaignPart run_part(const Law& law, const Candidate& candidate, const Asking& asking,
-                      const RunControl& control) {
-  return ask(law, candidate, asking, control,
-             [](rc::Random& stream) { return stream.split().next(); })
-      .part;
-}
+  void count(bool judged, bool given, const Verdict& verdict) {
+    ++part.counts.cases;
+    part.counts.given_rays += given ? 1 : 0;
+    part.counts.not_judged += judged ? 0 : 1;
+    if (!verdict.reason_left_out().empty() && verdict.compared() == 0) {
+      ++part.counts.left_out;
+      part.counts.reason = verdict.reason_left_out();
+    }
+    part.verdict.merge(verdict);
+  }
 
-/// The case of a replay alone.
-CampaignAnswer ask_again(const Replay& replay, const Candidate& candidate,
-                         std::optional<double> max_error, bool strict) {
-  const Asking once = {replay.source, 1, 0, max_error, strict, true};
-  return ask(*replay.law, candidate, once, {}, [seed = replay.seed](rc::Random&) { return seed; });
+  /// Goes on from the case that breaks the law to the first simpler one that does, too, and so on
+  /// until none does.
+  void shrink() {
+    if (!failure) return;
+    take_failed_question();
+    smallest(failure->shrunk, std::numeric_limits<int>::max(), [this](const Case& simpler) {
+      return is_of_format(simpler.scene, candidate_.precision) && breaks(simpler);
+    });
+  }
+
+  /// If the candidate fails on the case, the question in it that it fails on: found by halving,
+  /// since each simpler case could run into the time limit for a reply.
+  void take_failed_question() {
+    const std::vector<Discrepancy> worst = failure->verdict.worst(1);
+    const bool has_failed = !worst.empty() && worst.front().wrong == Wrong::kFailed;
+    if (!has_failed || fails_always(failure->verdict)) return;
+    FailureSearch search;
+    const Verdict verdict =
+        verdict_on(law_, candidate_, failure->shrunk, max_error_, &search).verdict;
+    for (Discrepancy& one : verdict.worst(kKeptDiscrepancies)) {
+      if (one.failed.blame != Blame::kQuestion) continue;
+      failure->shrunk = {*one.failed.scene, {}};
+      if (one.failed.scene->camera) {
+        failure->shrunk.pixels = {one.place.pixel.value()};
+      } else {
+        one.place = {0, {}, one.place.sphere ? std::optional<std::size_t>(0) : std::nullopt};
+      }
+      failure->verdict = Verdict(law_.name);
+      failure->verdict.add(one);
+      return;
+    }
+  }
+
+  const Law& law_;
+  const Candidate& candidate_;
+  std::optional<double> max_error_;
+  bool strict_;
+};
+
+CampaignPart run_part(const Law& law, const Candidate& candidate, const CampaignOptions& options,
+                      const std::pair<ChosenSource, int>& share, const RunControl& control) {
+  LawSearch search(law, candidate, options.max_error, options.strict);
+  search.run(share.first, share.second, options.seed, control);
+  return std::move(search.part);
 }
 
 /// The k-th share of `all`, split evenly up to a remainder.
@@ -270,9 +278,7 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
     const auto severities = severities_of(source, options.level, share);
     for (std::size_t k = 0; k < severities.size() && !stopped; ++k) {
       const int cases = share_of_all(share, severities.size(), k);
-      CampaignPart part = run_part(
-          law, candidate, {severities[k], cases, options.seed, options.max_error, options.strict},
-          control);
+      CampaignPart part = run_part(law, candidate, options, {severities[k], cases}, control);
       stopped = part.counts.cases == 0;  // interrupted
       if (stopped) break;
       result.level = std::max(result.level, part.source.level());
@@ -288,11 +294,12 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
     if (first == nullptr || part.source.level() < first->source.level()) first = &part;
   }
   if (first != nullptr) {
-    Replay replay = parse_replay(first->replay);
-    replay.law = &law;
-    result.failure = ask_again(replay, candidate, options.max_error, options.strict).failure;
+    const std::uint64_t seed = parse_replay(first->replay).seed;
+    LawSearch search(law, candidate, options.max_error, options.strict);
+    search.replay(first->source, seed);
+    result.failure = std::move(search.failure);
     if (!result.failure) {  // interrupted before it was judged again
-      result.failure = Failure{replay.source.make(replay.seed), first->verdict, first->replay};
+      result.failure = Failure{first->source.make(seed), first->verdict, first->replay};
     }
   }
   return result;
@@ -315,9 +322,7 @@ std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
     }
     Reach reach{source.source, {}, {}, {}};
     for (const ChosenSource& severity : severities) {
-      const CampaignPart part =
-          run_part(law, candidate,
-                   {severity, cases, options.seed, options.max_error, options.strict}, control);
+      const CampaignPart part = run_part(law, candidate, options, {severity, cases}, control);
       if (part.counts.cases == 0) return found;  // interrupted
       if (part.is_broken()) {
         reach.broken_at = severity.severity;
@@ -333,71 +338,56 @@ std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
 
 Replay parse_replay(std::string_view text) {
   // A candidate's name may have colons.
-  const auto wrong = [&] {
-    return std::invalid_argument("a replay string is LAW:CANDIDATE:SOURCE:SEED, not '" +
-                                 std::string(text) + "'");
-  };
-  std::array<std::string_view, 4> parts;
-  std::string_view rest = text;
-  for (const std::size_t part : {std::size_t{3}, std::size_t{2}}) {
-    const std::size_t colon = rest.rfind(':');
-    if (colon == std::string_view::npos) throw wrong();
-    parts[part] = rest.substr(colon + 1);
-    rest = rest.substr(0, colon);
+  const std::size_t first = text.find(':'), last = text.rfind(':');
+  const std::size_t middle = last == 0 ? last : text.rfind(':', last - 1);
+  if (last == std::string_view::npos || middle <= first) {
+    throw std::invalid_argument("a replay string is LAW:CANDIDATE:SOURCE:SEED, not '" +
+                                std::string(text) + "'");
   }
-  const std::size_t colon = rest.find(':');
-  if (colon == std::string_view::npos) throw wrong();
-  parts[0] = rest.substr(0, colon);
-  parts[1] = rest.substr(colon + 1);
-  Replay replay{find_law(parts[0]), std::string(parts[1]), {}, 0};
+  const std::string_view law = text.substr(0, first), seed = text.substr(last + 1);
+  Replay replay{find_law(law), std::string(text.substr(first + 1, middle - first - 1)), {}, 0};
   if (replay.law == nullptr) {
-    throw std::invalid_argument("no law is called '" + std::string(parts[0]) + "'");
+    throw std::invalid_argument("no law is called '" + std::string(law) + "'");
   }
-  replay.source = chosen_source(parts[2]);
-  const char* const end = parts[3].data() + parts[3].size();
-  const auto [last, error] = std::from_chars(parts[3].data(), end, replay.seed, 16);
-  if (error != std::errc{} || last != end) {
-    throw std::invalid_argument("'" + std::string(parts[3]) + "' is not a hexadecimal seed");
+  replay.source = chosen_source(text.substr(middle + 1, last - middle - 1));
+  const char* const end = seed.data() + seed.size();
+  const auto [past, error] = std::from_chars(seed.data(), end, replay.seed, 16);
+  if (error != std::errc{} || past != end) {
+    throw std::invalid_argument("'" + std::string(seed) + "' is not a hexadecimal seed");
   }
   return replay;
 }
 
-CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& the_case,
-                        std::optional<double> max_error, bool strict) {
+namespace {
+
+CampaignResult result_of(LawSearch& search) {
   CampaignResult result;
   result.fewest_right = 0;
-  const RoundedCase rounded = rounded_case(the_case, candidate.precision);
-  if (!rounded.the_case) {
-    result.counts = {.cases = 1, .left_out = 1, .reason = rounded.reason};
-    return result;
-  }
-  auto [judged, given, verdict] = verdict_on(law, candidate, *rounded.the_case, max_error);
-  result.counts = {1, 0, judged ? 0 : 1, given ? 1 : 0, std::string(verdict.reason_left_out())};
-  result.verdict = std::move(verdict);
-  if (result.verdict.holds(strict)) return result;
-  Failure failure{*rounded.the_case, result.verdict, ""};
-  failure.shrunk =
-      smallest(*rounded.the_case, std::numeric_limits<int>::max(), [&](const Case& simpler) {
-        if (!is_of_format(simpler.scene, candidate.precision)) return false;
-        Verdict of_simpler = verdict_on(law, candidate, simpler, max_error).verdict;
-        if (of_simpler.holds(strict)) return false;
-        failure.verdict = std::move(of_simpler);
-        return true;
-      });
-  result.failure = std::move(failure);
+  result.counts = search.part.counts;
+  result.verdict = search.part.verdict;
+  result.failure = std::move(search.failure);
+  return result;
+}
+
+}  // namespace
+
+CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& the_case,
+                        std::optional<double> max_error, bool strict) {
+  LawSearch search(law, candidate, max_error, strict);
+  search.replay(the_case);
+  CampaignResult result = result_of(search);
+  const std::string& left_out = result.verdict.reason_left_out();
+  if (!left_out.empty()) result.counts.reason = left_out;
   return result;
 }
 
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error, bool strict) {
-  CampaignAnswer answer = ask_again(replay, candidate, max_error, strict);
-  CampaignResult result;
-  result.fewest_right = 0;
+  LawSearch search(*replay.law, candidate, max_error, strict);
+  search.replay(replay.source, replay.seed);
+  CampaignResult result = result_of(search);
   result.level = replay.source.level();
-  result.counts = answer.part.counts;
-  result.verdict = answer.part.verdict;
-  result.parts.push_back(std::move(answer.part));
-  result.failure = std::move(answer.failure);
+  result.parts.push_back(std::move(search.part));
   return result;
 }
 

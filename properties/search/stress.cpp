@@ -26,10 +26,6 @@ void keep_first_of_each(StressResult& result, const Case& the_case, const Verdic
 
 }  // namespace
 
-std::vector<const Law*> laws_of(Stage stage) {
-  return laws_that([stage](const Law& law) { return law.stage == stage && law.tells_stability; });
-}
-
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays) {
   if (stage == Stage::kRays) {
     return the_case.scene.camera ? std::optional(the_case) : std::nullopt;
@@ -39,8 +35,7 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
   Case result;
   result.scene.spheres = the_case.scene.spheres;
   result.scene.conventions = the_case.scene.conventions;
-  const auto& make = the_case.scene.conventions.origin == scene::Origin::kPixel ? rays.pixel_rays
-                                                                                : rays.focal_rays;
+  const auto& make = rays.rays_from(the_case.scene.conventions.origin);
   if (!make) return std::nullopt;
   for (const scene::Ray& ray :
        make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
@@ -79,7 +74,8 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
   if (!asked && reason.empty()) return;
   std::optional<SharedTruths> truths;
   if (asked) truths.emplace(*asked);
-  const std::vector<const Law*> laws = laws_of(stage);
+  const std::vector<const Law*> laws =
+      laws_that([&](const Law& law) { return law.stage == stage && law.tells_stability; });
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const Candidate& candidate = candidates[k];
     if (candidate.precision != precision) continue;
@@ -108,7 +104,7 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
   }
 }
 
-std::vector<StressResult> stress(const CaseSource& source, int severity, Stage stage,
+std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
                                  std::span<const Candidate> candidates,
                                  const StressOptions& options, const RunControl& control) {
   std::vector<StressResult> results(candidates.size());
@@ -117,7 +113,7 @@ std::vector<StressResult> stress(const CaseSource& source, int severity, Stage s
   try {
     for (int k = 0; k < options.cases; ++k) {
       scene::poll();
-      stress(source.make(severity, seeds.bits()), stage, candidates, results);
+      stress(source.make(seeds.bits()), stage, candidates, results);
     }
   } catch (const scene::Interrupted&) {
     // The answer is what was judged so far.

@@ -13,9 +13,6 @@
 
 namespace raycheck::properties {
 
-/// The laws that tell whether a stage is stable.
-std::vector<const Law*> laws_of(Stage stage);
-
 /// The case for a stage alone: for intersections the camera is replaced by the rays that `rays`
 /// makes from it, taken as exact. Empty if nothing is left to ask.
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
@@ -44,11 +41,11 @@ struct StressOptions {
   std::uint64_t seed = 1;
 };
 
-/// Judges candidates on the same random cases of a source at one severity (which a source without a
-/// dial ignores), rounded to the format of each, every error weighed by its condition number. If
-/// the stage needs given rays, the first candidate of a format makes them from cameras, or the
-/// first of all if that one makes none. The same options give the same result.
-std::vector<StressResult> stress(const CaseSource& source, int severity, Stage stage,
+/// Judges candidates on the same random cases of a source, rounded to the format of each, every
+/// error weighed by its condition number. If the stage needs given rays, the first candidate of a
+/// format makes them from cameras, or the first of all if that one makes none. The same options
+/// give the same result.
+std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
                                  std::span<const Candidate> candidates,
                                  const StressOptions& options, const RunControl& control = {});
 /// The same for a given case: adds what it shows to `results`, one for each candidate.

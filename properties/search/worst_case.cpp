@@ -18,55 +18,6 @@ namespace {
 /// How many random cases are climbed from.
 constexpr std::size_t kClimbs = 4;
 
-/// Measures one law's quantity on cases.
-class Climber {
- public:
-  Climber(const Candidate& candidate, const Law& law, const SearchOptions& options)
-      : candidate_(candidate), law_(law), options_(options) {}
-
-  /// Empty if the case measures nothing in the candidate's domain, or the measure is no number, or
-  /// on interrupt.
-  std::optional<WorstCase> look(const Case& the_case) const try {
-    if (!is_problem(the_case, candidate_.declared)) return std::nullopt;
-    // With a bound of 0 every error is a discrepancy, whose place and numbers are kept.
-    Trial trial(the_case, candidate_, {.max_error = 0, .conditioning = true});
-    if (!trial.inside_domain()) return std::nullopt;
-    const Verdict verdict = apply(law_, trial);
-    const Tally& tally = verdict.tally(options_.quantity);
-    if (tally.errors.empty()) return std::nullopt;
-    if (!std::isfinite(tally.worst)) return std::nullopt;
-    WorstCase result;
-    result.the_case = the_case;
-    result.error = tally.worst;
-    result.stability.condition = tally.worst_condition.value();
-    result.stability.ratio = tally.worst_ratio.value_or(-1);
-    for (std::size_t k = 0; k < kOutcomeCount; ++k) {
-      if (tally.outcomes[k] > 0) result.stability.outcome = static_cast<Outcome>(k);
-    }
-    result.height = height_of(result);
-    for (Discrepancy& discrepancy : verdict.worst(1)) result.shown = std::move(discrepancy);
-    return result;
-  } catch (const scene::Interrupted&) {
-    return std::nullopt;
-  }
-
- private:
-  double height_of(const WorstCase& at) const {
-    switch (options_.climb) {
-      case Climb::kRatio:
-        return at.stability.ratio;
-      case Climb::kOverGrowth:
-        return at.error / bound_growth(at.stability.condition);
-      default:
-        return at.error;
-    }
-  }
-
-  const Candidate& candidate_;
-  const Law& law_;
-  const SearchOptions& options_;
-};
-
 /// x with a different significand, exponent or sign, in a format.
 double changed(double x, scene::Precision precision, Random& random) {
   const auto kind = random.integer(0, 9);
@@ -107,48 +58,104 @@ void keep_first(Case& the_case) {
   keep(the_case.scene.spheres);
 }
 
-std::vector<WorstCase> random_phase(const Climber& climber, Stage stage, const Candidate& candidate,
-                                    const SearchOptions& options, const RunControl& control,
-                                    Random& random) {
-  std::vector<WorstCase> best;
-  for (int k = 0; k < options.cases && !control.interrupted(); ++k) {
-    std::optional<Case> asked =
-        alone(options.source.make(random.bits()), stage, candidate, candidate.precision).the_case;
-    if (!asked) continue;
-    keep_first(*asked);
-    std::optional<WorstCase> seen = climber.look(*asked);
-    if (!seen) continue;
-    best.push_back(std::move(*seen));
-    std::stable_sort(best.begin(), best.end(),
-                     [](const WorstCase& a, const WorstCase& b) { return a.height > b.height; });
-    best.resize(std::min(best.size(), kClimbs));
-  }
-  return best;
-}
+/// Searches for the case on which one law's quantity is worst.
+class Climber {
+ public:
+  Climber(const Candidate& candidate, Stage stage, const SearchOptions& options,
+          const RunControl& control)
+      : candidate_(candidate),
+        stage_(stage),
+        law_(*law_of(stage, options.quantity)),
+        options_(options),
+        control_(control),
+        random_(options.seed) {}
 
-void climb(WorstCase& at, const Climber& climber, scene::Precision precision, int steps,
-           const RunControl& control, Random& random) {
-  for (int step = 0; step < steps && !control.interrupted(); ++step) {
-    const std::optional<Case> next = neighbour(at.the_case, precision, random);
-    if (!next) continue;
-    std::optional<WorstCase> seen = climber.look(*next);
-    if (seen && seen->height > at.height) at = std::move(*seen);
-  }
-}
-
-void shrink(WorstCase& at, const Climber& climber, scene::Precision precision,
-            const RunControl& control) {
-  const double least = at.height / 2;
-  smallest(at.the_case, std::numeric_limits<int>::max(), [&](const Case& next) {
-    if (control.interrupted() || !is_of_format(next.scene, precision)) return false;
-    std::optional<WorstCase> seen = climber.look(next);
-    if (!seen || seen->height < least || seen->stability.outcome != at.stability.outcome) {
-      return false;
+  /// The worst of some random cases.
+  std::vector<WorstCase> random_phase() {
+    std::vector<WorstCase> best;
+    for (int k = 0; k < options_.cases && !control_.interrupted(); ++k) {
+      std::optional<Case> one =
+          alone(options_.source.make(random_.bits()), stage_, candidate_, candidate_.precision)
+              .the_case;
+      if (!one) continue;
+      keep_first(*one);
+      std::optional<WorstCase> seen = look(*one);
+      if (!seen) continue;
+      best.push_back(std::move(*seen));
+      std::stable_sort(best.begin(), best.end(),
+                       [](const WorstCase& a, const WorstCase& b) { return a.height > b.height; });
+      best.resize(std::min(best.size(), kClimbs));
     }
-    at = std::move(*seen);
-    return true;
-  });
-}
+    return best;
+  }
+
+  void climb(WorstCase& at, int steps) {
+    for (int step = 0; step < steps && !control_.interrupted(); ++step) {
+      const std::optional<Case> next = neighbour(at.the_case, candidate_.precision, random_);
+      if (!next) continue;
+      std::optional<WorstCase> seen = look(*next);
+      if (seen && seen->height > at.height) at = std::move(*seen);
+    }
+  }
+
+  void shrink(WorstCase& at) {
+    const double least = at.height / 2;
+    smallest(at.the_case, std::numeric_limits<int>::max(), [&](const Case& next) {
+      if (control_.interrupted() || !is_of_format(next.scene, candidate_.precision)) return false;
+      std::optional<WorstCase> seen = look(next);
+      if (!seen || seen->height < least || seen->stability.outcome != at.stability.outcome) {
+        return false;
+      }
+      at = std::move(*seen);
+      return true;
+    });
+  }
+
+ private:
+  /// Empty if the case measures nothing in the candidate's domain, or the measure is no number, or
+  /// on interrupt.
+  std::optional<WorstCase> look(const Case& the_case) const try {
+    if (!is_problem(the_case, candidate_.declared)) return std::nullopt;
+    // With a bound of 0 every error is a discrepancy, whose place and numbers are kept.
+    Trial trial(the_case, candidate_, {.max_error = 0, .conditioning = true});
+    if (!trial.inside_domain()) return std::nullopt;
+    const Verdict verdict = apply(law_, trial);
+    const Tally& tally = verdict.tally(options_.quantity);
+    if (tally.errors.empty()) return std::nullopt;
+    if (!std::isfinite(tally.worst)) return std::nullopt;
+    WorstCase result;
+    result.the_case = the_case;
+    result.error = tally.worst;
+    result.stability.condition = tally.worst_condition.value();
+    result.stability.ratio = tally.worst_ratio.value_or(-1);
+    for (std::size_t k = 0; k < kOutcomeCount; ++k) {
+      if (tally.outcomes[k] > 0) result.stability.outcome = static_cast<Outcome>(k);
+    }
+    result.height = height_of(result);
+    for (Discrepancy& discrepancy : verdict.worst(1)) result.shown = std::move(discrepancy);
+    return result;
+  } catch (const scene::Interrupted&) {
+    return std::nullopt;
+  }
+
+  double height_of(const WorstCase& at) const {
+    switch (options_.climb) {
+      case Climb::kRatio:
+        return at.stability.ratio;
+      case Climb::kOverGrowth:
+        return at.error / bound_growth(at.stability.condition);
+      default:
+        return at.error;
+    }
+  }
+
+  const Candidate& candidate_;
+  const Stage stage_;
+  const Law& law_;
+  const SearchOptions& options_;
+  const RunControl& control_;
+  Random random_;
+};
 
 }  // namespace
 
@@ -162,20 +169,18 @@ const Law* law_of(Stage stage, Quantity quantity) {
 std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage,
                                          const SearchOptions& options, const RunControl& control) {
   const scene::Interruptible interruptible(control.interrupted);
-  const Climber climber(candidate, *law_of(stage, options.quantity), options);
-  Random random(options.seed);
-  std::vector<WorstCase> starts = random_phase(climber, stage, candidate, options, control, random);
+  Climber climber(candidate, stage, options, control);
+  std::vector<WorstCase> starts = climber.random_phase();
   if (starts.empty()) return std::nullopt;
   const double height_random = starts.front().height;
   for (WorstCase& start : starts) {
-    climb(start, climber, candidate.precision, options.steps / static_cast<int>(starts.size()),
-          control, random);
+    climber.climb(start, options.steps / static_cast<int>(starts.size()));
   }
   WorstCase worst =
       *std::max_element(starts.begin(), starts.end(),
                         [](const WorstCase& a, const WorstCase& b) { return a.height < b.height; });
   const double height_climbed = worst.height;
-  shrink(worst, climber, candidate.precision, control);
+  climber.shrink(worst);
   worst.height_climbed = height_climbed;
   worst.height_random = height_random;
   return worst;

@@ -7,8 +7,8 @@
 
 #include "reference/account/internal/answer_places.h"
 #include "reference/account/internal/box_optimum.h"
-#include "reference/account/internal/fate.h"
 #include "reference/account/internal/inequalities.h"
+#include "reference/account/internal/possible_meeting.h"
 #include "reference/account/nearby_valid.h"
 #include "scene/validate.h"
 

@@ -49,7 +49,7 @@ TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     for (const properties::CaseSource& source : properties::case_sources()) {
       if (source.has_camera) continue;
-      const scene::Scene scene = properties::any_case(source, seed).scene;
+      const scene::Scene scene = properties::ChosenSource{&source}.make(seed).scene;
       for (const Sphere& sphere : scene.spheres) {
         asked += 2;
         hits +=

@@ -114,7 +114,7 @@ TEST(Robust, IsRightOnEverySourceOfGivenRays) {
     if (source.has_camera) continue;
     const int before = audit.hits;
     for (std::uint64_t seed = 0; seed < cases; ++seed) {
-      const auto the_case = properties::any_case(source, seed);
+      const auto the_case = properties::ChosenSource{&source}.make(seed);
       const scene::Conventions& conventions = the_case.scene.conventions;
       for (const Sphere& sphere : the_case.scene.spheres) {
         compare(kRobust.intersect_one, the_case.scene.rays.front(), sphere, conventions.root,
@@ -234,7 +234,7 @@ TEST(Robust, IsRightInEachOfItsSteps) {
   for (const properties::CaseSource& source : properties::case_sources()) {
     if (source.has_camera) continue;
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {
-      const auto the_case = properties::any_case(source, seed);
+      const auto the_case = properties::ChosenSource{&source}.make(seed);
       const scene::Conventions& conventions = the_case.scene.conventions;
       const Ray& ray = the_case.scene.rays.front();
       const Sphere& sphere = the_case.scene.spheres.front();

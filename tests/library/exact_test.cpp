@@ -44,7 +44,7 @@ TEST(Exact, WritesARootInEveryWay) {
   EXPECT_EQ(s.enclosure(60).substr(0, 20), "[0.10557280900008412");
   EXPECT_LT(s.ulp_error(s.rounded()), 0.5);
   EXPECT_GT(s.condition(), 1);
-  EXPECT_EQ(exact::ulp_error(std::numeric_limits<double>::infinity(), s),
+  EXPECT_EQ(s.ulp_error(std::numeric_limits<double>::infinity()),
             std::numeric_limits<double>::infinity());
   EXPECT_THROW(s.enclosure(1), std::invalid_argument);
   EXPECT_THROW(s.enclosure(1 << 20), std::invalid_argument);
@@ -72,8 +72,6 @@ TEST(Exact, FindsTheNearestAndItsTies) {
   EXPECT_EQ(found->ties, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(found->intersection.parameter->rounded(), 4);
   EXPECT_FALSE(exact::nearest(ray, {{{0, 0, -9}, 1}}));
-  EXPECT_EQ(exact::nearest({ray, ray}, {{{0, 0, 9}, 1}}).size(), 2u);
-  EXPECT_EQ(exact::hits({ray, ray}, {{{0, 0, 9}, 1}, {{0, 3, 9}, 1}}).size(), 4u);
 }
 
 Camera square_camera() {

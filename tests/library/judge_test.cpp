@@ -20,14 +20,14 @@ namespace {
 
 TEST(Judge, LetsAGoodTracerPassEveryLaw) {
   const LawTests tests(tracer());
-  EXPECT_GT(tests.questions().size(), 100u);
+  EXPECT_GT(tests.checks().size(), 100u);
   std::size_t told = 0;
-  for (const Question& question : tests.questions()) {
-    const LawOutcome outcome = tests.run(question);
+  for (const Check& check : tests.checks()) {
+    const LawOutcome outcome = tests.run(check);
     EXPECT_TRUE(outcome.passes) << outcome.text;
     told += outcome.says_too_little ? 0 : 1;
   }
-  EXPECT_GT(told, tests.questions().size() * 2 / 3);
+  EXPECT_GT(told, tests.checks().size() * 2 / 3);
 }
 
 TEST(Judge, BreaksWhatIsDull) {
@@ -116,11 +116,11 @@ TEST(Judge, CountsWhatIsThrownAsNoAnswer) {
 TEST(Judge, AsksOnlyAboutWhatThereIs) {
   Candidate frames("frames");
   frames.frame = [](const Camera&) { return Frame{}; };
-  const auto all = questions(frames);
+  const auto all = checks(frames);
   ASSERT_FALSE(all.empty());
   EXPECT_TRUE(
-      std::none_of(all.begin(), all.end(), [](const Question& one) { return one.law == "class"; }));
-  EXPECT_THROW(questions(Candidate("nothing")), std::invalid_argument);
+      std::none_of(all.begin(), all.end(), [](const Check& one) { return one.law == "class"; }));
+  EXPECT_THROW(checks(Candidate("nothing")), std::invalid_argument);
   const auto refused = [](auto change) {
     Candidate candidate("mine");
     candidate.intersect = [](const Ray&, const Sphere&, const Conventions&) {
@@ -128,8 +128,8 @@ TEST(Judge, AsksOnlyAboutWhatThereIs) {
     };
     change(candidate);
     const LawTests tests(candidate);
-    if (tests.questions().size() != 1) return false;
-    const LawOutcome outcome = tests.run(tests.questions().front());
+    if (tests.checks().size() != 1) return false;
+    const LawOutcome outcome = tests.run(tests.checks().front());
     return !outcome.passes && !outcome.text.empty();
   };
   EXPECT_TRUE(refused([](Candidate& c) { c.intersect = {}; }));

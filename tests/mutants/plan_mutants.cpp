@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "fast/visible.h"
-#include "properties/candidates/visibility_candidate.h"
 #include "tests/mutants/mutants.h"
+#include "tests/properties/laws/certified_candidate.h"
 
 namespace raycheck::mutants {
 namespace {

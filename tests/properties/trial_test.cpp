@@ -9,7 +9,7 @@
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
-#include "properties/nearest_hit_error.h"
+#include "properties/sphere_choice.h"
 #include "reference/visibility/visibility.h"
 
 namespace raycheck::properties {

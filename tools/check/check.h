@@ -26,33 +26,33 @@
 namespace raycheck::tools {
 
 /// A hit that an interval of parameters, or culling, excludes.
-struct SwallowedHit {
+struct ExcludedHit {
   properties::Place place;
   double s = 0;         ///< Of the root that counts if all >= 0 do; correctly rounded.
   double in_radii = 0;  ///< s over the sphere's radius, roughly; infinite for radius 0.
 };
 
 /// What happens to the hits of a sphere.
-struct SwallowedOfSphere {
-  std::uint64_t hits = 0;       ///< If every root >= 0 counts.
-  std::uint64_t swallowed = 0;  ///< Those that become misses.
-  std::uint64_t moved = 0;      ///< Those that remain hits, but at the other root.
+struct ExcludedOfSphere {
+  std::uint64_t hits = 0;      ///< If every root >= 0 counts.
+  std::uint64_t excluded = 0;  ///< Those that become misses.
+  std::uint64_t moved = 0;     ///< Those that remain hits, but at the other root.
 };
 
 /// What an interval or culling costs: the exact hits of a scene without it, and with it.
-struct Swallowed {
-  std::vector<SwallowedOfSphere> spheres;
-  std::vector<SwallowedHit> worst;  ///< Those farthest along their rays, in radii.
+struct ExcludedHits {
+  std::vector<ExcludedOfSphere> spheres;
+  std::vector<ExcludedHit> worst;  ///< Those farthest along their rays, in radii.
 
-  SwallowedOfSphere all() const;
-  void merge(const Swallowed& other);
+  ExcludedOfSphere all() const;
+  void merge(const ExcludedHits& other);
 };
 
 /// How many of the worst are kept.
-inline constexpr std::size_t kKeptSwallowed = 10;
+inline constexpr std::size_t kKeptExcluded = 10;
 
 /// For the rays and spheres of a trial, by the truth alone; empty where every root >= 0 counts.
-Swallowed swallowed(properties::Trial& trial);
+ExcludedHits excluded_hits(properties::Trial& trial);
 
 struct CheckOptions {
   std::string path;
@@ -93,7 +93,7 @@ struct CandidateReport {
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
   bool given_rays = false;    ///< It makes no rays: its answers about raycheck's own are judged.
   properties::Verdict verdict;
-  Swallowed swallowed;  ///< What its t_min, t_max and culling cost; empty if it has none.
+  ExcludedHits excluded;  ///< What its t_min, t_max and culling cost; empty if it has none.
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< For external ones only.
   Timing timing;                                      ///< For raycheck's methods.
@@ -103,11 +103,13 @@ struct CandidateReport {
   /// asked but never answered right without an excuse.
   std::optional<std::pair<properties::Quantity, properties::Expected>> too_few_judged() const {
     const bool is_asked = inside_domain && verdict.holds() && !is_undecided();
-    return is_asked ? verdict.too_few_right(1, swallows()) : std::nullopt;
+    return is_asked ? verdict.too_few_right(1, excludes_hits()) : std::nullopt;
   }
   bool is_undecided() const { return verdict.count(properties::Standing::kUndecided) > 0; }
   /// Whether its t_min, t_max or culling exclude a hit of the scene: then other hits must remain.
-  bool swallows() const { return !conventions.valid.is_usual() && swallowed.all().swallowed > 0; }
+  bool excludes_hits() const {
+    return !conventions.valid.is_usual() && excluded.all().excluded > 0;
+  }
   /// Whether enough was judged to say that there is no defect, undecided answers aside,
   bool is_judged() const { return inside_domain && verdict.compared() > 0 && !too_few_judged(); }
   /// and whether nothing is undecided.

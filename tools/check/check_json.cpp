@@ -11,14 +11,14 @@ namespace raycheck::tools {
 namespace {
 
 /// Null where every root >= 0 counts.
-Json swallowed_json(const CandidateReport& candidate) {
+Json excluded_json(const CandidateReport& candidate) {
   if (candidate.conventions.valid.is_usual()) return nullptr;
-  const auto counts = [](const SwallowedOfSphere& one) {
-    return Json{{"hits", one.hits}, {"swallowed", one.swallowed}, {"moved", one.moved}};
+  const auto counts = [](const ExcludedOfSphere& one) {
+    return Json{{"hits", one.hits}, {"excluded", one.excluded}, {"moved", one.moved}};
   };
-  Json json = counts(candidate.swallowed.all());
-  json["spheres"] = list_json(candidate.swallowed.spheres, counts);
-  json["worst"] = list_json(candidate.swallowed.worst, [](const SwallowedHit& hit) {
+  Json json = counts(candidate.excluded.all());
+  json["spheres"] = list_json(candidate.excluded.spheres, counts);
+  json["worst"] = list_json(candidate.excluded.worst, [](const ExcludedHit& hit) {
     Json entry = place_json(hit.place);
     entry["s"] = scene::hexfloat(hit.s);
     return entry;
@@ -49,7 +49,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
                       {"not_sought", candidate.search.not_sought}};
   json["given_rays"] = candidate.given_rays;
   json["precision"] = name(candidate.precision);
-  json["swallowed"] = swallowed_json(candidate);
+  json["excluded"] = excluded_json(candidate);
   json["rounded_numbers"] = candidate.rounded_numbers;
   json["not_asked"] = text_or_null(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();

@@ -91,20 +91,20 @@ std::string quantities_table(const CandidateReport& candidate, const NamedPlace&
 }
 
 /// What an interval of parameters, or culling, costs.
-std::string swallowed_text(const CandidateReport& candidate) {
+std::string excluded_text(const CandidateReport& candidate) {
   if (candidate.conventions.valid.is_usual()) return "";
-  const Swallowed& swallowed = candidate.swallowed;
-  const SwallowedOfSphere all = swallowed.all();
-  std::string text = fmt::format("  {} swallows {} of {} and moves {} to the other root\n",
-                                 valid_roots_text(candidate.conventions.valid), all.swallowed,
+  const ExcludedHits& excluded = candidate.excluded;
+  const ExcludedOfSphere all = excluded.all();
+  std::string text = fmt::format("  {} excludes {} of {} and moves {} to the other root\n",
+                                 valid_roots_text(candidate.conventions.valid), all.excluded,
                                  count_text(all.hits, "exact hit"), all.moved);
-  for (std::size_t k = 0; k < swallowed.spheres.size(); ++k) {
-    const auto& [hits, lost, moved] = swallowed.spheres[k];
+  for (std::size_t k = 0; k < excluded.spheres.size(); ++k) {
+    const auto& [hits, lost, moved] = excluded.spheres[k];
     if (lost + moved == 0) continue;
-    text += fmt::format("    sphere {}: {} of {} swallowed, {} moved\n", k, lost, hits, moved);
+    text += fmt::format("    sphere {}: {} of {} excluded, {} moved\n", k, lost, hits, moved);
   }
-  for (const SwallowedHit& hit : swallowed.worst) {
-    text += fmt::format("    swallowed: {} at s = {:.6g}\n", place_text(hit.place), hit.s);
+  for (const ExcludedHit& hit : excluded.worst) {
+    text += fmt::format("    excluded: {} at s = {:.6g}\n", place_text(hit.place), hit.s);
   }
   return text;
 }
@@ -211,7 +211,7 @@ std::string candidate_text(const CheckReport& report, const CandidateReport& can
   if (candidate.given_rays) {
     text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
   }
-  text += precision_text(candidate) + swallowed_text(candidate) + quantities_table(candidate);
+  text += precision_text(candidate) + excluded_text(candidate) + quantities_table(candidate);
   const char* const answers = implementation.draws() ? "pixels" : "answers";
   text += indented(explanations_text(candidate.explanations, answers), "  ");
   return text + failures_text(candidate.search) + too_few_text(candidate);

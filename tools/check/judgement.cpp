@@ -25,7 +25,7 @@ struct ChunkVerdict {
   Verdict verdict;
   ReasonsLeftOut left_out;
   bool given_rays = false;
-  Swallowed swallowed;
+  ExcludedHits excluded;
 
   bool has_failed() const {
     return verdict.tally(properties::Quantity::kRefusal).count(properties::Wrong::kFailed) > 0;
@@ -48,9 +48,9 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, const Candidate
     found.verdict.merge(std::move(verdict));
   }
   found.given_rays = trials.gave_rays();
-  found.swallowed = swallowed(trials.on_case());
+  found.excluded = excluded_hits(trials.on_case());
   if (!chunk.scene.camera) {
-    for (SwallowedHit& hit : found.swallowed.worst) hit.place.ray += first;
+    for (ExcludedHit& hit : found.excluded.worst) hit.place.ray += first;
   }
   return found;
 }
@@ -96,7 +96,7 @@ void Judgement::merge(std::vector<ChunkVerdict>& verdicts, std::uint64_t first) 
     Draft& draft = drafts_[k];
     draft.report.verdict.merge(std::move(verdicts[k].verdict));
     draft.report.given_rays |= verdicts[k].given_rays;
-    draft.report.swallowed.merge(verdicts[k].swallowed);
+    draft.report.excluded.merge(verdicts[k].excluded);
     for (auto& [law, reason] : verdicts[k].left_out) draft.left_out[law] = std::move(reason);
   }
 }

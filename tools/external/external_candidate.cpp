@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/code_line.h"
-#include "properties/other_size.h"
+#include "properties/failures.h"
 #include "scene/text.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/protocol/frames.h"
@@ -24,13 +23,13 @@ struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
   std::optional<properties::OtherSize> size = {};  ///< Of a picture, if the size is wrong.
-  bool is_in_vain = false;                         ///< It fails whatever it is asked.
+  bool fails_always = false;                       ///< It fails whatever it is asked.
   std::optional<properties::CodeLine> line = {};   ///< In its source, if known.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
-    if (size) throw properties::OtherSize(words, size->width(), size->height());
-    if (is_in_vain || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
+    if (size) throw properties::OtherSize(words, size->width, size->height);
+    if (fails_always || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::CandidateUnavailable(words);
     }
     if (line) throw properties::FailedAtLine(words, *line);

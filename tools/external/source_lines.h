@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "properties/code_line.h"
+#include "properties/failures.h"
 #include "tools/external/sandbox/launch.h"
 
 namespace raycheck::tools {

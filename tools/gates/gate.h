@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/code_line.h"
+#include "properties/failures.h"
 #include "tools/gates/baseline.h"
 
 namespace raycheck::tools {

@@ -118,7 +118,7 @@ class ClassRun {
         submissions_(find_submissions(options.submissions, names_of_class_files())) {
     read_earlier_grades();
     if (writes()) {
-      require_apart(options_.out, submissions_);
+      require_disjoint(options_.out, submissions_);
       own_.emplace(options_.out);
       require_place();
       for (const Submission& submission : submissions_) own_->make_folder(submission.name);

@@ -40,7 +40,7 @@ struct GradeOptions {
 /// the end. Submissions that an earlier run into the same folder finished, with the same files,
 /// rubric and seed, are not graded again; for changed ones, stored builds and answers are reused
 /// (store.h). Files that raycheck did not write are neither replaced nor removed. Errors, before
-/// anything is written: what load_rubric(), find_submissions(), chosen_layers(), require_apart()
+/// anything is written: what load_rubric(), find_submissions(), chosen_layers(), require_disjoint()
 /// and OwnFiles::require_own() throw.
 ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {});
 

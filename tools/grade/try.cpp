@@ -30,7 +30,7 @@ TryReport try_submission(const TryOptions& options, const properties::RunControl
   const std::filesystem::path name = submissions.front().name;
   if (!options.out.empty()) {
     const Rubric rubric = load_rubric(options.rubric, options.dialect);
-    require_apart(options.out, submissions);
+    require_disjoint(options.out, submissions);
     own.emplace(options.out);
     for (const std::string& file : names_for_student(rubric)) own->require_own(name / file);
     own->make_folder(name);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/nearest_hit_error.h"
+#include "properties/sphere_choice.h"
 
 namespace raycheck::tools {
 namespace {

@@ -88,7 +88,8 @@ std::vector<StressCurve> run_stage(const CaseSource& family, Stage stage,
     control.progress(
         fmt::format("{} at severity {} of {}", family.name, severity, severities.back()));
     each.seed = options.seed + static_cast<std::uint64_t>(severity);
-    std::vector<StressResult> results = stress(family, severity, stage, candidates, each, control);
+    std::vector<StressResult> results =
+        stress({&family, severity}, stage, candidates, each, control);
     for (std::size_t k = 0; k < curves.size(); ++k) {
       curves[k].results.push_back(std::move(results[k]));
     }

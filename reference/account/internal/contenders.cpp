@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "reference/account/internal/fate.h"
+#include "reference/account/internal/possible_meeting.h"
 
 namespace raycheck::reference {
 Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> spheres,
@@ -11,23 +11,23 @@ Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> sphere
   const IntervalGuard guard;
   const ChangedIntervalLift lift(around.relative_change);
   const auto line = lifted_line(lift, ray.source());
-  std::vector<Fate> fates;
-  fates.reserve(spheres.size());
+  std::vector<PossibleMeeting> meetings;
+  meetings.reserve(spheres.size());
   // Nothing behind the first certain hit is met first.
   double end = std::numeric_limits<double>::infinity();
   const bool has_favourite = claim.what == FirstMet::What::kSphere;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     const auto sphere = lift_sphere<IntervalKernel>(lift, spheres[k]);
-    fates.push_back(fate_of(line_and_sphere(line, sphere), around.root));
-    if (!fates[k].may_miss && !(has_favourite && k == claim.sphere)) {
-      end = std::min(end, fates[k].latest);
+    meetings.push_back(possible_meeting(line_and_sphere(line, sphere), around.root));
+    if (!meetings[k].may_miss && !(has_favourite && k == claim.sphere)) {
+      end = std::min(end, meetings[k].latest);
     }
   }
   const bool is_hit_throughout = end < std::numeric_limits<double>::infinity();
   Contenders result;
-  for (std::size_t k = 0; k < fates.size(); ++k) {
-    const bool is_too_late = has_favourite && fates[k].earliest > fates[claim.sphere].latest;
-    if (fates[k].may_hit && !is_too_late) result.spheres.push_back(k);
+  for (std::size_t k = 0; k < meetings.size(); ++k) {
+    const bool is_too_late = has_favourite && meetings[k].earliest > meetings[claim.sphere].latest;
+    if (meetings[k].may_hit && !is_too_late) result.spheres.push_back(k);
   }
   switch (claim.what) {
     case FirstMet::What::kNothing:
@@ -39,7 +39,7 @@ Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> sphere
       if (is_hit_throughout) result.is_right = true;
       break;
     default: {
-      const Fate& favourite = fates[claim.sphere];
+      const PossibleMeeting& favourite = meetings[claim.sphere];
       if (!favourite.may_hit || favourite.earliest > end) result.is_right = false;
       if (result.spheres.size() == 1 && !favourite.may_miss) result.is_right = true;
     }

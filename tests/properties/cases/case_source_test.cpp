@@ -63,7 +63,7 @@ int count_ties(const CaseSource& source, std::uint64_t seeds) {
   int ties = 0;
   const Candidate nobody;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    const Case the_case = any_case(source, seed);
+    const Case the_case = ChosenSource{&source}.make(seed);
     Trial trial(the_case, nobody);
     for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
       const auto nearest =
@@ -98,7 +98,7 @@ TEST(CaseSource, UsesEveryConvention) {
     SCOPED_TRACE(source.name);
     std::set<int> seen;
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
-      const scene::Conventions c = any_case(source, seed).scene.conventions;
+      const scene::Conventions c = ChosenSource{&source}.make(seed).scene.conventions;
       seen.insert({static_cast<int>(c.rows), 10 + static_cast<int>(c.samples),
                    30 + static_cast<int>(c.root), 40 + static_cast<int>(c.tangent)});
       if (source.name != "near-plane") seen.insert(20 + static_cast<int>(c.origin));
@@ -112,7 +112,7 @@ TEST(AnyCase, HasEverySeverityAboutAsOften) {
   const CaseSource& source = *find_case_source("distance");
   std::vector<int> found(static_cast<std::size_t>(source.dial->highest) + 1);
   for (std::uint64_t seed = 0; seed < 1600; ++seed) {
-    const Case the_case = any_case(source, seed);
+    const Case the_case = ChosenSource{&source}.make(seed);
     for (int severity = 0; severity <= source.dial->highest; ++severity) {
       if (source.make(severity, seed).scene == the_case.scene) {
         ++found[static_cast<std::size_t>(severity)];
@@ -137,7 +137,6 @@ TEST(ChosenSource, IsASourceOrOneOfItsSeverities) {
   }
   const CaseSource& distance = *find_case_source("distance");
   EXPECT_EQ(chosen_source("distance@7").make(3).scene, distance.make(7, 3).scene);
-  EXPECT_EQ(chosen_source("distance").make(3).scene, any_case(distance, 3).scene);
 }
 
 TEST(ChosenSource, NamesWhatIsWrong) {

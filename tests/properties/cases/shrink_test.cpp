@@ -75,7 +75,7 @@ TEST(Shrink, FindsTheSmallestImageByHalving) {
 TEST(Shrink, EndsAtAPlainCaseByValidOnes) {
   for (const CaseSource& source : case_sources()) {
     SCOPED_TRACE(source.name);
-    Case the_case = any_case(source, 7);
+    Case the_case = ChosenSource{&source}.make(7);
     int steps = 0;
     for (auto offers = simpler(the_case); !offers.empty(); offers = simpler(the_case)) {
       for (const Case& offer : offers) {

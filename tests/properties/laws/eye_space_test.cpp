@@ -64,7 +64,7 @@ struct Known {
 Known compare(const CaseSource& source, std::uint64_t cases, bool as_planned) {
   Known known;
   for (std::uint64_t seed = 0; seed < cases; ++seed) {
-    const Case the_case = any_case(source, seed);
+    const Case the_case = ChosenSource{&source}.make(seed);
     const scene::Camera& camera = *the_case.scene.camera;
     const scene::Conventions& conventions = the_case.scene.conventions;
     const EyeSpace eye =
@@ -203,7 +203,8 @@ TEST(VisibilityBound, HoldsOnEverySourceOfCameras) {
     if (!source.has_camera) continue;
     SCOPED_TRACE(source.name);
     Shares shares;
-    for (std::uint64_t seed = 0; seed < 400; ++seed) compare(any_case(source, seed), shares);
+    for (std::uint64_t seed = 0; seed < 400; ++seed)
+      compare(ChosenSource{&source}.make(seed), shares);
     EXPECT_LE(shares.disc, 1);
     EXPECT_LE(shares.numerator, 1);
     // It bounds all pixels and spheres at once, but it is no idle bound.

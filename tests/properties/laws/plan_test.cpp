@@ -15,12 +15,12 @@
 #include <vector>
 
 #include "properties/candidates/fast_candidate.h"
-#include "properties/candidates/visibility_candidate.h"
 #include "properties/cases/case_text.h"
 #include "properties/cases/random.h"
 #include "properties/search/campaign.h"
 #include "scene/validate.h"
 #include "tests/names.h"
+#include "tests/properties/laws/certified_candidate.h"
 
 namespace raycheck::properties {
 namespace {

@@ -105,7 +105,7 @@ TEST(Stress, JudgesIntersectionsAloneOnTheRaysOfACamera) {
   options.cases = 200;
   const std::vector<Candidate> candidates = {fast_candidate(fast::kDirectRays, fast::kCross)};
   const auto results =
-      stress(*find_case_source("far-camera"), 0, Stage::kIntersection, candidates, options);
+      stress({find_case_source("far-camera"), 0}, Stage::kIntersection, candidates, options);
   EXPECT_GE(results[0].inside.tallies().at(Quantity::kClass).cases, 100u);
   EXPECT_EQ(results[0].inside.tallies().count(Quantity::kDirection), 0u);
 }

@@ -69,18 +69,18 @@ TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
   EXPECT_EQ(report["conventions"]["t_min"], 0.5);
   EXPECT_EQ(report["conventions"]["interval"], "(t_min, t_max)");
   // Roots 2 and 4; 1/4 and 9/4; 1/4 alone.
-  const json& swallowed = report["swallowed"];
-  EXPECT_EQ(swallowed["hits"], 3);
-  EXPECT_EQ(swallowed["swallowed"], 1);
-  EXPECT_EQ(swallowed["moved"], 1);
-  EXPECT_EQ(swallowed["spheres"][0]["swallowed"], 1);
-  ASSERT_EQ(swallowed["worst"].size(), 1u);
-  EXPECT_EQ(swallowed["worst"][0]["ray"], 2);
-  EXPECT_EQ(swallowed["worst"][0]["s"], "0x1p-2");
+  const json& excluded = report["excluded"];
+  EXPECT_EQ(excluded["hits"], 3);
+  EXPECT_EQ(excluded["excluded"], 1);
+  EXPECT_EQ(excluded["moved"], 1);
+  EXPECT_EQ(excluded["spheres"][0]["excluded"], 1);
+  ASSERT_EQ(excluded["worst"].size(), 1u);
+  EXPECT_EQ(excluded["worst"][0]["ray"], 2);
+  EXPECT_EQ(excluded["worst"][0]["s"], "0x1p-2");
   expect_parts(run("check " + scene + " --candidate '" + candidate + "'").out,
-               {"t in (0.5, inf) swallows 1 of 3 exact hits and moves 1 to the other "
+               {"t in (0.5, inf) excludes 1 of 3 exact hits and moves 1 to the other "
                 "root",
-                "swallowed: ray 2, sphere 0 at s = 0.25"});
+                "excluded: ray 2, sphere 0 at s = 0.25"});
 }
 
 TEST(ValidRoots, that_are_declared_but_not_kept_are_defects) {
@@ -91,7 +91,7 @@ TEST(ValidRoots, that_are_declared_but_not_kept_are_defects) {
   // Who says nothing is judged by every root >= 0.
   const std::string silent = tracer("silent.py", "s >= 0", "None");
   EXPECT_EQ(judged(scene, silent)["discrepancies"], 0);
-  EXPECT_TRUE(judged(scene, silent)["swallowed"].is_null());
+  EXPECT_TRUE(judged(scene, silent)["excluded"].is_null());
 }
 
 TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
@@ -105,7 +105,7 @@ TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
   const json report = judged(scene, right);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
   EXPECT_EQ(report["conventions"]["t_unit"], "radius");
-  EXPECT_EQ(report["swallowed"]["moved"], 1);
+  EXPECT_EQ(report["excluded"]["moved"], 1);
   // < for <= misses what inputs close by may miss.
   const std::string off =
       tracer("off.py", "unit * roots.t_min < s < unit * roots.t_max", "'as-asked'");

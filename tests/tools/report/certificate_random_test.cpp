@@ -67,7 +67,7 @@ std::vector<Json> certificates_of(const std::vector<Candidate>& candidates,
   std::uint64_t seed = 0;
   for (const Candidate& candidate : candidates) {
     for (std::uint64_t k = 0; k < cases_each; ++k) {
-      certify(properties::any_case(source, ++seed), candidate, filter, certificates);
+      certify(properties::ChosenSource{&source}.make(++seed), candidate, filter, certificates);
     }
   }
   return certificates;

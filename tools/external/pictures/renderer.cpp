@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "properties/other_size.h"
+#include "properties/failures.h"
 #include "tools/external/pictures/picture_file.h"
 #include "tools/external/sandbox/file_tree.h"
 

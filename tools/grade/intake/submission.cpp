@@ -57,7 +57,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
   return found;
 }
 
-void require_apart(const std::string& out, const std::vector<Submission>& submissions) {
+void require_disjoint(const std::string& out, const std::vector<Submission>& submissions) {
   std::vector<fs::path> handed_in;
   for (const Submission& each : submissions) handed_in.push_back(resolved(each.path));
   const auto require = [&](const fs::path& folder) {

@@ -24,7 +24,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
 
 /// Throws std::invalid_argument if the folder of results, or a submission's folder in it, is,
 /// contains or lies in a submission, also through links. It need not exist.
-void require_apart(const std::string& out, const std::vector<Submission>& submissions);
+void require_disjoint(const std::string& out, const std::vector<Submission>& submissions);
 
 /// How much is taken of a submission.
 IntakeLimits intake_limits(const SubmissionLimits& limits);

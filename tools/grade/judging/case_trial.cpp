@@ -1,49 +1,59 @@
 #include "tools/grade/judging/case_trial.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
-#include "tools/implementations/built_in.h"
-
 namespace raycheck::tools {
 
-using properties::Candidate;
 using properties::Case;
 using properties::Law;
+using properties::Needs;
 using properties::Trial;
-using properties::Truth;
 using properties::Verdict;
+using properties::Wrong;
 
 namespace {
 
-/// Whether answers may be missing: if a decision about the case is excused or undecided and differs
-/// from raycheck's, there is a hit less to compare.
-bool may_miss_answers(Trial& trial) {
+/// Whether the candidate misses hits, or has them at the other root, so that laws about hits have
+/// less to compare; what is excused does not count.
+bool misses_hits(Trial& trial) {
   for (const Law& law : properties::laws()) {
-    if (!judges_decisions(law) || law.per == properties::Per::kImage) continue;
-    const Verdict verdict = apply(law, trial);
-    if (verdict.holds() && verdict.discrepancies() > 0) return true;
+    if (!judges_decisions(law) || !needs_any(law.needs, Needs::kIntersect)) continue;
+    if (!what_is_missing(law.needs, trial).empty()) continue;
+    const auto defects = apply(law, trial).defects();
+    if (std::any_of(defects.begin(), defects.end(), [](const properties::DefectKind& defect) {
+          return defect.wrong == Wrong::kMissed || defect.wrong == Wrong::kWrongRoot;
+        })) {
+      return true;
+    }
   }
   return false;
+}
+
+/// Whether the candidate gives a law less to compare than the scene has.
+bool is_unanswered(const Law& law, Trial& trial) {
+  if (law.per == properties::Per::kImage || !scene_suits(law.needs, trial)) return false;
+  if (!what_is_missing(law.needs, trial).empty()) return true;
+  // The law of the class compares misses, too; those of no stage look at hits where there are some.
+  const bool is_of_class = judges_decisions(law) && law.quantity == properties::Quantity::kClass;
+  const bool compares_hits =
+      needs_any(law.needs, Needs::kIntersect) || (needs_any(law.needs, Needs::kRays) && !law.stage);
+  return compares_hits && !is_of_class && misses_hits(trial);
 }
 
 }  // namespace
 
 CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
                      const Examinee& examinee) {
-  Candidate own = candidate_of(kDefaultMethods);
-  own.declared = examinee.candidate.declared;
-  const auto truth =
-      std::make_shared<Truth>(the_case, own.declared.over(the_case.scene.conventions));
-  Trial trial(the_case, examinee.candidate, examinee.options(truth));
-  Trial own_trial(the_case, own, examinee.options(truth));
+  Trial trial(the_case, examinee.candidate, examinee.options());
   CaseOutcome outcome;
   for (const Law* law : laws) {
     Verdict verdict = apply(*law, trial);
-    // raycheck's own methods draw no pictures, of which every pixel is compared.
-    const std::uint64_t expected = examinee.pictures ? 0 : apply(*law, own_trial).compared();
+    // Of pictures every pixel is compared.
+    const bool unanswered = !examinee.pictures && verdict.holds() && is_unanswered(*law, trial);
     outcome.compared += verdict.compared();
-    outcome.answers = outcome.answers || verdict.compared() > 0 || expected > 0;
+    outcome.answers = outcome.answers || verdict.compared() > 0 || unanswered;
     // A renderer with colours of its own does not tell which sphere it sees.
     const bool is_untold =
         examinee.pictures && !examinee.masks_only && the_case.scene.spheres.size() > 1;
@@ -56,7 +66,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
       }
     } else if (is_untold && !verdict.reason_left_out().empty()) {
       outcome.unanswered = {.kind = ItemReason::Kind::kOtherColours};
-    } else if (verdict.compared() < expected && outcome.is_answered() && !may_miss_answers(trial)) {
+    } else if (unanswered && outcome.is_answered()) {
       outcome.unanswered = {.kind = ItemReason::Kind::kUnanswered,
                             .law = std::string(law->name),
                             .said = verdict.reason_left_out()};

@@ -23,9 +23,7 @@ struct Examinee {
   bool masks_only = false;             ///< Whether a pixel shows a sphere, not which.
   LastFailure last_failure = nullptr;  ///< For other people's candidates.
 
-  properties::TrialOptions options(std::shared_ptr<properties::Truth> truth = nullptr) const {
-    return {.max_error = tolerance.ulp, .truth = std::move(truth)};
-  }
+  properties::TrialOptions options() const { return {.max_error = tolerance.ulp}; }
 };
 
 /// The outcome of a case.

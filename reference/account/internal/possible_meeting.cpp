@@ -1,4 +1,4 @@
-#include "reference/account/internal/fate.h"
+#include "reference/account/internal/possible_meeting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,27 +17,27 @@ Interval largest(const IntervalKernel::Vector_3& v) {
 
 }  // namespace
 
-Fate fate_of(const LineAndSphere<IntervalKernel>& pair, scene::Root root) {
+PossibleMeeting possible_meeting(const LineAndSphere<IntervalKernel>& pair, scene::Root root) {
   const Interval squared_root = discriminant(pair);
   if (squared_root.sup() < 0) return {};
   const Interval c = constant_coefficient(pair);
   const Interval b = linear_coefficient(pair);
   const Interval half = CGAL::sqrt(squared_root);
   const bool is_nearest = root == scene::Root::kNearest;
-  Fate fate;
-  fate.may_miss = !(squared_root.inf() > 0) || (!(c.inf() > 0) && !is_nearest) ||
-                  (!(c.sup() < 0) && !(b.inf() > 0));
+  PossibleMeeting meeting;
+  meeting.may_miss = !(squared_root.inf() > 0) || (!(c.inf() > 0) && !is_nearest) ||
+                     (!(c.sup() < 0) && !(b.inf() > 0));
   const auto may_be_at = [&](const Interval& s) {
-    fate.may_hit = true;
+    meeting.may_hit = true;
     // Where intervals overflow, a bound that is not a number bounds nothing.
-    fate.earliest = std::min(fate.earliest, s.inf() >= 0 ? s.inf() : 0);
-    fate.latest = s.sup() >= fate.latest   ? s.sup()
-                  : s.sup() <= fate.latest ? fate.latest
-                                           : std::numeric_limits<double>::infinity();
+    meeting.earliest = std::min(meeting.earliest, s.inf() >= 0 ? s.inf() : 0);
+    meeting.latest = s.sup() >= meeting.latest   ? s.sup()
+                     : s.sup() <= meeting.latest ? meeting.latest
+                                                 : std::numeric_limits<double>::infinity();
   };
   if (!(c.sup() < 0) && !(b.sup() < 0)) may_be_at(b - half);
   if (!(c.inf() > 0) && is_nearest) may_be_at(b + half);
-  return fate;
+  return meeting;
 }
 
 bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
@@ -46,12 +46,12 @@ bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
   const ChangedIntervalLift lift(around.relative_change);
   const auto line = lifted_line(lift, ray.source());
   const auto pair = line_and_sphere(line, lift_sphere<IntervalKernel>(lift, sphere));
-  const Fate fate = fate_of(pair, around.root);
-  if (!answer) return !fate.may_miss;
-  if (!fate.may_hit) return true;
+  const PossibleMeeting meeting = possible_meeting(pair, around.root);
+  if (!answer) return !meeting.may_miss;
+  if (!meeting.may_hit) return true;
   const Interval s(*answer);
   const Interval length = line.is_unit ? ray_length(line) : Interval(1);
-  const Interval roots = Interval(fate.earliest, fate.latest) * length / line.a;
+  const Interval roots = Interval(meeting.earliest, meeting.latest) * length / line.a;
   const bool is_beyond = s.inf() > roots.sup();
   const Interval gap = is_beyond ? s - Interval(roots.sup()) : Interval(roots.inf()) - s;
   const Interval scale = line.is_unit ? Interval(1) : largest(line.g);

@@ -6,38 +6,38 @@
 namespace raycheck::tools {
 namespace {
 
-void keep_worst(std::vector<SwallowedHit>& worst) {
-  std::stable_sort(worst.begin(), worst.end(), [](const SwallowedHit& a, const SwallowedHit& b) {
+void keep_worst(std::vector<ExcludedHit>& worst) {
+  std::stable_sort(worst.begin(), worst.end(), [](const ExcludedHit& a, const ExcludedHit& b) {
     return a.in_radii > b.in_radii;
   });
-  if (worst.size() > kKeptSwallowed) worst.resize(kKeptSwallowed);
+  if (worst.size() > kKeptExcluded) worst.resize(kKeptExcluded);
 }
 
 }  // namespace
 
-SwallowedOfSphere Swallowed::all() const {
-  SwallowedOfSphere sum;
-  for (const SwallowedOfSphere& one : spheres) {
+ExcludedOfSphere ExcludedHits::all() const {
+  ExcludedOfSphere sum;
+  for (const ExcludedOfSphere& one : spheres) {
     sum.hits += one.hits;
-    sum.swallowed += one.swallowed;
+    sum.excluded += one.excluded;
     sum.moved += one.moved;
   }
   return sum;
 }
 
-void Swallowed::merge(const Swallowed& other) {
+void ExcludedHits::merge(const ExcludedHits& other) {
   spheres.resize(std::max(spheres.size(), other.spheres.size()));
   for (std::size_t k = 0; k < other.spheres.size(); ++k) {
     spheres[k].hits += other.spheres[k].hits;
-    spheres[k].swallowed += other.spheres[k].swallowed;
+    spheres[k].excluded += other.spheres[k].excluded;
     spheres[k].moved += other.spheres[k].moved;
   }
   worst.insert(worst.end(), other.worst.begin(), other.worst.end());
   keep_worst(worst);
 }
 
-Swallowed swallowed(properties::Trial& trial) {
-  Swallowed found;
+ExcludedHits excluded_hits(properties::Trial& trial) {
+  ExcludedHits found;
   const scene::Conventions& conventions = trial.conventions();
   if (conventions.valid.is_usual()) return found;
   const auto& spheres = trial.scene().spheres;
@@ -53,7 +53,7 @@ Swallowed swallowed(properties::Trial& trial) {
         found.spheres[k].moved += with == without ? 0 : 1;
         continue;
       }
-      ++found.spheres[k].swallowed;
+      ++found.spheres[k].excluded;
       const double s = exact.rounded_parameter(spheres[k], without, trial.precision());
       const double radius = spheres[k].radius;
       found.worst.push_back({trial.place(ray, k), s,

@@ -1,11 +1,17 @@
-#include "properties/candidates/visibility_candidate.h"
+#pragma once
 
 #include <map>
+#include <optional>
+#include <vector>
 
+#include "properties/candidate.h"
 #include "reference/visibility/visibility.h"
+#include "scene/plan/plan.h"
 
 namespace raycheck::properties {
-namespace {
+
+/// It computes whole rows: larger images are not given to it.
+inline constexpr std::int64_t kMostCertifiedPixelsAcross = 1 << 12;
 
 /// A row of the image.
 struct Row {
@@ -13,7 +19,7 @@ struct Row {
   std::vector<double> parameter;
 };
 
-Row seen_row(const reference::Visibility& visibility, std::int64_t j) {
+inline Row seen_row(const reference::Visibility& visibility, std::int64_t j) {
   const auto width = static_cast<std::size_t>(visibility.scene().camera->width);
   Row row{std::vector<std::int32_t>(width), std::vector<double>(width)};
   reference::SeenRows wanted;
@@ -23,9 +29,9 @@ Row seen_row(const reference::Visibility& visibility, std::int64_t j) {
   return row;
 }
 
-}  // namespace
-
-Candidate certified_candidate(const scene::PlanItems& items) {
+/// Certified visibility (reference/visibility/visibility.h) as a candidate, `certified`, with
+/// `visible` alone: by a plan with these `items`. It promises every decision.
+inline Candidate certified_candidate(const scene::PlanItems& items = {}) {
   Candidate candidate;
   candidate.name = "certified";
   candidate.plan = [items](const scene::Scene& scene, const scene::Conventions& conventions,

@@ -23,7 +23,7 @@ struct ChangedIntervalLift {
 
 /// Whether a ray of the neighbourhood may hit or miss a sphere, and where: bounds of s times a
 /// positive number that depends on the ray only.
-struct Fate {
+struct PossibleMeeting {
   bool may_hit = false;
   bool may_miss = true;
   double earliest = std::numeric_limits<double>::infinity();
@@ -31,7 +31,7 @@ struct Fate {
 };
 
 /// A tangent may be either.
-Fate fate_of(const LineAndSphere<IntervalKernel>& pair, scene::Root root);
+PossibleMeeting possible_meeting(const LineAndSphere<IntervalKernel>& pair, scene::Root root);
 
 /// Whether intervals show that an answer, in the sense of right_nearby, is right nowhere.
 bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
