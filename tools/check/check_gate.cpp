@@ -122,9 +122,6 @@ Gate check_gate(const CheckReport& report) {
   gate.about = fmt::format("{}, {} of {} judged", report.path, report.rays_judged,
                            count_text(report.rays_in_scene, "ray"));
   gate.ratchet = report.ratchet;
-  if (report.scene.camera && !report.holds()) {
-    gate.picture = [&report] { return check_picture(report, {}); };
-  }
   for (const CandidateReport& candidate : report.candidates) add_checks(gate, report, candidate);
   gate.findings.complete = gate.findings.asked;
   complete(gate, report.interrupted);

@@ -18,8 +18,7 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   json["strict"] = report.strict;
   json["holds"] = report.holds();
   json.update(candidate_json(report.candidate, report.top));
-  for (const char* key :
-       {"rays", "intersect", "isolated_by", "bounds_of", "ns_per_ray", "explanations"}) {
+  for (const char* key : {"rays", "intersect", "isolated_by", "bounds_of", "explanations"}) {
     json.erase(key);  // for methods, processes and renderers only
   }
   const auto name = [&](Json& place) {

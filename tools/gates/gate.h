@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,8 +52,6 @@ struct Gate {
   std::vector<SourceFile> sources;  ///< For candidates that are files.
   std::optional<Ratchet> ratchet;   ///< If there is a baseline.
   Findings findings;                ///< What a baseline holds of it.
-  /// Makes a PNG file of where the scene shows it; or empty.
-  std::function<std::string()> picture;
 
   std::uint64_t count(GateOutcome outcome) const;
 };

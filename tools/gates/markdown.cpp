@@ -7,7 +7,6 @@
 
 #include "scene/text.h"
 #include "tools/gates/gate_views.h"
-#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {
@@ -39,16 +38,6 @@ std::string fenced(std::string_view text) {
   }
   const std::string fence(longest + 1, '`');
   return fmt::format("{0}text\n{1}{2}{0}\n", fence, shown, shown.ends_with('\n') ? "" : "\n");
-}
-
-/// An address in a link: bytes that would end it are percent-encoded.
-std::string link_address(std::string_view address) {
-  std::string shown;
-  for (const char c : scene::visible_line(address)) {
-    const bool ends = std::string_view(" ()<>\"\\").find(c) != std::string_view::npos;
-    shown += ends ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
-  }
-  return shown;
 }
 
 std::string failure_of(const GateCheck& check) {
@@ -89,19 +78,12 @@ std::string ratchet_part(const Ratchet& ratchet) {
 
 }  // namespace
 
-std::string markdown(const Gate& gate, const std::string& picture_link) {
+std::string markdown(const Gate& gate) {
   const bool fails = gate.count(GateOutcome::kFailed) > 0;
   std::string text = fmt::format("### raycheck {}: {}\n\n{}: {}.\n\n{}", gate.command,
                                  fails ? "discrepancies" : "no new discrepancy",
                                  inline_text(gate.about), outcomes_text(gate), table_of(gate));
   if (gate.ratchet) text += ratchet_part(*gate.ratchet);
-  if (!picture_link.empty()) {
-    text += fmt::format("\n[where]({})\n", link_address(picture_link));
-  } else if (gate.picture) {
-    const std::string picture =
-        fmt::format("\n![where]({})\n", data_address("image/png", gate.picture()));
-    if (text.size() + picture.size() < kMostMarkdownBytes) text += picture;
-  }
   std::size_t left_out = 0;
   constexpr std::size_t kRoomForCount = 100;
   for (const GateOutcome outcome : {GateOutcome::kFailed, GateOutcome::kInconclusive}) {

@@ -17,9 +17,4 @@ namespace raycheck::tools {
 void time_intersections(const std::vector<properties::Case>& cases, std::vector<MethodCost>& costs);
 void time_rays(const std::vector<properties::Case>& cases, std::vector<MethodCost>& costs);
 
-/// Nanoseconds per pixel to make its ray and intersect it with every sphere, in batches; the scene
-/// has a camera.
-std::vector<Duration> time_pixels(const properties::Case& the_case,
-                                  const std::vector<MethodPair>& pairs);
-
 }  // namespace raycheck::tools
