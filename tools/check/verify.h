@@ -28,8 +28,8 @@ struct VerifyOptions {
 /// How many cases without any answer, and how many open questions of other cases, are named.
 inline constexpr std::size_t kNamedMissing = 5;
 
-/// How many answers may wait for others to the same case, which bounds the memory.
-inline constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
+/// How many answers are read, which bounds the memory.
+inline constexpr std::size_t kMostAnswers = std::size_t{1} << 22;
 
 /// More than the rays of any case.
 inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
@@ -46,12 +46,11 @@ struct VerifyReport {
   std::vector<std::string> questions_named;  ///< The first of those.
   properties::ChosenSource source;           ///< As in the options.
   std::uint64_t seed = 0;
-  /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k, whichever case was
-  /// answered first.
+  /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k.
   CandidateReport candidate;
   std::size_t top = 10;
   bool strict = false;
-  bool interrupted = false;  ///< Then answers not read yet are not missing.
+  bool interrupted = false;  ///< Then what is not judged yet is not missing.
 
   /// Whether some questions have no answer.
   bool is_short() const {
@@ -59,6 +58,7 @@ struct VerifyReport {
   }
   std::uint64_t cases_not_answered() const { return cases_asked - cases_left_out - cases; }
   std::size_t ray_in_case(std::size_t ray) const { return ray % kMostRays; }
+  std::string case_id(std::uint64_t number) const;
   /// "SOURCE:SEED:RAY", the start of the ids of the questions about it.
   std::string ray_id(std::size_t ray) const;
   bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
@@ -67,11 +67,10 @@ struct VerifyReport {
 /// Reads the next block; empty at the end.
 using ReadMore = std::function<std::string()>;
 
-/// Judges the answers to questions (generate.h) by the laws of single values. A case
-/// is judged, and forgotten, once all its questions are answered.
+/// Judges the answers to questions (generate.h), once all are read, by the laws of single values.
 /// Errors: std::invalid_argument naming the line that is no answer to a question asked, or is the
 ///         second to one.
-VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
+VerifyReport verify(const ReadMore& more, const VerifyOptions& options,
                     const properties::RunControl& control = {});
 
 std::string verify_text(const VerifyReport& report, const ViewOptions& options);

@@ -25,7 +25,7 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
   });
   text += too_few_text(report.candidate);
   if (report.interrupted) {
-    text += "\nINTERRUPTED: only what was read before is judged\n";
+    text += "\nINTERRUPTED: what is above covers only what was judged\n";
   } else if (report.cases_not_answered() > 0) {
     text += fmt::format("\n{} of {} are not answered: {}\n", report.cases_not_answered(),
                         count_text(report.cases_asked, "case"),
