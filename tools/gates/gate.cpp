@@ -36,10 +36,9 @@ bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet) {
 
 std::optional<properties::CodeLine> line_of(const Gate& gate, const GateCheck& check) {
   if (check.line) return check.line;
-  for (const SourceFile& source : gate.sources) {
-    if (source.candidate == check.candidate) return properties::CodeLine{source.path};
-  }
-  return std::nullopt;
+  const auto source = gate.sources.find(check.candidate);
+  if (source == gate.sources.end()) return std::nullopt;
+  return properties::CodeLine{source->second};
 }
 
 GateCheck& add_check(Gate& gate, GateCheck check, const LeftUndecided& undecided) {

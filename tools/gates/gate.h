@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -38,20 +39,14 @@ struct GateCheck {
   std::optional<properties::CodeLine> line = {};  ///< At which the candidate first died or threw.
 };
 
-/// The file of a candidate's source.
-struct SourceFile {
-  std::string candidate;
-  std::string path;
-};
-
 /// A report for continuous integration.
 struct Gate {
   std::string command;  ///< "check" or "properties"
   std::string about;    ///< What was judged: the scene, or the number of cases. One line.
   std::vector<GateCheck> checks;
-  std::vector<SourceFile> sources;  ///< For candidates that are files.
-  std::optional<Ratchet> ratchet;   ///< If there is a baseline.
-  Findings findings;                ///< What a baseline holds of it.
+  std::map<std::string, std::string> sources;  ///< Of candidates that are files: by name.
+  std::optional<Ratchet> ratchet;              ///< If there is a baseline.
+  Findings findings;                           ///< What a baseline holds of it.
 
   std::uint64_t count(GateOutcome outcome) const;
 };
