@@ -131,10 +131,10 @@ struct CheckReport {
   }
   /// A count of verdicts, of all candidates together.
   template <class... Arguments>
-  std::uint64_t sum(std::uint64_t (properties::Verdict::*count)(Arguments...) const,
+  std::uint64_t sum(std::uint64_t (properties::Verdict::*which)(Arguments...) const,
                     Arguments... arguments) const {
     std::uint64_t all = 0;
-    for (const CandidateReport& one : candidates) all += (one.verdict.*count)(arguments...);
+    for (const CandidateReport& one : candidates) all += (one.verdict.*which)(arguments...);
     return all;
   }
   std::uint64_t discrepancies() const { return sum(&properties::Verdict::discrepancies); }

@@ -10,7 +10,6 @@
 #include "properties/cases/scene_cases.h"
 #include "scene/interruption.h"
 #include "tools/implementations/built_in.h"
-#include "tools/tradeoff/tradeoff_timing.h"
 
 namespace raycheck::tools {
 namespace {

@@ -105,6 +105,14 @@ std::string subject_text(const TradeoffReport& report);
 TradeoffReport run_tradeoff(const TradeoffOptions& options,
                             const properties::RunControl& control = {});
 
+/// Times every method's calls on the items of the cases, one by one and in batches, taking turns in
+/// every repetition, so that disturbances of the machine affect all of them. A batch is timed only
+/// when its answers are those of single calls, bit for bit. Fills in `scalar`, `batch` and
+/// `not_timed`. Items: rays and spheres of the cases for an intersection method, pixels for a ray
+/// method; only those in the method's stated domain.
+void time_intersections(const std::vector<properties::Case>& cases, std::vector<MethodCost>& costs);
+void time_rays(const std::vector<properties::Case>& cases, std::vector<MethodCost>& costs);
+
 std::string tradeoff_text(const TradeoffReport& report, const ViewOptions& options);
 std::string tradeoff_json(const TradeoffReport& report, const ViewOptions& options);
 std::string tradeoff_markdown(const TradeoffReport& report, const ViewOptions& options);

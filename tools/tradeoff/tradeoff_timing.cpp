@@ -1,5 +1,3 @@
-#include "tools/tradeoff/tradeoff_timing.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include "properties/cases/random.h"
 #include "properties/rounded_case.h"
 #include "scene/interruption.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tools {
 namespace {
