@@ -101,16 +101,19 @@ void write_out(std::string_view text) {
 }
 
 std::string read_in(std::size_t most) {
-  std::string text(most, '\0');
+  std::string text;
+  std::array<char, 1 << 16> block{};
   for (;;) {
     scene::poll();
     if (!is_ready(STDIN_FILENO, POLLIN)) continue;
-    const ssize_t count = read(STDIN_FILENO, text.data(), text.size());
-    if (count >= 0) {
-      text.resize(static_cast<std::size_t>(count));
-      return text;
-    }
-    if (errno != EINTR && errno != EAGAIN) {
+    const ssize_t count = read(STDIN_FILENO, block.data(), block.size());
+    if (count == 0) return text;
+    if (count > 0) {
+      text.append(block.data(), static_cast<std::size_t>(count));
+      if (text.size() > most) {
+        throw std::runtime_error(fmt::format("standard input has more than {} bytes", most));
+      }
+    } else if (errno != EINTR && errno != EAGAIN) {
       throw std::runtime_error(std::string("standard input could not be read: ") +
                                std::strerror(errno));
     }

@@ -27,8 +27,8 @@ struct ClosedPipe {};
 /// second. Errors: ClosedPipe; std::runtime_error; scene::Interrupted when it gives up.
 void write_out(std::string_view text);
 bool has_written_out();
-/// Reads what there is on standard input, at most `most` bytes; nothing at its end.
-/// Errors: std::runtime_error; scene::Interrupted.
+/// All of standard input. Errors: std::runtime_error, where it has more than `most` bytes, too;
+/// scene::Interrupted.
 std::string read_in(std::size_t most);
 
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.

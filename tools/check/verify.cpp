@@ -33,62 +33,45 @@ struct Answer {
 using Answers = std::unordered_map<std::string, Answer>;
 
 /// Quotes a line in an error.
-std::string in_quotes(std::string_view text) {
+std::string quoted_line(std::string_view text) {
   return fmt::format("'{}'", scene::visible_line(text));
 }
 
 /// A number in a format: the decimals of a float name it, not a double.
 double number(std::string_view text, scene::Precision precision) {
   const auto value = scene::parse_number(text);
-  if (!value) throw std::invalid_argument(in_quotes(text) + " is not a number");
+  if (!value) throw std::invalid_argument(quoted_line(text) + " is not a number");
   return scene::rounded_to(precision, *value);
 }
 
-void read_answer(const std::string& line, std::uint64_t number_of_line, scene::Precision precision,
+void read_answer(const std::string& text, std::uint64_t line, scene::Precision precision,
                  Answers& answers) {
-  std::istringstream stream(line);
+  std::istringstream stream(text);
   std::vector<std::string> words;
   for (std::string word; stream >> word;) words.push_back(std::move(word));
   if (words.empty()) return;
-  Answer answer{number_of_line, {}};
+  Answer answer{line, {}};
   if (words.size() == 5) {
     const auto at = [&](std::size_t k) { return number(words[k], precision); };
     answer.hit = HitAnswer{at(1), {at(2), at(3), at(4)}};
   } else if (words.size() != 2 || words[1] != "miss") {
     throw std::invalid_argument("an answer is 'ID miss' or 'ID S X Y Z'");
   }
-  if (answers.size() == kMostAnswers) {
-    throw std::invalid_argument(
-        fmt::format("more than {} answers; ask fewer --cases at a time, "
-                    "each with a --seed of its own",
-                    kMostAnswers));
-  }
   if (!answers.emplace(words.front(), answer).second) {
     throw std::invalid_argument("it is answered twice");
   }
 }
 
-Answers read_answers(const ReadMore& more, scene::Precision precision) {
+Answers read_answers(std::string text, scene::Precision precision) {
   Answers answers;
-  std::string text;
-  std::uint64_t line = 1;
-  try {
-    for (std::string part = more(); !part.empty(); part = more()) {
-      text += part;
-      std::size_t begin = 0;
-      for (std::size_t end = text.find('\n'); end != std::string::npos;
-           end = text.find('\n', begin)) {
-        read_answer(text.substr(begin, end - begin), line++, precision, answers);
-        begin = end + 1;
-      }
-      text.erase(0, begin);
-      if (text.size() > kMostLineBytes) {
-        throw std::invalid_argument(fmt::format("is longer than {} bytes", kMostLineBytes));
-      }
+  std::istringstream lines(std::move(text));
+  std::uint64_t number = 1;
+  for (std::string line; std::getline(lines, line); ++number) {
+    try {
+      read_answer(line, number, precision, answers);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("line {}: {}", number, error.what()));
     }
-    read_answer(text, line, precision, answers);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("line {}: {}", line, error.what()));
   }
   return answers;
 }
@@ -172,7 +155,7 @@ void require_all_taken(const Answers& answers, const VerifyReport& report) {
   if (first == answers.end()) return;
   throw std::invalid_argument(fmt::format(
       "line {}: {} was not asked: the cases are {} to {}", first->second.line,
-      in_quotes(first->first), report.case_id(0), report.case_id(report.cases_asked - 1)));
+      quoted_line(first->first), report.case_id(0), report.case_id(report.cases_asked - 1)));
 }
 
 }  // namespace
@@ -185,7 +168,7 @@ std::string VerifyReport::ray_id(std::size_t ray) const {
   return fmt::format("{}:{}", case_id(ray / kMostRays), ray_in_case(ray));
 }
 
-VerifyReport verify(const ReadMore& more, const VerifyOptions& options,
+VerifyReport verify(std::string text, const VerifyOptions& options,
                     const properties::RunControl& control) {
   const scene::Interruptible interruptible(control.interrupted);
   VerifyReport report;
@@ -197,7 +180,7 @@ VerifyReport verify(const ReadMore& more, const VerifyOptions& options,
   report.candidate.name = "the answers";
   report.candidate.precision = options.precision;
   try {
-    Answers answers = read_answers(more, options.precision);
+    Answers answers = read_answers(std::move(text), options.precision);
     const bool may_ask_nothing = options.precision != scene::Precision::kDouble;
     for (std::uint64_t number = 0; number < options.cases; ++number) {
       scene::poll();

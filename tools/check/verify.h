@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,14 +27,8 @@ struct VerifyOptions {
 /// How many cases without any answer, and how many open questions of other cases, are named.
 inline constexpr std::size_t kNamedMissing = 5;
 
-/// How many answers are read, which bounds the memory.
-inline constexpr std::size_t kMostAnswers = std::size_t{1} << 22;
-
 /// More than the rays of any case.
 inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
-
-/// Longer than any answer.
-inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
 
 struct VerifyReport {
   std::uint64_t answers = 0, cases = 0;
@@ -64,13 +57,10 @@ struct VerifyReport {
   bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
 };
 
-/// Reads the next block; empty at the end.
-using ReadMore = std::function<std::string()>;
-
-/// Judges the answers to questions (generate.h), once all are read, by the laws of single values.
+/// Judges the answers to questions (generate.h), a line each, by the laws of single values.
 /// Errors: std::invalid_argument naming the line that is no answer to a question asked, or is the
 ///         second to one.
-VerifyReport verify(const ReadMore& more, const VerifyOptions& options,
+VerifyReport verify(std::string text, const VerifyOptions& options,
                     const properties::RunControl& control = {});
 
 std::string verify_text(const VerifyReport& report, const ViewOptions& options);

@@ -9,8 +9,8 @@
 namespace raycheck::tools {
 namespace {
 
-/// Answers are read in pieces of at most this many bytes.
-constexpr std::size_t kReadAtATime = 1 << 16;
+/// More answers than these are for several runs, each with a --seed of its own.
+constexpr std::size_t kMostBytes = std::size_t{1} << 27;
 
 struct VerifyArguments {
   std::string family;
@@ -21,8 +21,7 @@ struct VerifyArguments {
 int run_verify(const VerifyArguments& arguments) {
   VerifyOptions options = arguments.options;
   options.source = parse_given_rays(arguments.family);
-  const VerifyReport report =
-      verify([] { return read_in(kReadAtATime); }, options, run_control("answers"));
+  const VerifyReport report = verify(read_in(kMostBytes), options, run_control("answers"));
   print_view(kVerifyViews, arguments.format, report);
   return exit_code(report.interrupted, !report.holds(), report.candidate.is_enough_judged());
 }
