@@ -126,25 +126,16 @@ void take_case(std::uint64_t number, const VerifyOptions& options, Answers& answ
     return;
   }
   CaseAnswers answered;
-  std::vector<std::string> missing;
   for (const auto& [id, ray, sphere] : questions_of(*asked, report.case_id(number))) {
     if (const auto answer = answers.extract(id)) {
       answered.emplace(std::pair(ray, sphere), answer.mapped().hit);
-    } else {
-      missing.push_back(id);
+    } else if (++report.not_answered <= kNamedMissing) {
+      report.missing.push_back(id);
     }
   }
-  if (answered.empty()) {
-    if (report.cases_missing.size() < kNamedMissing) {
-      report.cases_missing.push_back(report.case_id(number));
-    }
-    return;
-  }
+  if (answered.empty()) return;
   ++report.cases;
   report.answers += answered.size();
-  report.questions_missing += missing.size();
-  missing.resize(std::min(missing.size(), kNamedMissing - report.questions_named.size()));
-  report.questions_named.insert(report.questions_named.end(), missing.begin(), missing.end());
   judge(*asked, answered, number, options, report.candidate.verdict);
 }
 
@@ -181,11 +172,8 @@ VerifyReport verify(std::string text, const VerifyOptions& options,
   report.candidate.precision = options.precision;
   try {
     Answers answers = read_answers(std::move(text), options.precision);
-    const bool may_ask_nothing = options.precision != scene::Precision::kDouble;
     for (std::uint64_t number = 0; number < options.cases; ++number) {
       scene::poll();
-      const bool is_known = answers.empty() && !may_ask_nothing;
-      if (is_known && report.cases_missing.size() == kNamedMissing) break;
       take_case(number, options, answers, report);
     }
     require_all_taken(answers, report);

@@ -24,7 +24,7 @@ struct VerifyOptions {
   std::size_t top = 10;
 };
 
-/// How many cases without any answer, and how many open questions of other cases, are named.
+/// How many questions without an answer are named.
 inline constexpr std::size_t kNamedMissing = 5;
 
 /// More than the rays of any case.
@@ -33,28 +33,22 @@ inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
 struct VerifyReport {
   std::uint64_t answers = 0, cases = 0;
   std::uint64_t cases_asked = 0;
-  std::uint64_t cases_left_out = 0;          ///< Floats cannot hold them: nothing is asked.
-  std::vector<std::string> cases_missing;    ///< The first ones without any answer.
-  std::uint64_t questions_missing = 0;       ///< In cases with some answers.
-  std::vector<std::string> questions_named;  ///< The first of those.
-  properties::ChosenSource source;           ///< As in the options.
+  std::uint64_t cases_left_out = 0;  ///< Floats cannot hold them: nothing is asked.
+  std::uint64_t not_answered = 0;    ///< Questions of the cases that were looked at.
+  std::vector<std::string> missing;  ///< The first of those.
+  properties::ChosenSource source;   ///< As in the options.
   std::uint64_t seed = 0;
   /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k.
   CandidateReport candidate;
   std::size_t top = 10;
   bool strict = false;
-  bool interrupted = false;  ///< Then what is not judged yet is not missing.
+  bool interrupted = false;
 
-  /// Whether some questions have no answer.
-  bool is_short() const {
-    return !interrupted && (cases_not_answered() > 0 || questions_missing > 0);
-  }
-  std::uint64_t cases_not_answered() const { return cases_asked - cases_left_out - cases; }
   std::size_t ray_in_case(std::size_t ray) const { return ray % kMostRays; }
   std::string case_id(std::uint64_t number) const;
   /// "SOURCE:SEED:RAY", the start of the ids of the questions about it.
   std::string ray_id(std::size_t ray) const;
-  bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
+  bool holds() const { return candidate.verdict.holds(strict) && not_answered == 0; }
 };
 
 /// Judges the answers to questions (generate.h), a line each, by the laws of single values.

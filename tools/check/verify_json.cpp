@@ -11,9 +11,8 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   json["cases"] = report.cases;
   json["cases_asked"] = report.cases_asked;
   json["cases_left_out"] = report.cases_left_out;
-  json["cases_missing"] = report.cases_missing;
-  json["questions_missing"] = report.questions_missing;
-  json["questions_named"] = report.questions_named;
+  json["not_answered"] = report.not_answered;
+  json["missing"] = report.missing;
   json["interrupted"] = report.interrupted;
   json["strict"] = report.strict;
   json["holds"] = report.holds();
