@@ -118,8 +118,8 @@ void judge(const Case& asked, const CaseAnswers& answered, std::uint64_t number,
 }
 
 /// Takes the answers to the n-th case, and judges them.
-void take_case(std::uint64_t number, const VerifyOptions& options, Answers& answers,
-               VerifyReport& report) {
+void take_case(std::uint64_t number, Answers& answers, VerifyReport& report) {
+  const VerifyOptions& options = report.options;
   const auto asked = case_asked(options.source, options.seed + number, options.precision);
   if (!asked) {
     ++report.cases_left_out;
@@ -146,13 +146,13 @@ void require_all_taken(const Answers& answers, const VerifyReport& report) {
   if (first == answers.end()) return;
   throw std::invalid_argument(fmt::format(
       "line {}: {} was not asked: the cases are {} to {}", first->second.line,
-      quoted_line(first->first), report.case_id(0), report.case_id(report.cases_asked - 1)));
+      quoted_line(first->first), report.case_id(0), report.case_id(report.options.cases - 1)));
 }
 
 }  // namespace
 
 std::string VerifyReport::case_id(std::uint64_t number) const {
-  return tools::case_id(source, seed + number);
+  return tools::case_id(options.source, options.seed + number);
 }
 
 std::string VerifyReport::ray_id(std::size_t ray) const {
@@ -163,18 +163,14 @@ VerifyReport verify(std::string text, const VerifyOptions& options,
                     const properties::RunControl& control) {
   const scene::Interruptible interruptible(control.interrupted);
   VerifyReport report;
-  report.source = options.source;
-  report.seed = options.seed;
-  report.top = options.top;
-  report.strict = options.strict;
-  report.cases_asked = options.cases;
+  report.options = options;
   report.candidate.name = "the answers";
   report.candidate.precision = options.precision;
   try {
     Answers answers = read_answers(std::move(text), options.precision);
     for (std::uint64_t number = 0; number < options.cases; ++number) {
       scene::poll();
-      take_case(number, options, answers, report);
+      take_case(number, answers, report);
     }
     require_all_taken(answers, report);
   } catch (const scene::Interrupted&) {

@@ -31,24 +31,20 @@ inline constexpr std::size_t kNamedMissing = 5;
 inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
 
 struct VerifyReport {
+  VerifyOptions options;
   std::uint64_t answers = 0, cases = 0;
-  std::uint64_t cases_asked = 0;
   std::uint64_t cases_left_out = 0;  ///< Floats cannot hold them: nothing is asked.
   std::uint64_t not_answered = 0;    ///< Questions of the cases that were looked at.
   std::vector<std::string> missing;  ///< The first of those.
-  properties::ChosenSource source;   ///< As in the options.
-  std::uint64_t seed = 0;
   /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k.
   CandidateReport candidate;
-  std::size_t top = 10;
-  bool strict = false;
   bool interrupted = false;
 
   std::size_t ray_in_case(std::size_t ray) const { return ray % kMostRays; }
   std::string case_id(std::uint64_t number) const;
   /// "SOURCE:SEED:RAY", the start of the ids of the questions about it.
   std::string ray_id(std::size_t ray) const;
-  bool holds() const { return candidate.verdict.holds(strict) && not_answered == 0; }
+  bool holds() const { return candidate.verdict.holds(options.strict) && not_answered == 0; }
 };
 
 /// Judges the answers to questions (generate.h), a line each, by the laws of single values.

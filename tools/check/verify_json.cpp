@@ -9,14 +9,14 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   Json json = json_header("verify");
   json["answers"] = report.answers;
   json["cases"] = report.cases;
-  json["cases_asked"] = report.cases_asked;
+  json["cases_asked"] = report.options.cases;
   json["cases_left_out"] = report.cases_left_out;
   json["not_answered"] = report.not_answered;
   json["missing"] = report.missing;
   json["interrupted"] = report.interrupted;
-  json["strict"] = report.strict;
+  json["strict"] = report.options.strict;
   json["holds"] = report.holds();
-  json.update(candidate_json(report.candidate, report.top));
+  json.update(candidate_json(report.candidate, report.options.top));
   for (const char* key : {"rays", "intersect", "isolated_by", "bounds_of", "explanations"}) {
     json.erase(key);  // for methods, processes and renderers only
   }

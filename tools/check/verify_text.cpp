@@ -23,7 +23,7 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
     text += fmt::format("\n{} not answered: {}{}\n", count_text(report.not_answered, "question"),
                         fmt::join(report.missing, ", "), is_all ? "" : ", ...");
   }
-  auto worst = verdict.worst(report.top);
+  auto worst = verdict.worst(report.options.top);
   if (verdict.discrepancies() > 0) {
     text += fmt::format(
         "\nworst discrepancies ({} of {}: {}):\n", worst.size(), verdict.discrepancies(),
