@@ -14,16 +14,6 @@ std::string lines_of(std::string_view what, const std::vector<Identity>& identit
   return text;
 }
 
-Json identities_json(const std::vector<Identity>& identities) {
-  return list_json(identities, [](const Identity& one) {
-    return Json{{"law", one.law},
-                {"source", one.source},
-                {"kind", one.kind},
-                {"place", one.place},
-                {"candidate", one.candidate}};
-  });
-}
-
 }  // namespace
 
 std::string ratchet_text(const Ratchet& ratchet) {
@@ -34,17 +24,6 @@ std::string ratchet_text(const Ratchet& ratchet) {
     text += fmt::format("; {} of the baseline not asked", ratchet.unasked.size());
   }
   return text + "\n" + lines_of("new", ratchet.added) + lines_of("mended", ratchet.mended);
-}
-
-Json ratchet_json(const std::optional<Ratchet>& ratchet) {
-  if (!ratchet) return nullptr;
-  return {{"file", ratchet->file},
-          {"known", identities_json(ratchet->known)},
-          {"new", identities_json(ratchet->added)},
-          {"mended", identities_json(ratchet->mended)},
-          {"not_asked", identities_json(ratchet->unasked)},
-          {"strict", ratchet->strict},
-          {"fails", ratchet->fails()}};
 }
 
 }  // namespace raycheck::tools
