@@ -5,6 +5,7 @@
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
+
 std::string verify_text(const VerifyReport& report, const ViewOptions& options) {
   const properties::Verdict& verdict = report.candidate.verdict;
   std::string text = fmt::format("{} to {}\n\n", count_text(report.answers, "answer"),
