@@ -71,6 +71,15 @@ void complete(Gate& gate, bool was_interrupted) {
   make_unique(gate.checks);
 }
 
+std::map<std::string, std::array<std::size_t, kGateOutcomes>> outcomes_by_candidate(
+    const Gate& gate) {
+  std::map<std::string, std::array<std::size_t, kGateOutcomes>> counts;
+  for (const GateCheck& check : gate.checks) {
+    ++counts[check.candidate][static_cast<std::size_t>(check.outcome)];
+  }
+  return counts;
+}
+
 std::string outcomes_text(const Gate& gate) {
   std::string text;
   for (std::size_t k = 0; k < kGateOutcomes; ++k) {

@@ -72,6 +72,9 @@ bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet);
 /// and unique names.
 void complete(Gate& gate, bool was_interrupted);
 
+/// How many checks of each candidate have each outcome.
+std::map<std::string, std::array<std::size_t, kGateOutcomes>> outcomes_by_candidate(
+    const Gate& gate);
 /// "12 passed, 1 failed, 2 left out"
 std::string outcomes_text(const Gate& gate);
 

@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <string_view>
 
 #include "scene/text.h"
@@ -47,16 +45,12 @@ std::string failure_of(const GateCheck& check) {
 }
 
 std::string table_of(const Gate& gate) {
-  std::map<std::string, std::array<std::size_t, kGateOutcomes>> counts;
-  for (const GateCheck& check : gate.checks) {
-    ++counts[check.candidate][static_cast<std::size_t>(check.outcome)];
-  }
   std::string head = "| candidate |", line = "|:---|", rows;
   for (const std::string_view outcome : kGateOutcomeNames) {
     head += fmt::format(" {} |", outcome);
     line += "---:|";
   }
-  for (const auto& [candidate, by_outcome] : counts) {
+  for (const auto& [candidate, by_outcome] : outcomes_by_candidate(gate)) {
     rows += fmt::format("| {} |", inline_text(candidate));
     for (const std::size_t count : by_outcome) rows += fmt::format(" {} |", count);
     rows += "\n";
