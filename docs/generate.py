@@ -179,8 +179,8 @@ def rate(row):
 
 
 def spheres_table(rows):
-    lines = ["| spheres | seen | certified, M/s | of uncertified | two threads | fallback pixels | wrong "
-             "| plan + build, ms |", "|---|---|---|---|---|---|---|---|"]
+    lines = ["| spheres | seen | certified, M/s | of uncertified | fallback pixels | wrong "
+             "| plan + build, ms |", "|---|---|---|---|---|---|---|"]
     for name, ours in rows.items():
         if not (name.startswith("spheres:") and name.endswith("/certified")):
             continue
@@ -188,8 +188,7 @@ def spheres_table(rows):
         lines.append(
             f"| {scene[8:]} | {ours['seen']:.0%} | {rate(ours):.0f} "
             f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2f} "
-            f"| {rate(rows[f'{scene}/two-threads']) / rate(ours):.2f} | {ours['fallback']:.0f} "
-            f"| {ours['wrong']:.0f} | {ours['plan_ms']:.1f} + {ours['build_ms']:.1f} |")
+            f"| {ours['fallback']:.0f} | {ours['wrong']:.0f} | {ours['plan_ms']:.1f} + {ours['build_ms']:.1f} |")
     return "\n".join(lines)
 
 
@@ -216,38 +215,6 @@ def methods_table(rows):
     return "\n".join(lines)
 
 
-def growth_table(rows, kind, what):
-    lines = [f"| {what} | certified, M/s | of uncertified | fallback pixels |", "|---|---|---|---|"]
-    for name, ours in rows.items():
-        if name.startswith(f"{kind}:") and name.endswith("/certified"):
-            scene = name.split("/")[0]
-            lines.append(f"| {scene.split(':')[1]} | {rate(ours):.3g} "
-                         f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.3g} "
-                         f"| {ours['fallback']:.0f} |")
-    return "\n".join(lines)
-
-
-def classes_table(rows):
-    lines = ["| spheres | decisions (pixel, sphere), M/s | fallback of the last sphere |",
-             "|---|---|---|"]
-    for name, ours in rows.items():
-        if name.startswith("spheres:") and name.endswith("/classes"):
-            lines.append(f"| {name.split('/')[0][8:]} | {rate(ours):.0f} | {ours['fallback']:.0f} |")
-    return "\n".join(lines)
-
-
-def roofline_table(rows):
-    """What arithmetic and memory allow, beside what was measured."""
-    fill = rate(rows["fill"])
-    full = rate(rows["spheres:10000/certified"])
-    return "\n".join([
-        "| | bytes written a pixel | M pixels/s | GB/s |", "|---|---|---|---|",
-        f"| filling both arrays | 12 | {fill:.0f} | {12 * fill / 1e3:.1f} |",
-        f"| nothing in view | 12 | {rate(rows['nothing/certified']):.0f} "
-        f"| {12 * rate(rows['nothing/certified']) / 1e3:.1f} |",
-        f"| 10,000 spheres, all pixels see one | 12 | {full:.0f} | {12 * full / 1e3:.2f} |"])
-
-
 def plot_spheres(rows, path):
     """Certified and uncertified images, a curve each."""
     kinds = {"certified": "pointtype 7 linecolor '#0072b2'", "uncertified": "pointtype 5 linecolor '#d55e00'"}
@@ -266,10 +233,8 @@ def performance():
     methods = benchmarks("bench_kernels", "--benchmark_filter=intersect/", "--benchmark_repetitions=5",
                          "--benchmark_report_aggregates_only=true")
     plot_spheres(rows, ROOT / "docs/images/visibility.svg")
-    parts = {"spheres": spheres_table(rows), "pixels": growth_table(rows, "pixels", "pixels across"),
-             "grazing": growth_table(rows, "grazing", "% of pixels exactly tangent"),
-             "classes": classes_table(rows), "roofline": roofline_table(rows),
-             "shipped": shipped_table(rows), "methods": methods_table(methods)}
+    parts = {"spheres": spheres_table(rows), "shipped": shipped_table(rows),
+             "methods": methods_table(methods)}
     text = (ROOT / "docs/performance.in.md").read_text()
     for name, part in parts.items():
         text = text.replace("{{" + name + "}}", part)

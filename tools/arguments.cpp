@@ -1,25 +1,14 @@
 #include "tools/arguments.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
 #include <charconv>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <system_error>
 
 #include "scene/number.h"
-#include "scene/text.h"
 #include "tools/commands.h"
-#include "tools/external/pictures/dry_run.h"
-#include "tools/report/words.h"
 #include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
@@ -103,6 +92,24 @@ void add_rubric_dialect(CLI::App& command, std::string& dialect) {
                      "B:17:no-light");
 }
 
+properties::ChosenSource parse_source(std::string_view option, const std::string& name) {
+  try {
+    return properties::chosen_source(name);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: {}; `raycheck list` shows the sources", option, name, error.what()));
+  }
+}
+
+properties::ChosenSource parse_given_rays(const std::string& name) {
+  const properties::ChosenSource source = parse_source("--family", name);
+  if (source.source->has_camera) {
+    throw std::invalid_argument(
+        fmt::format("--family {}: its cases have cameras, which one line does not hold", name));
+  }
+  return source;
+}
+
 CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
   return {[least, most](std::string& text) -> std::string {
             const std::string_view digits = std::string_view(text).substr(text.starts_with('+'));
@@ -140,144 +147,6 @@ const CLI::Validator kGiven(
     },
     "", "given");
 
-std::vector<MethodPair> chosen_methods(const std::string& rays_name,
-                                       const std::vector<std::string>& intersect,
-                                       const char* field) {
-  const auto& rays = rays_name.empty() ? *kDefaultMethods.rays : find_rays(rays_name);
-  std::vector<MethodPair> pairs;
-  for (const std::string& name : intersect) {
-    const MethodPair pair = {&rays, &find_intersect(name, field)};
-    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
-  }
-  if (pairs.empty()) pairs.push_back({&rays, kDefaultMethods.intersect});
-  return pairs;
-}
-
-CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
-  command.add_flag("--i-know", arguments.knows,
-                   "run candidates as root with --sandbox none: they may do whatever root may");
-  return command
-      .add_option("--sandbox", arguments.sandbox,
-                  "isolation of candidates: require, refuse where seccomp, bubblewrap or, as root, "
-                  "a user of its own does not work; available, what works here; none, limits only")
-      ->check(CLI::IsMember({"require", "available", "none"}))
-      ->capture_default_str();
-}
-
-Sandbox sandbox_of(const SandboxArguments& arguments) {
-  if (arguments.sandbox == "require") return Sandbox::kRequire;
-  if (arguments.sandbox == "available") return Sandbox::kAvailable;
-  if (geteuid() == 0 && !arguments.knows) {
-    throw std::invalid_argument(
-        "--sandbox none: candidates would run as root, and may then do whatever root may; run "
-        "raycheck as another user, or give --i-know");
-  }
-  return Sandbox::kNone;
-}
-
-namespace {
-
-/// For --timeout: less leaves no time for an answer, more is no limit.
-constexpr double kLeastSeconds = 1e-3;
-constexpr double kMostSeconds = 86400;
-
-}  // namespace
-
-void add_external(CLI::App& command, ExternalArguments& arguments) {
-  CLI::Option* const candidate =
-      command.add_option("--candidate", arguments.candidates,
-                         "someone else's implementation instead: library:PATH.so, source:PATH, "
-                         "command:'WORDS' or renderer:'WORDS'; several times for several");
-  add_sandbox(command, arguments.sandbox)->needs(candidate);
-  command
-      .add_option("--timeout", arguments.seconds,
-                  "seconds of CPU time a candidate has for one reply")
-      ->check(number_between(kLeastSeconds, kMostSeconds))
-      ->needs(candidate)
-      ->capture_default_str();
-  command
-      .add_option("--bounds", arguments.bounds,
-                  "whose documented bounds hold for candidates: INTERSECT or RAYS/INTERSECT "
-                  "(default: direct/cross)")
-      ->needs(candidate);
-}
-
-void add_renderer(CLI::App& command, ExternalArguments& arguments) {
-  CLI::Option* const candidate = command.get_option("--candidate");
-  add_named(command, "--precision", arguments.precision, scene::kPrecisionNames,
-            "of renderers: double, or single: it computes in float, and is given scenes of floats; "
-            "other candidates say themselves which")
-      ->needs(candidate);
-  command
-      .add_option("--image-change", arguments.image_change,
-                  "relative changes of the scene that a renderer's picture may not show (default: "
-                  "1e-6, with --precision single 1e-4)")
-      ->check(number_between(0, 1))
-      ->needs(candidate);
-  command
-      .add_option("--t-threshold", arguments.threshold,
-                  "a renderer's hits with a parameter of at most this are not judged")
-      ->check(kBound)
-      ->needs(candidate)
-      ->capture_default_str();
-}
-
-namespace {
-
-/// A renderer, given driver files of the form that it reads.
-External as_it_reads(const External& external, const DriverRule& rule) {
-  const DryRun found = dry_run(*external.renderer, rule);
-  if (found.refusal) throw CandidateError(found.refusal->why, {}, external.name);
-  External reader = external;
-  reader.renderer->colours = found.colours;
-  return reading(reader, found.driver);
-}
-
-}  // namespace
-
-std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
-                                            const std::optional<DriverRule>& driver) {
-  std::vector<Implementation> found;
-  if (arguments.candidates.empty()) return found;
-  RunOptions options;
-  options.layers = chosen_layers(sandbox_of(arguments.sandbox)).layers;
-  options.limits.seconds = arguments.seconds;
-  if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
-  if (driver) options.driver = driver->form;
-  options.precision = arguments.precision;
-  options.excused_image_change =
-      arguments.image_change.value_or(properties::excused_image_change(options.precision));
-  options.image_threshold = arguments.threshold;
-  for (const std::string& what : arguments.candidates) {
-    External external = find_external(parse_candidate(what), options);
-    if (external.renderer && driver && driver->tries_others)
-      external = as_it_reads(external, *driver);
-    found.push_back(implementation_of(external));
-    found.back().number = all_intersect_methods().size() + found.size() - 1;
-  }
-  return found;
-}
-
-std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
-  std::vector<Implementation> found = find_candidates(arguments);
-  for (const Implementation& one : found) {
-    if (!one.stages.empty()) continue;
-    throw CandidateError(one.draws() ? "it draws pictures; this command asks for single answers"
-                                     : "it makes no rays and intersects nothing",
-                         {}, one.name);
-  }
-  return found;
-}
-
-std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
-                                           const ExternalArguments& arguments) {
-  const std::vector<Implementation> candidates = find_by_stages(arguments);
-  std::vector<Implementation> found;
-  if (candidates.empty() || !methods.empty()) found = find_methods(methods);
-  found.insert(found.end(), candidates.begin(), candidates.end());
-  return found;
-}
-
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
   format = formats.front();
   std::string meaning;
@@ -302,6 +171,20 @@ std::optional<OutputFile> opened(const std::string& option,
                                  const std::optional<std::string>& path) {
   if (!path) return std::nullopt;
   return std::optional<OutputFile>(std::in_place, option, *path);
+}
+
+void add_plot(CLI::App& command, std::string& path, std::string_view what) {
+  command.add_option("--plot", path, fmt::format("draw {} to a file, .svg, .png or .pdf", what));
+}
+
+void add_top(CLI::App& command, std::size_t& top) {
+  command.add_option("--top", top, "how many of the worst discrepancies are shown")
+      ->check(whole_number(0, properties::kKeptDiscrepancies))
+      ->capture_default_str();
+}
+
+void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_view meaning) {
+  command.add_option("--max-ulp", bound, std::string(meaning))->check(kBound);
 }
 
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what) {
@@ -333,9 +216,7 @@ void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed,
                    scene::Precision& precision) {
   cases = 100;
   seed = 1;
-  command.add_option("--cases", cases, "how many cases")
-      ->check(whole_number(1, kMostCases))
-      ->capture_default_str();
+  add_cases(command, cases, "how many cases");
   add_seed(command, seed);
   add_named(command, "--precision", precision, scene::kPrecisionNames,
             "double, or single: the numbers of questions are floats, answers are read as floats");
@@ -346,63 +227,6 @@ void add_seed(CLI::App& command, std::uint64_t& seed) {
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
 }
-
-namespace {
-
-/// The colours of views (red() of tools/report/words.h): start and end.
-constexpr std::array<std::string_view, 2> kColours = {"\x1b[31m", "\x1b[0m"};
-
-/// Like scene::visible, but keeps colours.
-std::string visible_but_colours(std::string_view text) {
-  std::string shown;
-  while (!text.empty()) {
-    std::size_t at = text.size();
-    std::string_view colour;
-    for (const std::string_view one : kColours) {
-      const std::size_t found = std::min(text.find(one), text.size());
-      if (found < at) {
-        at = found;
-        colour = one;
-      }
-    }
-    shown += scene::visible(text.substr(0, at));
-    shown += colour;
-    text.remove_prefix(at + colour.size());
-  }
-  return shown;
-}
-
-/// In the log of a GitHub workflow "::" at the start of a line, and "##[" anywhere, are commands
-/// (docs/ci.md): their first character is escaped there.
-std::string as_log_shows(const std::string& text) {
-  if (std::getenv("GITHUB_ACTIONS") == nullptr) return text;
-  std::string shown;
-  bool begins = true;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const std::string_view rest = std::string_view(text).substr(k);
-    const bool acts = (begins && rest.starts_with("::")) || rest.starts_with("##[");
-    shown += acts ? fmt::format("\\x{:02x}", static_cast<unsigned char>(text[k]))
-                  : std::string(1, text[k]);
-    begins = text[k] == '\n' || (begins && (text[k] == ' ' || text[k] == '\t'));
-  }
-  return shown;
-}
-
-}  // namespace
-
-void print_error(const std::string& text) {
-  std::fputs(as_log_shows(scene::visible(text)).c_str(), stderr);
-}
-
-void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) print_error(fmt::format("warning: {}\n", warning));
-}
-
-void print_report(const std::string& report, bool colours) {
-  write_out(as_log_shows(colours ? visible_but_colours(report) : scene::visible(report)));
-}
-
-void print_commands(const std::string& commands) { write_out(scene::visible(commands)); }
 
 void draw_or_say(const std::vector<ChartFacet>& facets, const std::string& path) {
   try {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/cases/case_source.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/locate.h"
 #include "tools/external/pictures/driver_form.h"
@@ -67,6 +68,19 @@ CLI::Option* add_named(CLI::App& command, const std::string& option, Enum& value
 /// The largest --cases and --steps.
 inline constexpr std::uint64_t kMostCases = 1'000'000'000;
 
+/// --cases, or how many of what `meaning` says.
+template <class Count>
+void add_cases(CLI::App& command, Count& cases, const std::string& meaning) {
+  command.add_option("--cases", cases, meaning)
+      ->check(whole_number(1, kMostCases))
+      ->capture_default_str();
+}
+
+/// The source of cases of that name, SOURCE or SOURCE@SEVERITY; the error names the option.
+properties::ChosenSource parse_source(std::string_view option, const std::string& name);
+/// That of --family, whose cases must have no cameras.
+properties::ChosenSource parse_given_rays(const std::string& name);
+
 /// The pairs of methods asked for by --rays and --intersect, or what the latter is called.
 std::vector<MethodPair> chosen_methods(const std::string& rays,
                                        const std::vector<std::string>& intersect,
@@ -74,7 +88,7 @@ std::vector<MethodPair> chosen_methods(const std::string& rays,
 
 /// The values of --sandbox and --i-know; the command sets the default.
 struct SandboxArguments {
-  std::string sandbox = "available";
+  Sandbox sandbox = Sandbox::kAvailable;
   bool knows = false;
 };
 CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments);
@@ -99,6 +113,17 @@ std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
                                             const std::optional<DriverRule>& driver = {});
 /// The same, to be judged by their stages, not by pictures. Errors: CandidateError of a renderer.
 std::vector<Implementation> find_by_stages(const ExternalArguments& arguments);
+/// The values of --rays and --intersect, of add_external, add_renderer and --dialect.
+struct JudgedArguments {
+  std::string rays;
+  std::vector<std::string> intersect;
+  ExternalArguments external;
+  std::string dialect;
+
+  bool name_methods() const { return !rays.empty() || !intersect.empty(); }
+};
+/// The pairs of methods that are named, if any, and the candidates behind them.
+std::vector<Implementation> find_judged(const JudgedArguments& arguments);
 /// The methods of those names, each alone, and the candidates behind them; where there are these
 /// and no name, these alone.
 std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
@@ -110,9 +135,7 @@ void add_format(CLI::App& command, std::string& format, const std::vector<std::s
 template <class Report, std::size_t N>
 void add_format(CLI::App& command, std::string& format, const View<Report> (&views)[N]) {
   std::vector<std::string> names;
-  for (const View<Report>& view : views) {
-    if (view.kind != ViewKind::kBytes) names.emplace_back(view.name);
-  }
+  for (const View<Report>& view : views) names.emplace_back(view.name);
   add_format(command, format, names);
 }
 /// --method, of either kind; several.
@@ -120,6 +143,12 @@ void add_methods(CLI::App& command, std::vector<std::string>& methods);
 /// The file that an option names, opened before the work that it is to take; empty where it is not
 /// given. Errors: std::invalid_argument as OutputFile.
 std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);
+/// --plot FILE: a picture of `what`.
+void add_plot(CLI::App& command, std::string& path, std::string_view what);
+/// --top
+void add_top(CLI::App& command, std::size_t& top);
+/// --max-ulp
+void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_view meaning);
 /// --view FILE: a page for a browser that shows `what`.
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
 /// --certificates FILE
@@ -128,30 +157,21 @@ void add_certificates(CLI::App& command, std::optional<std::string>& path);
 void add_threads(CLI::App& command, int& threads, std::string_view same);
 /// --strict
 void add_strict(CLI::App& command, bool& strict);
-/// --cases and --seed of the questions that generate prints and verify reads answers to.
+/// --cases, --seed and --precision of the questions that generate prints and verify reads answers
+/// to.
 void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed,
                    scene::Precision& precision);
 /// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 
-/// Prints text escaped by scene::visible, so that no file, candidate or name controls the terminal.
-/// Standard error may be closed or full: that must not lose the report.
-void print_error(const std::string& text);
-void print_warnings(const std::vector<std::string>& warnings);
-/// Throws what write_out() throws: a lost report must not look like a good one. `colours`: keeps
-/// the views' colours.
-void print_report(const std::string& report, bool colours = false);
-/// Likewise for lines that the log of a GitHub workflow is to execute.
-void print_commands(const std::string& commands);
 /// Prints a report in the format of this name.
 /// Domain: a name that add_format accepts.
 template <class Report, std::size_t N>
-void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report,
-                const std::string& picture_link = {}) {
+void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report) {
   const bool colours = stdout_takes_colours();
   for (const View<Report>& view : views) {
     if (view.name != format) continue;
-    const std::string text = view.render(report, {colours, picture_link});
+    const std::string text = view.render(report, {colours});
     if (view.kind == ViewKind::kCommands) {
       print_commands(text);
     } else {

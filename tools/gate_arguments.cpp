@@ -40,11 +40,6 @@ void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std
           fmt::format("write this report, too: KIND is one of {}; several times for several",
                       fmt::join(kinds, ", ")))
       ->check(report_of(kinds));
-  command
-      .add_option(
-          "--picture-link", arguments.picture_link,
-          "a link to a Markdown report's picture, in place of the picture inside the report")
-      ->type_name("ADDRESS");
   CLI::Option* const baseline =
       command
           .add_option("--baseline", arguments.baseline,
@@ -61,9 +56,7 @@ void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std
 }
 
 GateFiles::GateFiles(const GateArguments& arguments)
-    : picture_link_(arguments.picture_link),
-      baseline_path_(arguments.baseline),
-      is_strict_(arguments.strict) {
+    : baseline_path_(arguments.baseline), is_strict_(arguments.strict) {
   if (!arguments.baseline.empty()) {
     const bool is_there = std::filesystem::exists(arguments.baseline);
     if (!is_there && !arguments.updates) {

@@ -14,10 +14,9 @@
 
 namespace raycheck::tools {
 
-/// The values of --report, --picture-link, --baseline and related options.
+/// The values of --report, --baseline and related options.
 struct GateArguments {
   std::vector<std::string> reports;  ///< KIND=FILE
-  std::string picture_link;
   std::string baseline;
   bool updates = false;
   bool strict = false;
@@ -46,8 +45,7 @@ class GateFiles {
     for (ReportFile& one : reports_) {
       for (const View<Report>& view : views) {
         if (view.name != one.kind) continue;
-        const std::string text = view.render(report, {false, picture_link_});
-        one.file->write(view.kind == ViewKind::kBytes ? text : scene::visible(text));
+        one.file->write(scene::visible(view.render(report, {})));
       }
     }
   }
@@ -59,7 +57,6 @@ class GateFiles {
   };
 
   std::vector<ReportFile> reports_;
-  std::string picture_link_;
   std::string baseline_path_;
   Baseline baseline_;
   bool is_strict_ = false;

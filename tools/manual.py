@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes man pages, and completions for bash, zsh and fish, of what raycheck's --help says.
+"""Writes man pages, and completions for bash, of what raycheck's --help says.
 
   manual.py RAYCHECK FOLDER   below FOLDER, as they are installed below share
 """
@@ -9,7 +9,6 @@ import re
 import subprocess
 import sys
 
-VALUE = r"\S+ [A-Z]{2}"  # what begins with an option that takes one
 TEXT = " " * 30  # before what --help says of an option
 EXIT_STATUS = (
     ("0", "Nothing found; what is excused by a witness is shown."),
@@ -39,8 +38,8 @@ def help_of(program, *command):
 
 
 def names(rows):
-    """What each of the options is called, and what is said of it."""
-    return [(name, text) for head, text in rows for name in head.split()[0].split(",")]
+    """What each of the options is called."""
+    return " ".join(head.split()[0].replace(",", " ") for head, _ in rows)
 
 
 def roff(text):
@@ -65,13 +64,12 @@ def page(name, version, sentence, usage, parts, others):
 
 
 def bash(own, commands):
-    cases = "".join(f"    {name}) words='{' '.join(option for option, _ in names(rows))}' ;;\n"
-                    for name, _, rows in commands)
+    cases = "".join(f"    {name}) words='{names(rows)}' ;;\n" for name, _, rows in commands)
     return f"""# bash completion for raycheck
 _raycheck() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} words=
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words='{" ".join([name for name, _ in names(own)] + [name for name, _, _ in commands])}'
+    words='{" ".join([names(own), *(name for name, _, _ in commands)])}'
     COMPREPLY=($(compgen -W "$words" -- "$word"))
     return
   fi
@@ -84,48 +82,6 @@ _raycheck() {{
 }}
 complete -o filenames -F _raycheck raycheck
 """
-
-
-def zsh(own, commands):
-    def described(pairs):
-        quoted = [(name, re.sub(r"([:\\])", r"\\\1", text).replace("'", "'\\''")) for name, text in pairs]
-        return "".join(f"\n    '{name}:{text}'" for name, text in quoted)
-
-    cases = "".join(f"  {name}) options=({described(names(rows))}) ;;\n"
-                    for name, rows in [(name, rows) for name, _, rows in commands] + [("-*", own)])
-    return f"""#compdef raycheck
-local -a commands options
-commands=({described([(name, sentence) for name, sentence, _ in commands])})
-if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then
-  _describe command commands
-  return
-fi
-case $words[2] in
-{cases}esac
-if [[ $words[CURRENT] == -* ]]; then
-  _describe option options
-else
-  _files
-fi
-"""
-
-
-def fish(own, commands):
-    def lines(condition, rows):
-        for head, text in rows:
-            options = "".join(f" -{'l' if name.startswith('--') else 's'} {name.lstrip('-')}"
-                              for name, _ in names([(head, text)]))
-            yield f"complete -c raycheck -n '{condition}'{options}{' -r' if re.match(VALUE, head) else ''} -d {quoted(text)}\n"
-
-    def quoted(text):
-        return "'" + text.replace("\\", "\\\\").replace("'", "\\'") + "'"
-
-    text = "# fish completion for raycheck\n"
-    for name, sentence, _ in commands:
-        text += f"complete -c raycheck -n __fish_use_subcommand -f -a {name} -d {quoted(sentence)}\n"
-    text += "".join(lines("__fish_use_subcommand", own))
-    return text + "".join(line for name, _, rows in commands
-                          for line in lines(f"__fish_seen_subcommand_from {name}", rows))
 
 
 def main():
@@ -147,8 +103,6 @@ def main():
         [("COMMANDS", [(name, said) for name, said, _ in commands]), ("OPTIONS", own)],
         [f"raycheck-{name}" for name, _, _ in commands])
     files["bash-completion/completions/raycheck"] = bash(own, commands)
-    files["zsh/vendor-completions/_raycheck"] = zsh(own, commands)
-    files["fish/vendor_completions.d/raycheck.fish"] = fish(own, commands)
     for name, text in files.items():
         path = pathlib.Path(folder, name)
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -100,16 +101,19 @@ void write_out(std::string_view text) {
 }
 
 std::string read_in(std::size_t most) {
-  std::string text(most, '\0');
+  std::string text;
+  std::array<char, 1 << 16> block{};
   for (;;) {
     scene::poll();
     if (!is_ready(STDIN_FILENO, POLLIN)) continue;
-    const ssize_t count = read(STDIN_FILENO, text.data(), text.size());
-    if (count >= 0) {
-      text.resize(static_cast<std::size_t>(count));
-      return text;
-    }
-    if (errno != EINTR && errno != EAGAIN) {
+    const ssize_t count = read(STDIN_FILENO, block.data(), block.size());
+    if (count == 0) return text;
+    if (count > 0) {
+      text.append(block.data(), static_cast<std::size_t>(count));
+      if (text.size() > most) {
+        throw std::runtime_error(fmt::format("standard input has more than {} bytes", most));
+      }
+    } else if (errno != EINTR && errno != EAGAIN) {
       throw std::runtime_error(std::string("standard input could not be read: ") +
                                std::strerror(errno));
     }
@@ -122,6 +126,45 @@ bool stdout_takes_colours() {
 }
 
 namespace {
+
+/// The colours of views (red() of tools/report/words.h): start and end.
+constexpr std::array<std::string_view, 2> kColours = {"\x1b[31m", "\x1b[0m"};
+
+/// Like scene::visible, but keeps colours.
+std::string visible_but_colours(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    std::size_t at = text.size();
+    std::string_view colour;
+    for (const std::string_view one : kColours) {
+      const std::size_t found = std::min(text.find(one), text.size());
+      if (found < at) {
+        at = found;
+        colour = one;
+      }
+    }
+    shown += scene::visible(text.substr(0, at));
+    shown += colour;
+    text.remove_prefix(at + colour.size());
+  }
+  return shown;
+}
+
+/// In the log of a GitHub workflow "::" at the start of a line, and "##[" anywhere, are commands
+/// (docs/ci.md): their first character is escaped there.
+std::string as_log_shows(const std::string& text) {
+  if (std::getenv("GITHUB_ACTIONS") == nullptr) return text;
+  std::string shown;
+  bool begins = true;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const std::string_view rest = std::string_view(text).substr(k);
+    const bool acts = (begins && rest.starts_with("::")) || rest.starts_with("##[");
+    shown += acts ? fmt::format("\\x{:02x}", static_cast<unsigned char>(text[k]))
+                  : std::string(1, text[k]);
+    begins = text[k] == '\n' || (begins && (text[k] == ' ' || text[k] == '\t'));
+  }
+  return shown;
+}
 
 /// One line on standard error that says how far long work has come, after the first second. If
 /// standard error is not a terminal, it prints a line for each finished part instead.
@@ -155,6 +198,20 @@ class ProgressLine {
 };
 
 }  // namespace
+
+void print_error(const std::string& text) {
+  std::fputs(as_log_shows(scene::visible(text)).c_str(), stderr);
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) print_error(fmt::format("warning: {}\n", warning));
+}
+
+void print_report(const std::string& report, bool colours) {
+  write_out(as_log_shows(colours ? visible_but_colours(report) : scene::visible(report)));
+}
+
+void print_commands(const std::string& commands) { write_out(scene::visible(commands)); }
 
 properties::RunControl run_control(std::string what, int threads) {
   const auto shown = std::make_shared<ProgressLine>(std::move(what));

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "properties/run_control.h"
 
@@ -26,12 +27,22 @@ struct ClosedPipe {};
 /// second. Errors: ClosedPipe; std::runtime_error; scene::Interrupted when it gives up.
 void write_out(std::string_view text);
 bool has_written_out();
-/// Reads what there is on standard input, at most `most` bytes; nothing at its end.
-/// Errors: std::runtime_error; scene::Interrupted.
+/// All of standard input. Errors: std::runtime_error, where it has more than `most` bytes, too;
+/// scene::Interrupted.
 std::string read_in(std::size_t most);
 
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.
 bool stdout_takes_colours();
+
+/// Prints text escaped by scene::visible, so that no file, candidate or name controls the terminal.
+/// Standard error may be closed or full: that must not lose the report.
+void print_error(const std::string& text);
+void print_warnings(const std::vector<std::string>& warnings);
+/// Throws what write_out() throws: a lost report must not look like a good one. `colours`: keeps
+/// the views' colours.
+void print_report(const std::string& report, bool colours = false);
+/// Likewise for lines that the log of a GitHub workflow is to execute.
+void print_commands(const std::string& commands);
 
 /// Control for work run from a terminal: caught signals end it early, and standard error shows the
 /// progress of `what` while the control lives.

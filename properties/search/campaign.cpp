@@ -305,37 +305,6 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
   return result;
 }
 
-std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
-                           const CampaignOptions& options, const RunControl& control) {
-  const scene::Interruptible interruptible(control.interrupted);
-  std::vector<Reach> found;
-  for (const auto& [source, share] : shared_out(law, options)) {
-    if (source.severity || !source.source->dial) continue;
-    const Dial& dial = *source.source->dial;
-    const int last = dial.highest_of(options.level);
-    std::vector<ChosenSource> severities = severities_of(source, options.level, share);
-    const int cases = std::max(kFewestOfReach, share_of_all(share, severities.size(), 0));
-    if (last < dial.highest) {
-      for (const int severity : some_severities(last + 1, dial.highest)) {
-        severities.push_back({source.source, severity});
-      }
-    }
-    Reach reach{source.source, {}, {}, {}};
-    for (const ChosenSource& severity : severities) {
-      const CampaignPart part = run_part(law, candidate, options, {severity, cases}, control);
-      if (part.counts.cases == 0) return found;  // interrupted
-      if (part.is_broken()) {
-        reach.broken_at = severity.severity;
-        reach.replay = part.replay;
-        break;
-      }
-      if (part.verdict.compared() > 0) reach.holds_to = severity.severity;
-    }
-    found.push_back(std::move(reach));
-  }
-  return found;
-}
-
 Replay parse_replay(std::string_view text) {
   // A candidate's name may have colons.
   const std::size_t first = text.find(':'), last = text.rfind(':');

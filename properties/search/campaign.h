@@ -113,24 +113,6 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
 /// Whether a case and a candidate meet a law's needs, if need be with raycheck's own rays.
 bool has_question(const Law& law, const Candidate& candidate, const Case& the_case);
 
-/// How far along a family's dial a law holds.
-struct Reach {
-  const CaseSource* family = nullptr;
-  /// The highest severity judged before the first broken one; empty if there is none.
-  std::optional<int> holds_to;
-  std::optional<int> broken_at;  ///< Empty: nowhere on the dial.
-  std::string replay;            ///< Of broken_at.
-};
-
-/// Fewer cases per severity do not tell how far a law holds.
-inline constexpr int kFewestOfReach = 20;
-
-/// For every source that stands for its severities in a campaign with these options, follows the
-/// dial, past the level, to the first severity that breaks the law or to the end: with
-/// kFewestOfReach cases per severity, or as many as that campaign has, starting with the same ones.
-std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
-                           const CampaignOptions& options, const RunControl& control = {});
-
 /// The parts of a replay string; throws std::invalid_argument naming the part that is wrong.
 struct Replay {
   const Law* law;

@@ -97,7 +97,6 @@ Outcome run_shown(const Shown& shown) {
 /// machine.
 std::string without_times(std::string line) {
   static const std::pair<std::regex, const char*> kTimes[] = {
-      {std::regex(R"([0-9.]+ ns per ray.*$)"), "T ns per ray"},
       {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
        "T ms to plan, T ms the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan

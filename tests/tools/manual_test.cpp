@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <functional>
 #include <regex>
 #include <set>
 #include <string>
@@ -63,16 +62,21 @@ TEST(Manual, IsSetWithoutWarnings) {
   }
 }
 
-void expect_all_are_offered(
-    const std::function<std::vector<std::string>(const std::vector<std::string>&)>&
-        offered_behind) {
+TEST(Completions, OfBashAreCommandsOptionsAndFiles) {
   const std::vector<std::string> commands = all_commands();
   std::vector<std::string> lines = {"raycheck --"};
   for (const std::string& command : commands) lines.push_back("raycheck " + command + " --");
   const std::size_t questions = lines.size();
   lines.insert(lines.end(), {"raycheck ", "raycheck prop", "raycheck check --form",
                              "raycheck check CMakeLis", "raycheck check --format json CMakeLis"});
-  const std::vector<std::string> offers = offered_behind(lines);
+  std::string script = "source '" RAYCHECK_MANUAL
+                       "/bash-completion/completions/raycheck'\n"
+                       "offer() {\n  COMP_WORDS=(\"$@\")\n  COMP_CWORD=$(($# - 1))\n  _raycheck\n"
+                       "  echo $(printf '%s\\n' \"${COMPREPLY[@]}\" | sort)\n}\n";
+  for (const std::string& line : lines) {
+    script += "offer " + line + (line.back() == ' ' ? "''\n" : "\n");
+  }
+  const auto offers = lines_of(run_bash(temporary_file("complete.sh", script)).out);
   ASSERT_EQ(offers.size(), lines.size());
   EXPECT_EQ(long_options(" " + offers[0]), (std::set<std::string>{"--help", "--version"}));
   std::string names;
@@ -80,47 +84,11 @@ void expect_all_are_offered(
     EXPECT_EQ(long_options(" " + offers[k + 1]), options_of(commands[k])) << commands[k];
     names += (names.empty() ? "" : " ") + commands[k];
   }
-  EXPECT_TRUE(offers[questions].ends_with(names)) << offers[questions];  // bash offers options, too
+  EXPECT_TRUE(offers[questions].ends_with(names)) << offers[questions];
   EXPECT_EQ(offers[questions + 1], "properties");
   EXPECT_EQ(offers[questions + 2], "--format");
   EXPECT_EQ(offers[questions + 3], "CMakeLists.txt");
   EXPECT_EQ(offers[questions + 4], "CMakeLists.txt");
-}
-
-TEST(Completions, OfBashAreCommandsOptionsAndFiles) {
-  expect_all_are_offered([](const std::vector<std::string>& lines) {
-    std::string script = "source '" RAYCHECK_MANUAL
-                         "/bash-completion/completions/raycheck'\n"
-                         "offer() {\n  COMP_WORDS=(\"$@\")\n  COMP_CWORD=$(($# - 1))\n  _raycheck\n"
-                         "  echo $(printf '%s\\n' \"${COMPREPLY[@]}\" | sort)\n}\n";
-    for (const std::string& line : lines) {
-      script += "offer " + line + (line.back() == ' ' ? "''\n" : "\n");
-    }
-    return lines_of(run_bash(temporary_file("complete.sh", script)).out);
-  });
-}
-
-TEST(Completions, OfZshAreCommandsOptionsAndFiles) {
-  if (!is_installed("zsh")) GTEST_SKIP() << "zsh is not installed";
-  expect_all_are_offered([](const std::vector<std::string>& lines) {
-    std::string arguments =
-        "tests/tools/zsh_offers.py '" RAYCHECK_MANUAL "/zsh/vendor-completions'";
-    for (const std::string& line : lines) arguments += " '" + line + "'";
-    return lines_of(run_python(arguments, 0).out);
-  });
-}
-
-TEST(Completions, OfFishAreCommandsOptionsAndFiles) {
-  if (!is_installed("fish")) GTEST_SKIP() << "fish is not installed";
-  expect_all_are_offered([](const std::vector<std::string>& lines) {
-    // What is offered, a tab, and what is said of it.
-    std::string script = "fish --no-config -c \"source '" RAYCHECK_MANUAL
-                         "/fish/vendor_completions.d/raycheck.fish'\n";
-    for (const std::string& line : lines) {
-      script += "echo (complete -C'" + line + "' | string replace -r '\\t.*' '' | sort)\n";
-    }
-    return lines_of(run_bash(temporary_file("fish.sh", script + "\""), 0).out);
-  });
 }
 
 }  // namespace

@@ -51,7 +51,6 @@ const std::vector<Line>& lines() {
       {"properties", {"properties", "--cases", "1000000000"}},
       {"properties_shrinking",
        {"properties", "--cases", "100000", "--intersect", "quadratic", "--level", "extreme"}},
-      {"properties_frontier", {"properties", "--cases", "200", "--frontier"}},
       {"explain", {"explain", "MANY", "--pixel", "7,7"}},
       {"stress", {"stress", "--cases", "1000000"}},
       {"tradeoff", {"tradeoff", "--cases", "1000000000"}},

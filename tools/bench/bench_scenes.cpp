@@ -79,11 +79,6 @@ scene::Scene unrelated_rays() {
 
 fast::Rays rays_of(const scene::Scene& scene) {
   fast::Rays rays;
-  if (scene.camera) {
-    fast::kDirectRays.pixel_rays(*scene.camera, scene.conventions,
-                                 properties::all_pixels(*scene.camera), rays);
-    return rays;
-  }
   rays.resize(scene.rays.size());
   for (std::size_t k = 0; k < scene.rays.size(); ++k) {
     const auto& [origin, direction] = scene.rays[k];

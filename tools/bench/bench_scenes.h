@@ -26,7 +26,7 @@ scene::Scene scene_in_view();
 scene::Scene in_view(std::int64_t spheres, std::int64_t size = 1024);
 /// Practically unrelated rays from anywhere, aimed near a sphere so that a third miss it.
 scene::Scene unrelated_rays();
-/// The rays of a scene: of every pixel of its camera (by `direct`), or its own.
+/// The given rays of a scene.
 fast::Rays rays_of(const scene::Scene& scene);
 
 /// Pixels all over an image, in an order that defeats branch prediction.

@@ -13,9 +13,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "fast/camera_frame.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "tools/bench/bench_scenes.h"
@@ -23,9 +23,7 @@
 namespace {
 
 using namespace raycheck;
-using reference::DecidedBy;
 using reference::Visibility;
-using tools::camera_of;
 using tools::in_view;
 
 double seconds_now() {
@@ -50,24 +48,6 @@ std::vector<Shipped> shipped() {
   std::sort(result.begin(), result.end(),
             [](const Shipped& a, const Shipped& b) { return a.name < b.name; });
   return result;
-}
-
-/// A share of the pixels, column by column, looks exactly at a point (a sphere of radius 0): all
-/// tangents, which no filter decides. The numbers are dyadic, so that the points are on the rays.
-scene::Scene grazing(double share) {
-  constexpr std::int64_t kSize = 128;
-  scene::Scene scene;
-  scene.camera = scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1,        std::nullopt, -1,
-                               1,         -1,         1,         kSize + 1, kSize + 1};
-  const auto columns = static_cast<std::int64_t>(share * (kSize + 1) + 0.5);
-  for (std::int64_t i = 0; i < columns; ++i) {
-    for (std::int64_t j = 0; j <= kSize; ++j) {
-      const double x = -1 + static_cast<double>(i) / (kSize / 2);
-      const double y = -1 + static_cast<double>(j) / (kSize / 2);
-      scene.spheres.push_back({{8 * x, 8 * y, -8}, 0});
-    }
-  }
-  return scene;
 }
 
 struct Frame {
@@ -115,9 +95,7 @@ struct Prepared {
   }
 };
 
-enum class What { kCertified, kUncertified, kTwoThreads, kClassesOfAll };
-
-void visibility(benchmark::State& state, What what,
+void visibility(benchmark::State& state, bool is_certified,
                 const std::shared_ptr<const Prepared>& prepared) {
   if (!prepared->wrong.empty()) {
     state.SkipWithError(prepared->wrong.c_str());
@@ -125,69 +103,39 @@ void visibility(benchmark::State& state, What what,
   }
   const Visibility& seen = *prepared->visibility;
   const std::int64_t height = prepared->scene.camera->height;
-  const auto pixels = static_cast<std::int64_t>(prepared->truth.sphere.size());
   Frame frame(*prepared->scene.camera);
-  std::vector<reference::HitClass> classes(frame.sphere.size());
-  DecidedBy decided_by;
+  reference::DecidedBy decided_by;
   for (auto _ : state) {
-    switch (what) {
-      case What::kCertified:
-        decided_by = seen.nearest(0, height, frame.rows());
-        break;
-      case What::kUncertified:
-        seen.nearest_uncertified(0, height, frame.rows());
-        break;
-      case What::kTwoThreads:
-        decided_by = reference::nearest_in_parallel(seen, 0, height, frame.rows(), 2);
-        break;
-      case What::kClassesOfAll:
-        for (std::size_t k = 0; k < prepared->scene.spheres.size(); ++k) {
-          decided_by = seen.classes(k, 0, height, classes);
-        }
+    if (is_certified) {
+      decided_by = seen.nearest(0, height, frame.rows());
+    } else {
+      seen.nearest_uncertified(0, height, frame.rows());
     }
     benchmark::DoNotOptimize(frame.sphere.data());
-    benchmark::DoNotOptimize(classes.data());
     benchmark::ClobberMemory();
   }
-  const bool pairs = what == What::kClassesOfAll;
-  const auto spheres = static_cast<std::int64_t>(prepared->scene.spheres.size());
-  state.SetItemsProcessed(state.iterations() * (pairs ? pixels * spheres : pixels));
-  state.counters["spheres"] = static_cast<double>(spheres);
+  const auto pixels = static_cast<std::int64_t>(frame.sphere.size());
+  state.SetItemsProcessed(state.iterations() * pixels);
+  state.counters["spheres"] = static_cast<double>(prepared->scene.spheres.size());
   state.counters["plan_ms"] = prepared->plan_ms;
   state.counters["build_ms"] = prepared->build_ms;
   state.counters["fallback"] = static_cast<double>(decided_by.fallback());
   std::int64_t hits = 0, wrong = 0;
   for (std::size_t k = 0; k < frame.sphere.size(); ++k) {
     hits += prepared->truth.sphere[k] >= 0 ? 1 : 0;
-    wrong += !pairs && frame.sphere[k] != prepared->truth.sphere[k] ? 1 : 0;
+    wrong += frame.sphere[k] != prepared->truth.sphere[k] ? 1 : 0;
   }
   state.counters["seen"] = static_cast<double>(hits) / static_cast<double>(pixels);
   state.counters["wrong"] = static_cast<double>(wrong);
 }
 
-/// The baseline for images with nothing in view.
-void fill(benchmark::State& state) {
-  Frame frame(*camera_of(1024, 1024).camera);
-  for (auto _ : state) {
-    std::fill(frame.sphere.begin(), frame.sphere.end(), reference::kNoSphere);
-    std::fill(frame.parameter.begin(), frame.parameter.end(), reference::kNoParameter);
-    benchmark::DoNotOptimize(frame.sphere.data());
-    benchmark::ClobberMemory();
-  }
-  state.SetItemsProcessed(state.iterations() * 1024 * 1024);
-}
-
 void register_scene(const std::string& name, const scene::Scene& scene) {
   const auto prepared = std::make_shared<const Prepared>(scene);
-  const auto add = [&](const std::string& what, What kind) {
-    benchmark::RegisterBenchmark((name + "/" + what).c_str(), [prepared, kind](auto& state) {
-      visibility(state, kind, prepared);
+  for (const auto& [what, is_certified] : {std::pair("certified", true), {"uncertified", false}}) {
+    benchmark::RegisterBenchmark((name + "/" + what).c_str(), [=](benchmark::State& state) {
+      visibility(state, is_certified, prepared);
     })->UseRealTime();
-  };
-  add("certified", What::kCertified);
-  add("uncertified", What::kUncertified);
-  add("two-threads", What::kTwoThreads);
-  if (scene.spheres.size() <= 100) add("classes", What::kClassesOfAll);
+  }
 }
 
 }  // namespace
@@ -196,18 +144,10 @@ int main(int argc, char** argv) {
   if (!tools::choose_target(argc, argv)) return 2;
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  benchmark::RegisterBenchmark("fill", fill);
-  register_scene("nothing", camera_of(1024, 1024));
   for (const std::int64_t spheres : {1, 10, 100, 1000, 10'000, 100'000, 1'000'000}) {
     register_scene("spheres:" + std::to_string(spheres), in_view(spheres));
   }
   for (const auto& [name, scene] : shipped()) register_scene("shipped:" + name, scene);
-  for (const std::int64_t size : {256, 512, 2048, 4096}) {
-    register_scene("pixels:" + std::to_string(size), in_view(100, size));
-  }
-  for (const double share : {0.0, 0.25, 0.5, 1.0}) {
-    register_scene("grazing:" + std::to_string(static_cast<int>(100 * share)), grazing(share));
-  }
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;

@@ -123,24 +123,6 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
 
 }  // namespace
 
-std::uint64_t CheckReport::discrepancies() const {
-  std::uint64_t sum = 0;
-  for (const CandidateReport& candidate : candidates) sum += candidate.verdict.discrepancies();
-  return sum;
-}
-
-std::uint64_t CheckReport::count(properties::Standing standing) const {
-  std::uint64_t sum = 0;
-  for (const CandidateReport& candidate : candidates) sum += candidate.verdict.count(standing);
-  return sum;
-}
-
-std::uint64_t CheckReport::compared() const {
-  std::uint64_t sum = 0;
-  for (const CandidateReport& candidate : candidates) sum += candidate.verdict.compared();
-  return sum;
-}
-
 bool CheckReport::holds() const {
   return std::all_of(candidates.begin(), candidates.end(),
                      [this](const CandidateReport& one) { return one.verdict.holds(strict); });
@@ -193,17 +175,6 @@ std::vector<Implementation> without_equals(const std::vector<Implementation>& im
   return result;
 }
 
-/// Times every candidate on the first rays, before other threads run.
-void time_all(const SceneCases& cases, std::vector<Draft>& drafts) {
-  const Case chunk = cases.from(0, std::min<std::uint64_t>(kChunk, cases.rays_judged()));
-  for (Draft& draft : drafts) {
-    const auto& methods = draft.report.implementation.methods;
-    if (!methods) continue;
-    draft.report.timing =
-        time_methods(*methods, cases.scene(), draft.report.conventions, chunk.pixels);
-  }
-}
-
 }  // namespace
 
 CheckReport check(const CheckOptions& options, const RunControl& control) {
@@ -235,7 +206,6 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
       drafts.push_back(prepare(judged[k], scenes));
       drafts.back().report.lasting_name = names[k];
     }
-    time_all(cases, drafts);
     Judgement(options.max_error, scenes, drafts).run(control, report.rays_judged, [&] {
       control.progress(
           fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));

@@ -67,12 +67,6 @@ struct CheckOptions {
   bool strict = false;                 ///< Excused or undecided answers fail, too.
 };
 
-/// Nanoseconds per ray, the best of several repetitions on batches of the scene's rays.
-struct Timing {
-  std::optional<double> make;       ///< To make a camera's ray.
-  std::optional<double> intersect;  ///< To intersect it with every sphere of the scene.
-};
-
 /// A law that was not judged, and why.
 struct LeftOut {
   std::string law;
@@ -96,7 +90,6 @@ struct CandidateReport {
   ExcludedHits excluded;  ///< What its t_min, t_max and culling cost; empty if it has none.
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< For external ones only.
-  Timing timing;                                      ///< For raycheck's methods.
   properties::FailureSearch search;                   ///< For the questions that it fails on.
 
   /// For a candidate without defects or undecided answers, the first kind of question that was
@@ -138,9 +131,19 @@ struct CheckReport {
   const scene::Scene& scene_of(const CandidateReport& candidate) const {
     return candidate.precision == scene::Precision::kSingle && single_scene ? *single_scene : scene;
   }
-  std::uint64_t discrepancies() const;
-  std::uint64_t count(properties::Standing standing) const;
-  std::uint64_t compared() const;
+  /// A count of verdicts, of all candidates together.
+  template <class... Arguments>
+  std::uint64_t sum(std::uint64_t (properties::Verdict::*which)(Arguments...) const,
+                    Arguments... arguments) const {
+    std::uint64_t all = 0;
+    for (const CandidateReport& one : candidates) all += (one.verdict.*which)(arguments...);
+    return all;
+  }
+  std::uint64_t discrepancies() const { return sum(&properties::Verdict::discrepancies); }
+  std::uint64_t count(properties::Standing standing) const {
+    return sum(&properties::Verdict::count, standing);
+  }
+  std::uint64_t compared() const { return sum(&properties::Verdict::compared); }
   /// Whether no candidate has a defect or, in a strict report, anything excused or undecided.
   bool holds() const;
   /// Whether enough was judged, and either decided or known to the baseline as undecided.
@@ -153,11 +156,8 @@ CheckReport check(const CheckOptions& options, const properties::RunControl& con
 
 std::string check_text(const CheckReport& report, const ViewOptions& options);
 std::string check_json(const CheckReport& report, const ViewOptions& options);
-/// Where the scene shows discrepancies, as a PNG file: exact silhouettes, and on them the pixels of
-/// the discrepancies that are kept, by standing. An empty picture for a scene without a camera.
-std::string check_picture(const CheckReport& report, const ViewOptions& options);
 
-/// A check for each quantity of each candidate; the report outlives it.
+/// A check for each quantity of each candidate.
 Gate check_gate(const CheckReport& report);
 
 inline constexpr View<CheckReport> kCheckViews[] = {
@@ -167,7 +167,6 @@ inline constexpr View<CheckReport> kCheckViews[] = {
     {"markdown", gate_view<markdown, check_gate>},
     {"github", gate_view<github, check_gate>, ViewKind::kCommands},
     {"gitlab-codequality", gate_view<gitlab_codequality, check_gate>},
-    {"picture", check_picture, ViewKind::kBytes},
 };
 
 using NamedPlace = std::function<std::string(const properties::Place&)>;

@@ -88,22 +88,18 @@ void add_check_of(Quantity quantity, const Tally& tally, Gate& gate, const Check
 
 void add_checks(Gate& gate, const CheckReport& report, const CandidateReport& candidate) {
   if (const std::string& file = candidate.implementation.source_file; !file.empty()) {
-    gate.sources.push_back({candidate.name, file});
+    gate.sources.emplace(candidate.name, file);
   }
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
     add_check_of(quantity, tally, gate, report, candidate);
   }
   const std::string too_few = too_few_text(candidate);
   if (!too_few.empty()) {
-    gate.checks.push_back({candidate.name, "judged", GateOutcome::kInconclusive, too_few, {}, {}});
+    gate.checks.push_back({candidate.name, "judged", GateOutcome::kInconclusive, too_few});
   }
   for (const LeftOut& one : candidate.left_out) {
-    gate.checks.push_back({candidate.name,
-                           fmt::format("{}/{}", one.law, report.path),
-                           GateOutcome::kLeftOut,
-                           one.reason,
-                           {},
-                           {}});
+    gate.checks.push_back({candidate.name, fmt::format("{}/{}", one.law, report.path),
+                           GateOutcome::kLeftOut, one.reason});
   }
   // If there are more discrepancies than are kept, missing ones may have been dropped.
   const bool has_all = candidate.verdict.discrepancies() < properties::kKeptDiscrepancies;
@@ -122,9 +118,6 @@ Gate check_gate(const CheckReport& report) {
   gate.about = fmt::format("{}, {} of {} judged", report.path, report.rays_judged,
                            count_text(report.rays_in_scene, "ray"));
   gate.ratchet = report.ratchet;
-  if (report.scene.camera && !report.holds()) {
-    gate.picture = [&report] { return check_picture(report, {}); };
-  }
   for (const CandidateReport& candidate : report.candidates) add_checks(gate, report, candidate);
   gate.findings.complete = gate.findings.asked;
   complete(gate, report.interrupted);

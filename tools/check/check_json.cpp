@@ -38,8 +38,6 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["isolated_by"] = text_or_null(implementation.isolated_by);
   json["bounds_of"] = text_or_null(implementation.bounds_of);
   json["conventions"] = conventions_json(candidate.conventions);
-  json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
-                        {"intersect", error_json(candidate.timing.intersect)}};
   json["quantities"] = tallies_json(candidate.verdict, candidate.precision);
   json["explanations"] = explanations_json(candidate.explanations);
   json["failures"] = {{"batches", candidate.search.batches},

@@ -28,17 +28,6 @@ std::string scene_text(const CheckReport& report) {
          conventions_text(report.scene.conventions) + "\n";
 }
 
-std::string timing_text(const Timing& timing, std::size_t spheres) {
-  if (!timing.make && !timing.intersect) return "";
-  const double total = timing.make.value_or(0) + timing.intersect.value_or(0);
-  std::string text = fmt::format("{:.1f} ns per ray", total);
-  if (timing.make && timing.intersect) {
-    text += fmt::format(" ({:.1f} to make it, {:.1f} to intersect {})", *timing.make,
-                        *timing.intersect, count_text(spheres, "sphere"));
-  }
-  return text;
-}
-
 /// "2 missed, 1 false hit (1 excused, 1 undecided)"
 std::string class_error_text(const Tally& tally) {
   std::string text;
@@ -196,10 +185,9 @@ namespace {
 /// What was judged of a candidate, and how.
 std::string candidate_text(const CheckReport& report, const CandidateReport& candidate) {
   const Implementation& implementation = candidate.implementation;
-  std::string text = fmt::format("\n{}  {}\n", candidate.name,
-                                 implementation.isolated_by.empty()
-                                     ? timing_text(candidate.timing, report.scene.spheres.size())
-                                     : "isolated by: " + implementation.isolated_by);
+  std::string text = "\n" + candidate.name;
+  if (!implementation.isolated_by.empty()) text += "  isolated by: " + implementation.isolated_by;
+  text += "\n";
   if (!implementation.bounds_of.empty() && !report.max_error) {
     text += fmt::format("  documents no bounds: judged by those of {} (--bounds)\n",
                         implementation.bounds_of);

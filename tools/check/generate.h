@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "properties/cases/case_source.h"
 #include "scene/precision.h"
@@ -16,18 +17,21 @@ namespace raycheck::tools {
 /// "SOURCE@SEVERITY:SEED"
 std::string case_id(const properties::ChosenSource& source, std::uint64_t seed);
 
-/// The source of that name, "FAMILY" or "FAMILY@SEVERITY".
-/// Errors: std::invalid_argument naming the family if there is no such family, or its cases have
-/// cameras.
-properties::ChosenSource source_of_questions(const std::string& family);
-
 /// The case of a seed, rounded to a format; empty if the format cannot hold it.
 std::optional<properties::Case> case_asked(const properties::ChosenSource& source,
                                            std::uint64_t seed, scene::Precision precision);
 
-/// The questions of that case: every ray with every sphere.
+/// A ray and a sphere of a case.
+struct AskedPair {
+  std::string id;
+  std::size_t ray, sphere;
+};
+/// Every ray of the case of that id with every sphere.
+std::vector<AskedPair> questions_of(const properties::Case& asked, const std::string& id);
+
+/// The questions of a case, a line each.
 /// Domain: a source of given rays.
-std::string questions(const properties::ChosenSource& source, std::uint64_t seed,
-                      scene::Precision precision);
+std::string question_lines(const properties::ChosenSource& source, std::uint64_t seed,
+                           scene::Precision precision);
 
 }  // namespace raycheck::tools

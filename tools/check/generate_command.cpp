@@ -20,10 +20,10 @@ struct GenerateArguments {
 };
 
 int run_generate(const GenerateArguments& arguments) {
-  const properties::ChosenSource source = source_of_questions(arguments.family);
+  const properties::ChosenSource source = parse_given_rays(arguments.family);
   std::string text;
   for (std::uint64_t k = 0; k < arguments.cases && !interrupted(); ++k) {
-    text += questions(source, arguments.seed + k, arguments.precision);
+    text += question_lines(source, arguments.seed + k, arguments.precision);
     if (text.size() < kPrintedAtATime) continue;
     print_report(text);
     text.clear();

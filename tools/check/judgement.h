@@ -23,8 +23,8 @@
 
 namespace raycheck::tools {
 
-/// Rays judged at a time: between chunks progress is shown and interrupts are handled. Methods are
-/// timed, and mistakes searched for, on the first chunk.
+/// Rays judged at a time: between chunks progress is shown and interrupts are handled. Mistakes are
+/// searched for on the first chunk.
 inline constexpr std::size_t kChunk = 512;
 
 /// Reasons by law.
@@ -79,9 +79,5 @@ class Judgement {
   tbb::enumerable_thread_specific<std::vector<properties::Candidate>> candidates_;
   std::vector<std::optional<properties::Candidate>> searchers_;  ///< For those that have failed.
 };
-
-/// Times a candidate's methods through fast/'s batch interface on the scene's own rays.
-Timing time_methods(const MethodPair& methods, const scene::Scene& scene,
-                    const scene::Conventions& conventions, const std::vector<scene::Pixel>& pixels);
 
 }  // namespace raycheck::tools

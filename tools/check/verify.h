@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,53 +24,33 @@ struct VerifyOptions {
   std::size_t top = 10;
 };
 
-/// How many cases without any answer, and how many open questions of other cases, are named.
+/// How many questions without an answer are named.
 inline constexpr std::size_t kNamedMissing = 5;
-
-/// How many answers may wait for others to the same case, which bounds the memory.
-inline constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
 
 /// More than the rays of any case.
 inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
 
-/// Longer than any answer.
-inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
-
 struct VerifyReport {
+  VerifyOptions options;
   std::uint64_t answers = 0, cases = 0;
-  std::uint64_t cases_asked = 0;
-  std::uint64_t cases_left_out = 0;          ///< Floats cannot hold them: nothing is asked.
-  std::vector<std::string> cases_missing;    ///< The first ones without any answer.
-  std::uint64_t questions_missing = 0;       ///< In cases with some answers.
-  std::vector<std::string> questions_named;  ///< The first of those.
-  properties::ChosenSource source;           ///< As in the options.
-  std::uint64_t seed = 0;
-  /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k, whichever case was
-  /// answered first.
+  std::uint64_t cases_left_out = 0;  ///< Floats cannot hold them: nothing is asked.
+  std::uint64_t not_answered = 0;    ///< Questions of the cases that were looked at.
+  std::vector<std::string> missing;  ///< The first of those.
+  /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k.
   CandidateReport candidate;
-  std::size_t top = 10;
-  bool strict = false;
-  bool interrupted = false;  ///< Then answers not read yet are not missing.
+  bool interrupted = false;
 
-  /// Whether some questions have no answer.
-  bool is_short() const {
-    return !interrupted && (cases_not_answered() > 0 || questions_missing > 0);
-  }
-  std::uint64_t cases_not_answered() const { return cases_asked - cases_left_out - cases; }
   std::size_t ray_in_case(std::size_t ray) const { return ray % kMostRays; }
+  std::string case_id(std::uint64_t number) const;
   /// "SOURCE:SEED:RAY", the start of the ids of the questions about it.
   std::string ray_id(std::size_t ray) const;
-  bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
+  bool holds() const { return candidate.verdict.holds(options.strict) && not_answered == 0; }
 };
 
-/// Reads the next block; empty at the end.
-using ReadMore = std::function<std::string()>;
-
-/// Judges the answers to questions (generate.h) by the laws of single values. A case
-/// is judged, and forgotten, once all its questions are answered.
+/// Judges the answers to questions (generate.h), a line each, by the laws of single values.
 /// Errors: std::invalid_argument naming the line that is no answer to a question asked, or is the
 ///         second to one.
-VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
+VerifyReport verify(std::string text, const VerifyOptions& options,
                     const properties::RunControl& control = {});
 
 std::string verify_text(const VerifyReport& report, const ViewOptions& options);

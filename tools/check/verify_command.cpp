@@ -2,7 +2,6 @@
 #include <string>
 
 #include "tools/arguments.h"
-#include "tools/check/generate.h"
 #include "tools/check/verify.h"
 #include "tools/commands.h"
 #include "tools/terminal.h"
@@ -10,8 +9,8 @@
 namespace raycheck::tools {
 namespace {
 
-/// Answers are read in pieces of at most this many bytes.
-constexpr std::size_t kReadAtATime = 1 << 16;
+/// More answers than these are for several runs, each with a --seed of its own.
+constexpr std::size_t kMostBytes = std::size_t{1} << 27;
 
 struct VerifyArguments {
   std::string family;
@@ -21,9 +20,8 @@ struct VerifyArguments {
 
 int run_verify(const VerifyArguments& arguments) {
   VerifyOptions options = arguments.options;
-  options.source = source_of_questions(arguments.family);
-  const VerifyReport report =
-      verify([] { return read_in(kReadAtATime); }, options, run_control("answers"));
+  options.source = parse_given_rays(arguments.family);
+  const VerifyReport report = verify(read_in(kMostBytes), options, run_control("answers"));
   print_view(kVerifyViews, arguments.format, report);
   return exit_code(report.interrupted, !report.holds(), report.candidate.is_enough_judged());
 }
@@ -38,13 +36,9 @@ CommandRun add_verify(CLI::App& command) {
                   "as given to generate: exactly its questions must be answered")
       ->required();
   add_exchanged(command, options.cases, options.seed, options.precision);
-  command.add_option("--top", options.top, "how many of the worst discrepancies are shown")
-      ->check(whole_number(0, properties::kKeptDiscrepancies))
-      ->capture_default_str();
-  command
-      .add_option("--max-ulp", options.max_error,
-                  "errors above are discrepancies (default: the bounds of direct/cross)")
-      ->check(kBound);
+  add_top(command, options.top);
+  add_max_ulp(command, options.max_error,
+              "errors above are discrepancies (default: the bounds of direct/cross)");
   add_strict(command, options.strict);
   add_format(command, given->format, kVerifyViews);
   return [given] { return run_verify(*given); };

@@ -9,17 +9,15 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   Json json = json_header("verify");
   json["answers"] = report.answers;
   json["cases"] = report.cases;
-  json["cases_asked"] = report.cases_asked;
+  json["cases_asked"] = report.options.cases;
   json["cases_left_out"] = report.cases_left_out;
-  json["cases_missing"] = report.cases_missing;
-  json["questions_missing"] = report.questions_missing;
-  json["questions_named"] = report.questions_named;
+  json["not_answered"] = report.not_answered;
+  json["missing"] = report.missing;
   json["interrupted"] = report.interrupted;
-  json["strict"] = report.strict;
+  json["strict"] = report.options.strict;
   json["holds"] = report.holds();
-  json.update(candidate_json(report.candidate, report.top));
-  for (const char* key :
-       {"rays", "intersect", "isolated_by", "bounds_of", "ns_per_ray", "explanations"}) {
+  json.update(candidate_json(report.candidate, report.options.top));
+  for (const char* key : {"rays", "intersect", "isolated_by", "bounds_of", "explanations"}) {
     json.erase(key);  // for methods, processes and renderers only
   }
   const auto name = [&](Json& place) {

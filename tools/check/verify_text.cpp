@@ -5,16 +5,6 @@
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
-namespace {
-
-/// "a, b and 3 more"
-std::string named(const std::vector<std::string>& ids, std::uint64_t all) {
-  std::string text = fmt::format("{}", fmt::join(ids, ", "));
-  if (ids.size() < all) text += fmt::format(" and {} more", all - ids.size());
-  return text;
-}
-
-}  // namespace
 
 std::string verify_text(const VerifyReport& report, const ViewOptions& options) {
   const properties::Verdict& verdict = report.candidate.verdict;
@@ -24,23 +14,17 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
     return fmt::format("{}:{}", report.ray_id(place.ray), place.sphere.value_or(0));
   });
   text += too_few_text(report.candidate);
-  if (report.interrupted) {
-    text += "\nINTERRUPTED: only what was read before is judged\n";
-  } else if (report.cases_not_answered() > 0) {
-    text += fmt::format("\n{} of {} are not answered: {}\n", report.cases_not_answered(),
-                        count_text(report.cases_asked, "case"),
-                        named(report.cases_missing, report.cases_not_answered()));
-  }
+  if (report.interrupted) text += "\nINTERRUPTED: what is above covers only what was judged\n";
   if (report.cases_left_out > 0) {
     text += fmt::format("\n{} ask nothing: floats cannot hold their numbers\n",
                         count_text(report.cases_left_out, "case"));
   }
-  if (report.questions_missing > 0) {
-    text += fmt::format("\n{} of the other cases not answered: {}\n",
-                        count_text(report.questions_missing, "question"),
-                        named(report.questions_named, report.questions_missing));
+  if (report.not_answered > 0) {
+    const bool is_all = report.missing.size() == report.not_answered;
+    text += fmt::format("\n{} not answered: {}{}\n", count_text(report.not_answered, "question"),
+                        fmt::join(report.missing, ", "), is_all ? "" : ", ...");
   }
-  auto worst = verdict.worst(report.top);
+  auto worst = verdict.worst(report.options.top);
   if (verdict.discrepancies() > 0) {
     text += fmt::format(
         "\nworst discrepancies ({} of {}: {}):\n", worst.size(), verdict.discrepancies(),

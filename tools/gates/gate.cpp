@@ -36,10 +36,9 @@ bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet) {
 
 std::optional<properties::CodeLine> line_of(const Gate& gate, const GateCheck& check) {
   if (check.line) return check.line;
-  for (const SourceFile& source : gate.sources) {
-    if (source.candidate == check.candidate) return properties::CodeLine{source.path};
-  }
-  return std::nullopt;
+  const auto source = gate.sources.find(check.candidate);
+  if (source == gate.sources.end()) return std::nullopt;
+  return properties::CodeLine{source->second};
 }
 
 GateCheck& add_check(Gate& gate, GateCheck check, const LeftUndecided& undecided) {
@@ -70,6 +69,15 @@ void complete(Gate& gate, bool was_interrupted) {
   if (was_interrupted) add("finished", "interrupted: not all was judged");
   if (is_empty) add("judged", "nothing was judged");
   make_unique(gate.checks);
+}
+
+std::map<std::string, std::array<std::size_t, kGateOutcomes>> outcomes_by_candidate(
+    const Gate& gate) {
+  std::map<std::string, std::array<std::size_t, kGateOutcomes>> counts;
+  for (const GateCheck& check : gate.checks) {
+    ++counts[check.candidate][static_cast<std::size_t>(check.outcome)];
+  }
+  return counts;
 }
 
 std::string outcomes_text(const Gate& gate) {

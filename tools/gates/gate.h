@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -39,22 +39,14 @@ struct GateCheck {
   std::optional<properties::CodeLine> line = {};  ///< At which the candidate first died or threw.
 };
 
-/// The file of a candidate's source.
-struct SourceFile {
-  std::string candidate;
-  std::string path;
-};
-
 /// A report for continuous integration.
 struct Gate {
   std::string command;  ///< "check" or "properties"
   std::string about;    ///< What was judged: the scene, or the number of cases. One line.
   std::vector<GateCheck> checks;
-  std::vector<SourceFile> sources;  ///< For candidates that are files.
-  std::optional<Ratchet> ratchet;   ///< If there is a baseline.
-  Findings findings;                ///< What a baseline holds of it.
-  /// Makes a PNG file of where the scene shows it; or empty.
-  std::function<std::string()> picture;
+  std::map<std::string, std::string> sources;  ///< Of candidates that are files: by name.
+  std::optional<Ratchet> ratchet;              ///< If there is a baseline.
+  Findings findings;                           ///< What a baseline holds of it.
 
   std::uint64_t count(GateOutcome outcome) const;
 };
@@ -80,6 +72,9 @@ bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet);
 /// and unique names.
 void complete(Gate& gate, bool was_interrupted);
 
+/// How many checks of each candidate have each outcome.
+std::map<std::string, std::array<std::size_t, kGateOutcomes>> outcomes_by_candidate(
+    const Gate& gate);
 /// "12 passed, 1 failed, 2 left out"
 std::string outcomes_text(const Gate& gate);
 

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <string>
-#include <type_traits>
 
 #include "tools/gates/gate.h"
 #include "tools/report/json.h"
@@ -22,19 +21,13 @@ std::string junit(const Gate& gate);
 
 /// GitHub accepts summaries of a step up to 1 MiB.
 inline constexpr std::size_t kMostMarkdownBytes = 1'000'000;
-/// Markdown: a table of what was judged, then what failed, as far as there is room. The picture is
-/// embedded, or linked if an address is given.
-std::string markdown(const Gate& gate, const std::string& picture_link = {});
+/// Markdown: a table of what was judged, then what failed, as far as there is room.
+std::string markdown(const Gate& gate);
 
 /// A view of a report: what `kWrite` writes of the gate that `kGateOf` makes of it.
 template <auto kWrite, auto kGateOf, class Report>
-std::string gate_view(const Report& report, const ViewOptions& options) {
-  const Gate gate = kGateOf(report);
-  if constexpr (std::is_invocable_v<decltype(kWrite), const Gate&, const std::string&>) {
-    return kWrite(gate, options.picture_link);
-  } else {
-    return kWrite(gate);
-  }
+std::string gate_view(const Report& report, const ViewOptions& /*options*/) {
+  return kWrite(kGateOf(report));
 }
 
 /// The comparison of a run with a baseline, in lines, for people.

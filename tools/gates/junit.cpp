@@ -1,52 +1,29 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <map>
+#include <array>
+#include <boost/algorithm/string/replace.hpp>
+#include <numeric>
 #include <string_view>
-#include <vector>
+#include <utility>
 
-#include "scene/text.h"
 #include "tools/gates/gate_views.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {
 
 constexpr std::string_view kCut = "\n... (cut: the report as JSON has all)";
 
-/// Not allowed in XML 1.0, beyond what scene::visible escapes.
-constexpr std::array<std::string_view, 2> kNoCharacters = {"\uFFFE", "\uFFFF"};
+/// What scene::visible leaves that XML 1.0 does not allow, and that logs of GitHub workflows
+/// interpret anywhere; an apostrophe stays.
+constexpr std::pair<std::string_view, std::string_view> kReplaced[] = {
+    {"\uFFFE", "\uFFFD"}, {"\uFFFF", "\uFFFD"}, {"##[", "##&#91;"}, {"&#39;", "'"}};
 
 std::string xml(std::string_view text) {
-  std::string shown = scene::visible(text);
-  for (const std::string_view none : kNoCharacters) {
-    for (std::size_t at = shown.find(none); at != std::string::npos; at = shown.find(none, at)) {
-      shown.replace(at, none.size(), "\uFFFD");
-    }
-  }
-  std::string escaped;
-  for (const char c : shown) {
-    switch (c) {
-      // Logs of GitHub workflows interpret "##[error]" anywhere.
-      case '[':
-        escaped += escaped.ends_with("##") ? "&#91;" : "[";
-        break;
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
+  std::string shown = escaped(text);
+  for (const auto& [from, to] : kReplaced) boost::replace_all(shown, from, to);
+  return shown;
 }
 
 /// As much of a text as fits into `most` bytes, escaped: whole characters and entities.
@@ -63,60 +40,40 @@ std::string shortened(std::string_view text, std::size_t most) {
   return escaped.substr(0, end) + std::string(kCut);
 }
 
-/// The element of a check that did not pass.
-std::string_view element_of(GateOutcome outcome) {
-  switch (outcome) {
-    case GateOutcome::kFailed:
-      return "failure";
-    case GateOutcome::kInconclusive:
-      return "error";
-    default:
-      return "skipped";
-  }
-}
+/// The element of a check that did not pass, by its outcome.
+constexpr std::array<std::string_view, kGateOutcomes> kElements = {"", "failure", "skipped",
+                                                                   "error", "skipped"};
 
 std::string test_case(const GateCheck& check, std::size_t most_text) {
   const std::string begin = fmt::format("    <testcase classname=\"{}\" name=\"{}\"",
                                         xml(check.candidate), xml(check.name));
   if (check.outcome == GateOutcome::kPassed) return begin + "/>\n";
-  const std::string_view element = element_of(check.outcome);
+  const std::string_view element = kElements[static_cast<std::size_t>(check.outcome)];
   return fmt::format("{}>\n      <{} type=\"{}\" message=\"{}\">{}</{}>\n    </testcase>\n", begin,
                      element, name(check.outcome), shortened(check.summary, most_text),
                      shortened(check.text.empty() ? check.summary : check.text, most_text),
                      element);
 }
 
-struct Suite {
-  std::vector<const GateCheck*> checks;
-  std::size_t failed = 0, inconclusive = 0, skipped = 0;
-};
-
-std::map<std::string, Suite> suites_of(const Gate& gate) {
-  std::map<std::string, Suite> suites;
-  for (const GateCheck& check : gate.checks) {
-    Suite& suite = suites[check.candidate];
-    suite.checks.push_back(&check);
-    suite.failed += check.outcome == GateOutcome::kFailed ? 1 : 0;
-    suite.inconclusive += check.outcome == GateOutcome::kInconclusive ? 1 : 0;
-    suite.skipped +=
-        check.outcome == GateOutcome::kKnown || check.outcome == GateOutcome::kLeftOut ? 1 : 0;
-  }
-  return suites;
-}
-
 /// The file, with each text and message limited to `most_text` bytes.
 std::string file_of(const Gate& gate, std::size_t most_text) {
-  const auto suites = suites_of(gate);
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuites name=\"raycheck {}\" tests=\"{}\" failures=\"{}\" errors=\"{}\">\n",
       gate.command, gate.checks.size(), gate.count(GateOutcome::kFailed),
       gate.count(GateOutcome::kInconclusive));
-  for (const auto& [candidate, suite] : suites) {
+  for (const auto& [candidate, counts] : outcomes_by_candidate(gate)) {
+    const auto count = [&counts = counts](GateOutcome outcome) {
+      return counts[static_cast<std::size_t>(outcome)];
+    };
     text += fmt::format(
         "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n",
-        xml(candidate), suite.checks.size(), suite.failed, suite.inconclusive, suite.skipped);
-    for (const GateCheck* const check : suite.checks) text += test_case(*check, most_text);
+        xml(candidate), std::accumulate(counts.begin(), counts.end(), std::size_t{0}),
+        count(GateOutcome::kFailed), count(GateOutcome::kInconclusive),
+        count(GateOutcome::kKnown) + count(GateOutcome::kLeftOut));
+    for (const GateCheck& check : gate.checks) {
+      if (check.candidate == candidate) text += test_case(check, most_text);
+    }
     text += "  </testsuite>\n";
   }
   return text + "</testsuites>\n";

@@ -1,13 +1,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <string_view>
 
 #include "scene/text.h"
 #include "tools/gates/gate_views.h"
-#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {
@@ -41,16 +38,6 @@ std::string fenced(std::string_view text) {
   return fmt::format("{0}text\n{1}{2}{0}\n", fence, shown, shown.ends_with('\n') ? "" : "\n");
 }
 
-/// An address in a link: bytes that would end it are percent-encoded.
-std::string link_address(std::string_view address) {
-  std::string shown;
-  for (const char c : scene::visible_line(address)) {
-    const bool ends = std::string_view(" ()<>\"\\").find(c) != std::string_view::npos;
-    shown += ends ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
-  }
-  return shown;
-}
-
 std::string failure_of(const GateCheck& check) {
   return fmt::format("\n#### {}\n\n{} \u2014 {}\n\n{}", inline_text(check.name),
                      inline_text(check.candidate), inline_text(check.summary),
@@ -58,16 +45,12 @@ std::string failure_of(const GateCheck& check) {
 }
 
 std::string table_of(const Gate& gate) {
-  std::map<std::string, std::array<std::size_t, kGateOutcomes>> counts;
-  for (const GateCheck& check : gate.checks) {
-    ++counts[check.candidate][static_cast<std::size_t>(check.outcome)];
-  }
   std::string head = "| candidate |", line = "|:---|", rows;
   for (const std::string_view outcome : kGateOutcomeNames) {
     head += fmt::format(" {} |", outcome);
     line += "---:|";
   }
-  for (const auto& [candidate, by_outcome] : counts) {
+  for (const auto& [candidate, by_outcome] : outcomes_by_candidate(gate)) {
     rows += fmt::format("| {} |", inline_text(candidate));
     for (const std::size_t count : by_outcome) rows += fmt::format(" {} |", count);
     rows += "\n";
@@ -89,19 +72,12 @@ std::string ratchet_part(const Ratchet& ratchet) {
 
 }  // namespace
 
-std::string markdown(const Gate& gate, const std::string& picture_link) {
+std::string markdown(const Gate& gate) {
   const bool fails = gate.count(GateOutcome::kFailed) > 0;
   std::string text = fmt::format("### raycheck {}: {}\n\n{}: {}.\n\n{}", gate.command,
                                  fails ? "discrepancies" : "no new discrepancy",
                                  inline_text(gate.about), outcomes_text(gate), table_of(gate));
   if (gate.ratchet) text += ratchet_part(*gate.ratchet);
-  if (!picture_link.empty()) {
-    text += fmt::format("\n[where]({})\n", link_address(picture_link));
-  } else if (gate.picture) {
-    const std::string picture =
-        fmt::format("\n![where]({})\n", data_address("image/png", gate.picture()));
-    if (text.size() + picture.size() < kMostMarkdownBytes) text += picture;
-  }
   std::size_t left_out = 0;
   constexpr std::size_t kRoomForCount = 100;
   for (const GateOutcome outcome : {GateOutcome::kFailed, GateOutcome::kInconclusive}) {

@@ -27,7 +27,7 @@ struct GradeArguments {
   std::string package;
   bool probe = false;
   /// Grading with less isolation than there should be takes an explicit choice.
-  SandboxArguments sandbox = {.sandbox = "require"};
+  SandboxArguments sandbox = {.sandbox = Sandbox::kRequire};
   std::string format = "text";
 };
 

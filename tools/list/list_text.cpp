@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "scene/conventions.h"
 #include "tools/list/list.h"
@@ -37,13 +38,6 @@ std::string levels_text(const properties::CaseSource& source) {
   if (dial.demanding > dial.ordinary) levels += fmt::format(", demanding to @{}", dial.demanding);
   if (dial.highest > dial.demanding) levels += fmt::format(", extreme to @{}", dial.highest);
   return fmt::format("  {:<17} {}: {}\n", "", levels, dial.meaning);
-}
-
-template <class Names>
-std::string joined(const Names& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : " | ") + std::string(name);
-  return text;
 }
 
 }  // namespace
@@ -89,15 +83,18 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
     text += levels_text(source);
   }
   text += "\nconventions (the first is the default):\n";
-  text += fmt::format("  rows              {}\n", joined(scene::kRowsNames));
-  text += fmt::format("  samples           {}\n", joined(scene::kSamplesNames));
-  text += fmt::format("  origin            {}\n", joined(scene::kOriginNames));
-  text += fmt::format("  root              {}\n", joined(scene::kRootNames));
-  text += fmt::format("  tangent           {}\n", joined(scene::kTangentNames));
+  const auto add = [&](std::string_view convention, const auto& names) {
+    text += fmt::format("  {:<17} {}\n", convention, fmt::join(names, " | "));
+  };
+  add("rows", scene::kRowsNames);
+  add("samples", scene::kSamplesNames);
+  add("origin", scene::kOriginNames);
+  add("root", scene::kRootNames);
+  add("tangent", scene::kTangentNames);
   text += "  t_min, t_max      0, inf\n";
-  text += fmt::format("  interval          {}\n", joined(scene::kEndsNames));
-  text += fmt::format("  t_unit            {}\n", joined(scene::kTUnitNames));
-  text += fmt::format("  culling           {}\n", joined(scene::kCullingNames));
+  add("interval", scene::kEndsNames);
+  add("t_unit", scene::kTUnitNames);
+  add("culling", scene::kCullingNames);
   return text;
 }
 

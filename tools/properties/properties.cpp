@@ -15,7 +15,6 @@ namespace {
 
 using properties::CampaignOptions;
 using properties::Candidate;
-using properties::ChosenSource;
 using properties::Law;
 
 std::vector<const Law*> filtered_laws(const std::string& filter) {
@@ -28,19 +27,6 @@ std::vector<const Law*> filtered_laws(const std::string& filter) {
                                 ": no law's name contains it; `raycheck list` shows the laws");
   }
   return found;
-}
-
-std::vector<ChosenSource> chosen_sources(const std::vector<std::string>& names) {
-  std::vector<ChosenSource> chosen;
-  for (const std::string& name : names) {
-    try {
-      chosen.push_back(properties::chosen_source(name));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("source " + name + ": " + error.what() +
-                                  "; `raycheck list` shows the sources");
-    }
-  }
-  return chosen;
 }
 
 /// Whether a law can tell this pair from one already tried: laws of the camera alone do not see the
@@ -107,17 +93,6 @@ PropertiesReport replay(const PropertiesOptions& options) {
   throw std::invalid_argument("replay: no candidate is called '" + parsed.candidate + "'");
 }
 
-/// Pairs each family's reach with the baseline's: both follow the same dials.
-std::vector<Frontier> beside(std::vector<properties::Reach> candidate,
-                             std::vector<properties::Reach> baseline) {
-  std::vector<Frontier> both;
-  const std::size_t count = std::min(candidate.size(), baseline.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    both.push_back({std::move(candidate[k]), std::move(baseline[k])});
-  }
-  return both;
-}
-
 }  // namespace
 
 std::uint64_t PropertiesReport::count(properties::Finding finding) const {
@@ -151,15 +126,13 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   campaign.seed = options.seed;
   campaign.max_error = options.max_error;
   campaign.strict = options.strict;
-  campaign.sources = chosen_sources(options.sources);
+  campaign.sources = options.sources;
   const bool chosen = !options.implementations.empty();
   const auto judged = chosen ? options.implementations : built_in(each_method_once());
   for (const Implementation& one : judged) {
     if (one.bounds_of.empty() || options.max_error) continue;
     report.borrowed.push_back({one.name, one.bounds_of});
   }
-  const Candidate baseline = candidate_of(kDefaultMethods);
-  if (options.frontier) report.baseline = baseline.name;
   const auto laws = filtered_laws(options.filter);
   const std::vector<std::string> names = lasting_names(judged);
   for (const Law* law : laws) {
@@ -168,13 +141,8 @@ PropertiesReport run_properties(const PropertiesOptions& options,
       const Candidate candidate = campaigner(judged[k]);
       control.progress(fmt::format("{} on {}", law->name, candidate.name));
       campaign.level = options.level.value_or(candidate.level);
-      CampaignReport one = report_of(*law, judged[k], candidate, names[k],
-                                     run_campaign(*law, candidate, campaign, control));
-      if (options.frontier) {
-        one.frontier = beside(reaches(*law, candidate, campaign, control),
-                              reaches(*law, baseline, campaign, control));
-      }
-      report.campaigns.push_back(std::move(one));
+      report.campaigns.push_back(report_of(*law, judged[k], candidate, names[k],
+                                           run_campaign(*law, candidate, campaign, control)));
     }
   }
   report.interrupted = control.interrupted();

@@ -22,19 +22,12 @@ struct PropertiesOptions {
   std::string filter;  ///< Laws whose name contains it; empty: all.
   int cases = properties::kCampaignCases;
   std::uint64_t seed = 1;
-  std::string replay;                           ///< Empty: a campaign.
-  std::vector<Implementation> implementations;  ///< Empty: each method once.
-  std::vector<std::string> sources;             ///< Empty: every source that suits the law.
-  std::optional<properties::Level> level;       ///< Empty: each candidate's own.
+  std::string replay;                             ///< Empty: a campaign.
+  std::vector<Implementation> implementations;    ///< Empty: each method once.
+  std::vector<properties::ChosenSource> sources;  ///< Empty: every source that suits the law.
+  std::optional<properties::Level> level;         ///< Empty: each candidate's own.
   std::optional<double> max_error;
-  bool frontier = false;  ///< Follow the dials beyond the level.
-  bool strict = false;    ///< Excused or undecided answers break a law, too.
-};
-
-/// How far along a dial a law holds with a candidate, and with the baseline.
-struct Frontier {
-  properties::Reach candidate;
-  properties::Reach baseline;
+  bool strict = false;  ///< Excused or undecided answers break a law, too.
 };
 
 /// One law on one candidate.
@@ -44,7 +37,6 @@ struct CampaignReport {
   std::string lasting_name;  ///< Its name in a baseline (lasting_names).
   properties::CampaignResult result;
   properties::Finding finding;
-  std::vector<Frontier> frontier = {};  ///< Empty if not requested.
   /// The mistakes that explain the errors of an external implementation that breaks the law.
   std::vector<properties::Explanation> explanations = {};
   Implementation implementation = {};
@@ -62,7 +54,6 @@ struct PropertiesReport {
   std::vector<BorrowedBounds> borrowed;
   std::optional<std::uint64_t> seed;  ///< Empty for a replay.
   int cases = 0;
-  std::string baseline;  ///< Whose frontier is shown beside; empty: none wanted.
   bool interrupted = false;
   bool strict = false;
   std::optional<Ratchet> ratchet;  ///< If it is compared with a baseline.

@@ -135,12 +135,9 @@ Gate properties_gate(const PropertiesReport& report) {
                         count_text(static_cast<std::uint64_t>(report.cases), "case"), *report.seed)
           : "one case again";
   gate.ratchet = report.ratchet;
-  std::set<std::string> named;
   for (const CampaignReport& campaign : report.campaigns) {
     const std::string& file = campaign.implementation.source_file;
-    if (!file.empty() && named.insert(campaign.candidate).second) {
-      gate.sources.push_back({campaign.candidate, file});
-    }
+    if (!file.empty()) gate.sources.emplace(campaign.candidate, file);
     if (auto whole = whole_of(campaign)) {
       gate.checks.push_back(std::move(*whole));
       if (campaign.finding != Finding::kTooFewJudged) continue;

@@ -29,12 +29,6 @@ Json part_json(const properties::CampaignPart& part) {
   return json;
 }
 
-Json reach_json(const properties::Reach& reach) {
-  return {{"holds_to", or_null(reach.holds_to)},
-          {"broken_at", or_null(reach.broken_at)},
-          {"replay", text_or_null(reach.replay)}};
-}
-
 Json campaign_json(const CampaignReport& campaign) {
   const properties::CampaignResult& result = campaign.result;
   Json json = counts_json(result.counts, result.verdict);
@@ -51,12 +45,6 @@ Json campaign_json(const CampaignReport& campaign) {
   json["explanations"] = explanations_json(campaign.explanations);
   json["quantities"] = tallies_json(result.verdict, campaign.precision);
   json["parts"] = list_json(result.parts, part_json);
-  json["frontier"] = list_json(campaign.frontier, [](const Frontier& frontier) {
-    Json entry = reach_json(frontier.candidate);
-    entry["source"] = frontier.candidate.family->name;
-    entry["baseline"] = reach_json(frontier.baseline);
-    return entry;
-  });
   if (result.failure) {
     json["replay"] = result.failure->replay;
     json["scene"] = properties::scene_text(result.failure->shrunk);
@@ -72,7 +60,6 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
   json["seed"] = or_null(report.seed);
   json["cases"] = report.cases;
   json["interrupted"] = report.interrupted;
-  json["baseline"] = text_or_null(report.baseline);
   json["borrowed_bounds"] = list_json(report.borrowed, [](const BorrowedBounds& bounds) {
     return Json{{"candidate", bounds.candidate}, {"methods", bounds.methods}};
   });

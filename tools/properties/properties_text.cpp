@@ -16,7 +16,6 @@ namespace {
 using properties::CampaignPart;
 using properties::CampaignResult;
 using properties::Finding;
-using properties::Reach;
 using properties::Standing;
 
 /// "rays, all of up, distance@3..7, tangency@6,9..12": runs of successively judged severities.
@@ -57,35 +56,6 @@ std::string holding_text(const CampaignResult& result) {
                         *held->source.severity);
   }
   return text;
-}
-
-/// "distance up to @7, horizon nowhere, all of inside and surface"
-std::string reaches_text(const std::vector<Frontier>& frontier, Reach Frontier::*whose) {
-  std::string some, all;
-  for (const Frontier& of_family : frontier) {
-    const Reach& reach = of_family.*whose;
-    const std::string_view family = reach.family->name;
-    if (!reach.broken_at && reach.holds_to == reach.family->dial->highest) {
-      all += fmt::format("{}{}", all.empty() ? "all of " : ", ", family);
-      continue;
-    }
-    some += some.empty() ? "" : ", ";
-    if (!reach.broken_at && !reach.holds_to) {
-      some += fmt::format("{} not judged", family);
-    } else if (!reach.holds_to) {
-      some += fmt::format("{} nowhere", family);
-    } else {
-      some += fmt::format("{} up to @{}", family, *reach.holds_to);
-      if (!reach.broken_at) some += ", where what is judged ends";
-    }
-  }
-  return some + (some.empty() || all.empty() ? "" : "; ") + all;
-}
-
-std::string frontier_text(const CampaignReport& campaign, const std::string& baseline) {
-  return fmt::format("    frontier: {}\n    that of {}: {}\n",
-                     reaches_text(campaign.frontier, &Frontier::candidate), baseline,
-                     reaches_text(campaign.frontier, &Frontier::baseline));
 }
 
 std::string finding_text(const CampaignReport& campaign, bool colours) {
@@ -186,8 +156,6 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
     if (campaign.result.failure) {
       text += indented(failure_text(campaign, options.colours), "    ");
     }
-    const bool is_asked = campaign.finding != Finding::kLeftOut;
-    if (is_asked && !campaign.frontier.empty()) text += frontier_text(campaign, report.baseline);
   }
   if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";
   text += fmt::format("{}, {} broken", count_text(report.campaigns.size(), "campaign"),

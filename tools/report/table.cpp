@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {
@@ -57,17 +56,6 @@ std::string Table::markdown() const {
       for (const char c : cell) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
       return escaped;
     });
-  }
-  return result;
-}
-
-std::string Table::csv() const {
-  std::string result = line(columns_, "", ",", "\n", [](std::size_t, const Column& column) {
-    return csv_cell(column.heading);
-  });
-  for (const auto& row : rows_) {
-    result += line(row, "", ",", "\n",
-                   [](std::size_t, const std::string& cell) { return csv_cell(cell); });
   }
   return result;
 }

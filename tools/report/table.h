@@ -6,7 +6,7 @@
 
 namespace raycheck::tools {
 
-/// A table of a report, printed as aligned text, as Markdown or as CSV.
+/// A table of a report, printed as aligned text or as Markdown.
 class Table {
  public:
   enum class Align { kLeft, kRight };
@@ -23,8 +23,6 @@ class Table {
   /// Lines indented by `indent`, columns two spaces apart.
   std::string text(std::string_view indent = "  ") const;
   std::string markdown() const;
-  /// As in RFC 4180, but with bare newlines.
-  std::string csv() const;
 
  private:
   std::vector<Column> columns_;

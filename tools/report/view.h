@@ -7,15 +7,13 @@ namespace raycheck::tools {
 
 /// Where a view is shown.
 struct ViewOptions {
-  bool colours = false;      ///< For a terminal.
-  std::string picture_link;  ///< Where its picture is; empty: embedded.
+  bool colours = false;  ///< For a terminal.
 };
 
 /// What in a view acts on its reader.
 enum class ViewKind {
-  kText,      ///< Not at all.
+  kText,      ///< Nothing.
   kCommands,  ///< Lines that GitHub's workflow log interprets.
-  kBytes,     ///< Binary: written to files only.
 };
 
 /// A format of a command's report: its name for --format, and its writer. A room's views are in a

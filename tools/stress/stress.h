@@ -68,13 +68,11 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
 
 std::string stress_text(const StressReport& report, const ViewOptions& options);
 std::string stress_json(const StressReport& report, const ViewOptions& options);
-std::string stress_csv(const StressReport& report, const ViewOptions& options);
 std::string stress_markdown(const StressReport& report, const ViewOptions& options);
 
 inline constexpr View<StressReport> kStressViews[] = {
     {"text", stress_text},
     {"json", stress_json},
-    {"csv", stress_csv},
     {"markdown", stress_markdown},
 };
 

@@ -64,12 +64,9 @@ CommandRun add_stress(CLI::App& command) {
   add_methods(command, given->methods);
   command.add_option("--severity", given->severity,
                      "only these severities, A..B (default: the family's own range)");
-  command.add_option("--cases", options.cases, "cases at each severity")
-      ->check(whole_number(1, kMostCases))
-      ->capture_default_str();
+  add_cases(command, options.cases, "cases at each severity");
   add_seed(command, options.seed);
-  command.add_option("--plot", given->plot,
-                     "draw error against severity to a file, .svg, .png or .pdf");
+  add_plot(command, given->plot, "error against severity");
   add_external(command, given->external);
   add_view(command, given->view, "error against severity, every family and quantile");
   add_certificates(command, given->certificates);

@@ -224,8 +224,4 @@ std::string stress_markdown(const StressReport& report, const ViewOptions& /*opt
       report, [](const Table& table) { return table.markdown(); }, "### ");
 }
 
-std::string stress_csv(const StressReport& report, const ViewOptions& /*options*/) {
-  return detail_table(report).csv();
-}
-
 }  // namespace raycheck::tools

@@ -10,7 +10,6 @@
 #include "properties/cases/scene_cases.h"
 #include "scene/interruption.h"
 #include "tools/implementations/built_in.h"
-#include "tools/tradeoff/tradeoff_timing.h"
 
 namespace raycheck::tools {
 namespace {
@@ -19,12 +18,8 @@ using properties::Candidate;
 using properties::Case;
 using properties::CaseSource;
 using properties::ChosenSource;
-using properties::Law;
 using properties::Stage;
 using properties::StressResult;
-
-/// The default sources.
-const std::vector<std::string> kOrdinary = {"rays", "cameras"};
 
 /// Longer ranges of severities are reported in this many stretches.
 constexpr int kMostStretches = 17;
@@ -32,40 +27,14 @@ constexpr int kMostStretches = 17;
 /// More sources than these are not named in titles.
 constexpr std::size_t kMostNamed = 3;
 
-/// The rays judged at a time.
+/// The rays of a scene judged at a time.
 constexpr std::uint64_t kChunk = 512;
 
-/// How many of a scene's rays are judged at a time.
-class SceneChunks {
- public:
-  explicit SceneChunks(const properties::SceneCases& cases) : cases_(cases) {}
-
-  std::uint64_t count() const { return (cases_.rays_judged() + kChunk - 1) / kChunk; }
-  /// How many rays the first chunks have.
-  std::uint64_t rays(std::uint64_t chunks) const {
-    return std::min(chunks * kChunk, cases_.rays_judged());
-  }
-  Case operator[](std::uint64_t k) const { return cases_.from(k * kChunk, rays(k + 1)); }
-
- private:
-  const properties::SceneCases& cases_;
-};
-
 std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
+  if (!options.all_families) return options.sources;
   std::vector<ChosenSource> sources;
-  if (options.all_families) {
-    for (const CaseSource& source : properties::case_sources()) {
-      if (source.dial) sources.push_back({&source});
-    }
-    return sources;
-  }
-  for (const std::string& name : options.sources.empty() ? kOrdinary : options.sources) {
-    try {
-      sources.push_back(properties::chosen_source(name));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("family " + name + ": " + error.what() +
-                                  "; `raycheck list` shows the sources");
-    }
+  for (const CaseSource& source : properties::case_sources()) {
+    if (source.dial) sources.push_back({&source});
   }
   return sources;
 }
@@ -182,23 +151,6 @@ std::uint64_t judge(std::uint64_t count, const Make& make, const JudgedSource& s
   return judged;
 }
 
-/// Marks methods that none beats in time, defects and error at once.
-template <class Costs, class Key>
-void mark_pareto(Costs& costs, Key key) {
-  for (auto& one : costs) {
-    const auto mine = key(one);
-    if (!mine) continue;
-    one.pareto = std::none_of(costs.begin(), costs.end(), [&](const auto& other) {
-      const auto its = key(other);
-      if (!its || &other == &one) return false;
-      const auto [time, defects, error] = *mine;
-      const auto [its_time, its_defects, its_error] = *its;
-      const bool no_worse = its_time <= time && its_defects <= defects && its_error <= error;
-      return no_worse && (its_time < time || its_defects < defects || its_error < error);
-    });
-  }
-}
-
 using Rank = std::tuple<double, double, double>;
 
 std::optional<Rank> rank_of(const MethodCost& cost) {
@@ -206,6 +158,22 @@ std::optional<Rank> rank_of(const MethodCost& cost) {
   const auto& time = cost.batch ? cost.batch : cost.scalar;
   if (!badness || !time) return std::nullopt;
   return Rank{time->median, badness->first, badness->second};
+}
+
+/// Marks methods that none beats in time, defects and error at once.
+void mark_pareto(std::vector<MethodCost>& costs) {
+  for (MethodCost& one : costs) {
+    const auto mine = rank_of(one);
+    if (!mine) continue;
+    one.pareto = std::none_of(costs.begin(), costs.end(), [&](const MethodCost& other) {
+      const auto its = rank_of(other);
+      if (!its || &other == &one) return false;
+      const auto [time, defects, error] = *mine;
+      const auto [its_time, its_defects, its_error] = *its;
+      const bool no_worse = its_time <= time && its_defects <= defects && its_error <= error;
+      return no_worse && (its_time < time || its_defects < defects || its_error < error);
+    });
+  }
 }
 
 std::optional<std::pair<double, double>> badness_of(const properties::Verdict& verdict,
@@ -220,55 +188,6 @@ std::optional<std::pair<double, double>> badness_of(const properties::Verdict& v
                                       : static_cast<double>(properties::defects(verdict)) /
                                             static_cast<double>(decisions);
   return std::pair(share, *main.quantile(0.999));
-}
-
-/// The pairs to time end to end: Pareto-optimal methods of each stage with default ones.
-std::vector<MethodPair> pairs_worth_timing(const TradeoffReport& report) {
-  std::vector<MethodPair> pairs;
-  for (const MethodCost& rays : report.rays) {
-    if (!rays.method.methods) continue;
-    const fast::PixelRayMethod* const make = rays.method.methods->rays;
-    if (!rays.pareto && make != kDefaultMethods.rays) continue;
-    for (const MethodCost& cost : report.intersections) {
-      if (!cost.method.methods) continue;
-      const fast::IntersectMethod* const intersect = cost.method.methods->intersect;
-      if (cost.pareto || intersect == kDefaultMethods.intersect) pairs.push_back({make, intersect});
-    }
-  }
-  return pairs;
-}
-
-void judge_pixels(const SceneChunks& chunks, TradeoffReport& report) {
-  const std::vector<MethodPair> pairs = pairs_worth_timing(report);
-  if (pairs.empty()) {
-    report.left_out.emplace_back("pixels end to end: of raycheck's own methods alone");
-    return;
-  }
-  const std::vector<Duration> durations = time_pixels(chunks[0], pairs);
-  std::vector<Candidate> candidates;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    candidates.push_back(candidate_of(pairs[k]));
-    report.pixels.push_back({candidates.back().name, durations[k], {}, false});
-  }
-  const std::vector<const Law*> laws = properties::laws_that([](const Law& law) {
-    return law.stage == Stage::kIntersection && law.per == properties::Per::kPair &&
-           law.judges_values && law.tells_stability;
-  });
-  for (std::uint64_t number = 0; number < chunks.count(); ++number) {
-    scene::poll();
-    const Case chunk = chunks[number];
-    properties::SharedTruths truths(chunk);
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto conventions = candidates[k].declared.over(chunk.scene.conventions);
-      properties::Trial trial(chunk, candidates[k], {.truth = truths.under(conventions)});
-      for (const Law* law : laws) report.pixels[k].verdict.merge(apply(*law, trial));
-    }
-  }
-  mark_pareto(report.pixels, [](const PixelCost& cost) -> std::optional<Rank> {
-    const auto badness = badness_of(cost.verdict, properties::Quantity::kParameter);
-    if (!badness) return std::nullopt;
-    return Rank{cost.per_pixel.median, badness->first, badness->second};
-  });
 }
 
 /// The cases that suit a stage, reduced to it.
@@ -297,7 +216,7 @@ void finish(const std::vector<Case>& timed, TradeoffReport& report) {
     } else {
       time_intersections(asked, costs);
     }
-    mark_pareto(costs, rank_of);
+    mark_pareto(costs);
   }
 }
 
@@ -312,16 +231,16 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
                                           cases.rays_in_scene() - cases.rays_judged(),
                                           cases.rays_in_scene(), cases.rays_judged()));
   }
-  const SceneChunks chunks(cases);
+  const auto rays = [&](std::uint64_t chunks) {
+    return std::min(chunks * kChunk, cases.rays_judged());
+  };
+  const auto chunk = [&](std::uint64_t k) {
+    return std::pair(0, cases.from(k * kChunk, rays(k + 1)));
+  };
+  const std::uint64_t chunks = (cases.rays_judged() + kChunk - 1) / kChunk;
   TimedCases timed(1);
-  const auto chunk = [&](std::uint64_t k) { return std::pair(0, chunks[k]); };
-  report.cases = chunks.rays(judge(chunks.count(), chunk, {.name = options.scene}, report, timed));
+  report.cases = rays(judge(chunks, chunk, {.name = options.scene}, report, timed));
   finish(timed.cases(), report);
-  if (!report.rays.empty() && !report.intersections.empty()) {
-    judge_pixels(chunks, report);
-  } else {
-    report.left_out.emplace_back("pixels end to end: the scene has no camera or no sphere");
-  }
 }
 
 void run_on_sources(const TradeoffOptions& options, const properties::RunControl& control,

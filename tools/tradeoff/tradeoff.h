@@ -20,10 +20,10 @@
 namespace raycheck::tools {
 
 struct TradeoffOptions {
-  std::string scene;  ///< Empty: cases of sources.
+  std::string scene;  ///< Empty: cases of sources, at least one.
   std::optional<scene::Dialect> dialect;
-  std::vector<std::string> sources;  ///< Empty: ordinary cases.
-  bool all_families = false;
+  std::vector<properties::ChosenSource> sources;
+  bool all_families = false;  ///< In place of them.
   std::vector<Implementation> implementations;
   int cases = 20000;
   std::uint64_t seed = 1;
@@ -83,14 +83,6 @@ struct JudgedSource {
   std::size_t stretch_of(int severity) const;
 };
 
-/// The cost of a pixel end to end: a ray method and an intersection method.
-struct PixelCost {
-  std::string name;
-  Duration per_pixel;
-  properties::Verdict verdict;
-  bool pareto = false;
-};
-
 struct TradeoffReport {
   std::string subject;  ///< The scene or the sources.
   std::uint64_t cases = 0;
@@ -98,7 +90,6 @@ struct TradeoffReport {
   std::vector<JudgedSource> sources;
   std::vector<MethodCost> rays;
   std::vector<MethodCost> intersections;
-  std::vector<PixelCost> pixels;
   std::vector<std::string> left_out;
   std::vector<std::string> warnings;
   bool interrupted = false;
@@ -114,15 +105,21 @@ std::string subject_text(const TradeoffReport& report);
 TradeoffReport run_tradeoff(const TradeoffOptions& options,
                             const properties::RunControl& control = {});
 
+/// Times every method's calls on the items of the cases, one by one and in batches, taking turns in
+/// every repetition, so that disturbances of the machine affect all of them. A batch is timed only
+/// when its answers are those of single calls, bit for bit. Fills in `scalar`, `batch` and
+/// `not_timed`. Items: rays and spheres of the cases for an intersection method, pixels for a ray
+/// method; only those in the method's stated domain.
+void time_intersections(const std::vector<properties::Case>& cases, std::vector<MethodCost>& costs);
+void time_rays(const std::vector<properties::Case>& cases, std::vector<MethodCost>& costs);
+
 std::string tradeoff_text(const TradeoffReport& report, const ViewOptions& options);
 std::string tradeoff_json(const TradeoffReport& report, const ViewOptions& options);
-std::string tradeoff_csv(const TradeoffReport& report, const ViewOptions& options);
 std::string tradeoff_markdown(const TradeoffReport& report, const ViewOptions& options);
 
 inline constexpr View<TradeoffReport> kTradeoffViews[] = {
     {"text", tradeoff_text},
     {"json", tradeoff_json},
-    {"csv", tradeoff_csv},
     {"markdown", tradeoff_markdown},
 };
 

@@ -1,5 +1,4 @@
 #include <memory>
-#include <stdexcept>
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
@@ -13,6 +12,7 @@ namespace {
 
 struct TradeoffArguments {
   TradeoffOptions options;
+  std::vector<std::string> sources = {"rays", "cameras"};
   std::vector<std::string> methods;
   std::string dialect;
   std::string plot;
@@ -23,12 +23,10 @@ struct TradeoffArguments {
 
 int run_tradeoff(TradeoffArguments& arguments) {
   TradeoffOptions& options = arguments.options;
-  const int subjects = (options.scene.empty() ? 0 : 1) + (options.sources.empty() ? 0 : 1) +
-                       (options.all_families ? 1 : 0);
-  if (subjects > 1) {
-    throw std::invalid_argument("tradeoff: give one of SCENE, --family and --all-families");
-  }
   options.dialect = parse_dialect(arguments.dialect);
+  for (const std::string& name : arguments.sources) {
+    options.sources.push_back(parse_source("--family", name));
+  }
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   options.implementations = find_by_stages(arguments.methods, arguments.external);
@@ -46,21 +44,21 @@ int run_tradeoff(TradeoffArguments& arguments) {
 CommandRun add_tradeoff(CLI::App& command) {
   const auto given = std::make_shared<TradeoffArguments>();
   TradeoffOptions& options = given->options;
-  command.add_option("SCENE", options.scene,
-                     "a scene: only what it needs is compared (default: ordinary cases)");
+  CLI::Option* const scene = command.add_option(
+      "SCENE", options.scene, "a scene: only what it needs is compared (default: ordinary cases)");
   add_dialect(command, given->dialect);
-  command
-      .add_option("--family", options.sources,
-                  "cases of these families or other sources, separated by commas")
-      ->delimiter(',');
-  command.add_flag("--all-families", options.all_families, "cases of every family");
+  CLI::Option* const family =
+      command
+          .add_option("--family", given->sources,
+                      "cases of these families or other sources, separated by commas")
+          ->delimiter(',')
+          ->excludes(scene);
+  command.add_flag("--all-families", options.all_families, "cases of every family")
+      ->excludes(scene, family);
   add_methods(command, given->methods);
-  command.add_option("--cases", options.cases, "how many cases, or pixels of a scene")
-      ->check(whole_number(1, kMostCases))
-      ->capture_default_str();
+  add_cases(command, options.cases, "how many cases, or pixels of a scene");
   add_seed(command, options.seed);
-  command.add_option("--plot", given->plot,
-                     "draw error against time to a file, .svg, .png or .pdf");
+  add_plot(command, given->plot, "error against time");
   add_view(command, given->view, "error against run time, every source, severity and quantile");
   add_external(command, given->external);
   add_format(command, given->format, kTradeoffViews);

@@ -41,12 +41,6 @@ std::string tradeoff_json(const TradeoffReport& report, const ViewOptions& /*opt
   json["stable_ratio"] = properties::kStableRatio;
   json["rays"] = list_json(report.rays, cost_json);
   json["intersections"] = list_json(report.intersections, cost_json);
-  json["pixels"] = list_json(report.pixels, [](const PixelCost& cost) {
-    return Json{{"name", cost.name},
-                {"pareto", cost.pareto},
-                {"pixel", duration_json(cost.per_pixel)},
-                {"quantities", tallies_json(cost.verdict)}};
-  });
   json["left_out"] = report.left_out;
   return json_text(json);
 }

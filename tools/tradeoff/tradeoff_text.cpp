@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "tools/report/table.h"
 #include "tools/report/words.h"
@@ -58,9 +59,8 @@ std::string bound_text(const MethodCost& cost, Quantity quantity) {
 
 std::string stability_text(const MethodCost& cost) {
   if (cost.accuracy.inside.compared() == 0) return "-";
-  std::string text;
-  for (const std::string& name : cost.unstable_on) text += (text.empty() ? "not " : ", ") + name;
-  return text.empty() ? "all" : text;
+  if (cost.unstable_on.empty()) return "all";
+  return fmt::format("not {}", fmt::join(cost.unstable_on, ", "));
 }
 
 std::string name_text(const MethodCost& cost) {
@@ -135,31 +135,7 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
                quantile_text(inside, Quantity::kDirection, 0.999),
                max_text(inside, Quantity::kDirection), audited_text(inside, Quantity::kDirection),
                bound_text(cost, Quantity::kDirection), audited_text(inside, Quantity::kPixelPoint),
-               inside.tally(Quantity::kPixelPoint).cases == 0
-                   ? "-"
-                   : bound_text(cost, Quantity::kPixelPoint),
-               ratio_text(inside), stability_text(cost)});
-  }
-  return table;
-}
-
-Table pixel_table(const std::vector<PixelCost>& costs) {
-  Table table({{"  methods"},
-               {"ns a pixel", kRight},
-               {"median ulp of s", kRight},
-               {"99.9%", kRight},
-               {"max", kRight},
-               {"missed/M", kRight},
-               {"false/M", kRight},
-               {"defects", kRight}});
-  for (const PixelCost& cost : costs) {
-    table.add({(cost.pareto ? "* " : "  ") + cost.name, spread_text(cost.per_pixel),
-               quantile_text(cost.verdict, Quantity::kParameter, 0.5),
-               quantile_text(cost.verdict, Quantity::kParameter, 0.999),
-               max_text(cost.verdict, Quantity::kParameter),
-               per_million(cost.verdict, Wrong::kMissed),
-               per_million(cost.verdict, Wrong::kFalseHit),
-               std::to_string(properties::defects(cost.verdict))});
+               bound_text(cost, Quantity::kPixelPoint), ratio_text(inside), stability_text(cost)});
   }
   return table;
 }
@@ -180,9 +156,6 @@ std::vector<Section> sections_of(const TradeoffReport& report) {
       sections.push_back({fmt::format("intersections{}", words),
                           intersection_table(report.intersections, precision)});
     }
-  }
-  if (!report.pixels.empty()) {
-    sections.push_back({"pixels, end to end", pixel_table(report.pixels)});
   }
   return sections;
 }
@@ -261,50 +234,6 @@ std::string tradeoff_text(const TradeoffReport& report, const ViewOptions& /*opt
 std::string tradeoff_markdown(const TradeoffReport& report, const ViewOptions& /*options*/) {
   return rendered(
       report, [](const Table& table) { return table.markdown(); }, "### ", "- ");
-}
-
-std::string tradeoff_csv(const TradeoffReport& report, const ViewOptions& /*options*/) {
-  Table table({{"stage"},
-               {"method"},
-               {"pareto"},
-               {"call_ns"},
-               {"batch_ns"},
-               {"batch_low"},
-               {"batch_high"},
-               {"unit"},
-               {"median"},
-               {"p999"},
-               {"max"},
-               {"audited"},
-               {"bound"},
-               {"missed_per_million"},
-               {"false_per_million"},
-               {"defects"},
-               {"backward_u"},
-               {"max_rho"},
-               {"unstable_on"}});
-  const auto number = [](double x) { return fmt::format("{:.6g}", x); };
-  for (const auto* costs : {&report.rays, &report.intersections}) {
-    for (const MethodCost& cost : *costs) {
-      const Verdict& inside = cost.accuracy.inside;
-      std::string unstable;
-      for (const std::string& name : cost.unstable_on) {
-        unstable += (unstable.empty() ? "" : " ") + name;
-      }
-      table.add({std::string(name(cost.stage)), cost.method.name, cost.pareto ? "yes" : "no",
-                 cost.scalar ? number(cost.scalar->median) : "",
-                 cost.batch ? number(cost.batch->median) : "",
-                 cost.batch ? number(cost.batch->low) : "",
-                 cost.batch ? number(cost.batch->high) : "", std::string(cost.unit()),
-                 quantile_text(inside, cost.quantity(), 0.5),
-                 quantile_text(inside, cost.quantity(), 0.999), max_text(inside, cost.quantity()),
-                 audited_text(inside, cost.quantity()), bound_text(cost, cost.quantity()),
-                 per_million(inside, Wrong::kMissed), per_million(inside, Wrong::kFalseHit),
-                 std::to_string(properties::defects(inside)),
-                 max_text(inside, Quantity::kBackwardError), ratio_text(inside), unstable});
-    }
-  }
-  return table.csv();
 }
 
 }  // namespace raycheck::tools

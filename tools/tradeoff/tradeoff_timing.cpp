@@ -1,5 +1,3 @@
-#include "tools/tradeoff/tradeoff_timing.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -12,10 +10,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "fast/batch.h"
 #include "properties/cases/random.h"
 #include "properties/rounded_case.h"
 #include "scene/interruption.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tools {
 namespace {
@@ -319,30 +317,6 @@ void time_rays(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
     all.back().items = items;
   }
   time_all(all, costs);
-}
-
-std::vector<Duration> time_pixels(const Case& the_case, const std::vector<MethodPair>& pairs) {
-  const scene::Conventions& conventions = the_case.scene.conventions;
-  std::vector<scene::Pixel> pixels = the_case.pixels;
-  pixels.resize(std::min(pixels.size(), kItems));
-  std::vector<Timed> all;
-  for (const MethodPair& pair : pairs) {
-    all.push_back({[&, pair, rays = fast::Rays{}, hits = fast::Hits{}](std::size_t) mutable {
-                     const bool from_pixel = conventions.origin == scene::Origin::kPixel &&
-                                             pair.rays->pixel_rays != nullptr;
-                     (from_pixel ? pair.rays->pixel_rays : pair.rays->focal_rays)(
-                         *the_case.scene.camera, conventions, pixels, rays);
-                     for (const scene::Sphere& sphere : the_case.scene.spheres) {
-                       pair.intersect->intersect(rays, sphere, conventions.root,
-                                                 conventions.tangent, hits);
-                       keep(hits);
-                     }
-                   },
-                   1});
-  }
-  std::vector<Duration> durations = time_interleaved(all);
-  for (Duration& duration : durations) duration = per_item(duration, pixels.size(), 1);
-  return durations;
 }
 
 }  // namespace raycheck::tools

@@ -188,22 +188,6 @@ TEST(Campaign, HoldsExcusesAgainstACandidateWhenItIsStrict) {
   EXPECT_TRUE(run_replay(replay, kGood, {}, true).failure);
 }
 
-TEST(Reaches, EndAtTheFirstSeverityThatBreaksTheLaw) {
-  CampaignOptions asked = options(1600);
-  asked.level = Level::kOrdinary;
-  asked.sources = {chosen_source("distance"), chosen_source("inside"), chosen_source("rays"),
-                   chosen_source("horizon@3")};
-  const auto found = reaches(*find_law("class"), kBad, asked);
-  ASSERT_EQ(found.size(), 2u);  // Of what has no dial, or one severity, there is none.
-  EXPECT_EQ(found[0].family->name, "distance");
-  ASSERT_TRUE(found[0].holds_to && found[0].broken_at);
-  EXPECT_EQ(*found[0].holds_to + 1, *found[0].broken_at);
-  EXPECT_GT(*found[0].broken_at, found[0].family->dial->ordinary);
-  EXPECT_TRUE(run_replay(parse_replay(found[0].replay), kBad).failure);
-  EXPECT_EQ(found[1].holds_to, found[1].family->dial->highest);
-  EXPECT_FALSE(found[1].broken_at);
-}
-
 TEST(Campaign, EndsWhenItIsInterrupted) {
   int answered = 0;
   Candidate counting = kGood;

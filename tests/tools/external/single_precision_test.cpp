@@ -308,7 +308,7 @@ TEST(OwnUnits, HaveAPlotOfTheirOwn) {
   options.severities = {{0, 1}};
   expect_labels(stress_facets(run_stress(options)));
   tools::TradeoffOptions tradeoff;
-  tradeoff.sources = {"distance"};
+  tradeoff.sources = {properties::chosen_source("distance")};
   tradeoff.implementations = options.implementations;
   tradeoff.cases = 10;
   tools::TradeoffReport report = run_tradeoff(tradeoff);

@@ -216,19 +216,6 @@ TEST(HostileLog, OfGitHubObeysNothingThatACandidatePrints) {
   }
 }
 
-TEST_F(GateOfARun, ShowsTheDefectsOnTheScene) {
-  const std::string checked =
-      "check scene/examples/ten-spheres.toml --candidate library:" + candidate_ +
-      " --format markdown";
-  const Outcome outcome = run(checked + " --report picture=" + file("where.png") +
-                                  " --report markdown=" + file("summary.md") +
-                                  " --picture-link 'https://example.org/a (b)'",
-                              1);
-  EXPECT_EQ(contents(file("where.png")).substr(1, 3), "PNG");
-  EXPECT_TRUE(has(outcome.out, "[where](https://example.org/a%20%28b%29)"));
-  EXPECT_NE(run(checked).out.find("![where](data:image/png;base64,iVBOR"), std::string::npos);
-}
-
 namespace fs = std::filesystem;
 
 /// The raycheck commands of a file: lines that begin with it once the file's own signs are gone.

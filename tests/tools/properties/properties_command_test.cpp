@@ -47,11 +47,8 @@ TEST(PropertiesCommand, judges_methods_by_the_level_that_is_theirs) {
   EXPECT_EQ(report["campaigns"][1]["level"], "ordinary");
 }
 
-TEST(PropertiesCommand, shows_how_far_beyond_the_level_a_law_holds) {
+TEST(PropertiesCommand, says_up_to_which_severity_a_broken_law_holds) {
   const std::string asked = "properties --filter class --source distance --intersect quadratic ";
-  const Outcome shown = run(asked + "--frontier", 0);
-  EXPECT_TRUE(has(shown.out, "frontier: distance up to @"));
-  EXPECT_TRUE(has(shown.out, "that of direct/cross: all of distance"));
   const Outcome broken = run(asked + "--level extreme", 1);
   EXPECT_TRUE(has(broken.out, "    broken on distance@"));
   EXPECT_TRUE(has(broken.out, "    holds on distance up to @"));

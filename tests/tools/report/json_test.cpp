@@ -21,7 +21,6 @@
 #include "properties/quantile_sketch.h"
 #include "tests/tools/program.h"
 #include "tools/report/spelling.h"
-#include "tools/report/table.h"
 
 namespace raycheck::tests {
 namespace {
@@ -49,7 +48,7 @@ const std::vector<Reports>& all_reports() {
       {"properties",
        {"properties --cases 5",
         "properties --filter class --source distance --intersect quadratic --cases 100 "
-        "--level demanding --frontier",
+        "--level demanding",
         "properties --filter class --cases 100 --candidate "
         "'command:python3 tests/candidates/right.py'"}},
       {"explain",
@@ -292,10 +291,6 @@ TEST(HostileCsv, defuses_what_spreadsheets_take_for_formulas) {
        {"", "-", "-1.5", "+2", "1e-300", "-0x1p3", "-inf", "ada", "a b", "<1e-9"}) {
     EXPECT_EQ(tools::csv_cell(cell), cell);
   }
-  tools::Table table(
-      {{"=heading", tools::Table::Align::kLeft}, {"x", tools::Table::Align::kRight}});
-  table.add({"@name", "-1"});
-  EXPECT_EQ(table.csv(), "\"'=heading\",x\n\"'@name\",-1\n");
 }
 
 TEST(HostileJson, is_written_of_any_bytes) {

@@ -35,16 +35,22 @@ TEST(StressCommand, reports_the_severity_at_which_the_textbook_first_fails) {
 TEST(StressCommand, and_tradeoff_print_tables_with_as_many_cells_in_every_line) {
   const std::string stress = "stress --family distance --method cross" + kFew;
   const std::string tradeoff = "tradeoff --methods quadratic,robust,direct --cases 100";
-  for (const auto& [command, rows] : {std::pair(stress, 11u), {tradeoff, 4u}}) {
-    const auto lines = lines_of(run(command + " --format csv").out);
-    EXPECT_EQ(lines.size(), rows);
-    for (const std::string& line : lines) {
-      EXPECT_EQ(std::count(line.begin(), line.end(), ','),
-                std::count(lines[0].begin(), lines[0].end(), ','))
+  for (const auto& [command, rows] : {std::pair(stress, 18u), {tradeoff, 7u}}) {
+    std::vector<std::string> table;  // the last one
+    std::size_t found = 0;
+    for (const std::string& line : lines_of(run(command + " --format markdown").out)) {
+      if (!line.starts_with('|')) {
+        table.clear();
+        continue;
+      }
+      table.push_back(line);
+      ++found;
+      EXPECT_EQ(std::count(line.begin(), line.end(), '|'),
+                std::count(table[0].begin(), table[0].end(), '|'))
           << line;
     }
+    EXPECT_EQ(found, rows);
   }
-  EXPECT_TRUE(has(run(stress + " --format markdown").out, "|---|"));
 }
 
 TEST(StressCommand, draws_a_plot_or_says_that_there_is_no_gnuplot) {
@@ -138,7 +144,7 @@ TEST(ParetoFront, IsWhatNothingBeats) {
 
 tools::TradeoffReport small_report() {
   tools::TradeoffOptions options;
-  options.sources = {"distance", "rays"};
+  options.sources = {properties::chosen_source("distance"), properties::chosen_source("rays")};
   options.implementations = tools::find_methods({"quadratic", "cross", "robust"});
   options.cases = 200;
   return run_tradeoff(options);
@@ -225,10 +231,8 @@ TEST(TradeoffCommand, reports_error_and_time_of_each_method_that_a_scene_needs) 
   const json both = printed_json("tradeoff scene/examples/far-sphere.toml" + asked);
   EXPECT_EQ(both["rays"].size(), 2u);
   EXPECT_EQ(both["intersections"].size(), 2u);
-  EXPECT_GE(both["pixels"].size(), 1u);
   const json given = printed_json("tradeoff tests/regressions/tangent.toml" + asked);
   EXPECT_EQ(given["rays"].size(), 0u);
-  EXPECT_EQ(given["pixels"].size(), 0u);
   EXPECT_EQ(given["intersections"].size(), 2u);
 }
 
