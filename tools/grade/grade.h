@@ -30,7 +30,6 @@ struct GradeOptions {
   std::uint64_t seed = 1;
   std::optional<std::string> secret;  ///< Seeds follow from it and the submissions' names.
   Sandbox sandbox = Sandbox::kRequire;
-  std::string against = {};  ///< An earlier run's folder of results, possibly `out`; empty: none.
   /// The results file written for a course's system, besides the usual files; null: none.
   const ResultsFormat* results = nullptr;
 };
