@@ -59,7 +59,7 @@ CopiedFiles copied(const Submission& submission, const Rubric& rubric, const fs:
     return std::any_of(rubric.forms.begin(), rubric.forms.end(),
                        [&](const Form& form) { return means_folder(form, name); });
   });
-  HandedInPaths handed_in = paths_of(top, intake_limits(rubric.limits));
+  HandedInPaths handed_in = paths_of(top, rubric.limits);
   HandedInPaths in_copy{{}, std::move(handed_in.folders)};
   auto& copies = in_copy.files;
   for (const auto& [name, path] : handed_in.files) {

@@ -265,8 +265,8 @@ void list_fields(auto& fields, SubmissionGrade& grade) {
          grade.driver, "notes", grade.notes, "opaque_files", grade.opaque_files, "isolated_by",
          grade.isolation, "refused", grade.refused, "build_seconds", grade.build_seconds,
          "build_is_stored", grade.build_is_stored, "judge_seconds", grade.judge_seconds, "seed",
-         grade.seed, "key", grade.key, "finished", grade.finished, "points",
-         grade.points, "score", grade.score, "bonus", grade.bonus, "items", grade.items);
+         grade.seed, "key", grade.key, "finished", grade.finished, "points", grade.points, "score",
+         grade.score, "bonus", grade.bonus, "items", grade.items);
 }
 
 }  // namespace

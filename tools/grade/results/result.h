@@ -167,7 +167,7 @@ struct OpaqueFile {
 
 struct SubmissionGrade {
   std::string name;
-  std::string key;  ///< Of everything the grade depends on.
+  std::string key;                       ///< Of everything the grade depends on.
   std::optional<CandidateSpec> program;  ///< As it was run; absent if none was found.
   /// The shell command that built it, in a copy of its folder; empty: nothing had to be built, or
   /// raycheck compiled it.

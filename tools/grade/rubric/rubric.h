@@ -80,8 +80,8 @@ struct ItemTask {
 
 struct Item {
   std::string name;
-  std::string asks;    ///< The question, for students.
-  std::string why;     ///< Its reason: what goes wrong if it fails.
+  std::string asks;  ///< The question, for students.
+  std::string why;   ///< Its reason: what goes wrong if it fails.
   std::string hint;
   double points = 0;
   bool bonus = false;  ///< Its points are extra.
