@@ -219,7 +219,6 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"grade lecture7.toml --secret-file README.md",
      "--secret-file README.md: is for submissions, and none are given"},
     {"grade lecture7.toml --out nowhere", "--out nowhere: is for submissions"},
-    {"grade lecture7.toml --against nowhere", "--against nowhere: is for submissions"},
     {"grade lecture7.toml --probe README.md --secret-file x", "--secret-file x: --probe"},
     {"grade lecture7.toml --probe", "--probe"},
     {"grade lecture7.toml README.md --probe --format csv", "--format csv"},

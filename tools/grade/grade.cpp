@@ -18,7 +18,6 @@
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/results/changes.h"
 #include "tools/grade/results/own_files.h"
 #include "tools/grade/results/record.h"
 #include "tools/grade/results/redaction.h"
@@ -116,7 +115,6 @@ class ClassRun {
         here_(chosen_layers(options.sandbox)),
         layers_(here_.layers),
         submissions_(find_submissions(options.submissions, names_of_class_files())) {
-    read_earlier_grades();
     if (writes()) {
       require_disjoint(options_.out, submissions_);
       own_.emplace(options_.out);
@@ -129,14 +127,12 @@ class ClassRun {
 
   ClassGrade grade(const RunControl& control) {
     ClassGrade result;
-    if (!options_.against.empty()) result.changes.emplace().against = options_.against;
     std::vector<Graded> all = done_for_each<Graded>(
         submissions_, control, "graded",
         [&](const Submission& one, bool alone) { return graded(one, control, alone); });
     for (Graded& one : all) {
       one.reused ? void(++result.reused) : add_times(one.grade, result.times);
       if (!one.outside.empty()) ++result.not_graded;
-      if (result.changes) compare(one.grade, *result.changes);
       result.submissions.push_back(std::move(one.grade));
     }
     result.rubric = rubric_;
@@ -166,33 +162,6 @@ class ClassRun {
     return fs::path(options_.out) / submission.name;
   }
 
-  /// Before they are overwritten.
-  void read_earlier_grades() {
-    if (options_.against.empty()) return;
-    if (!fs::is_directory(options_.against)) {
-      throw std::invalid_argument(
-          fmt::format("against {}: there is no such folder of results", options_.against));
-    }
-    for (const Submission& submission : submissions_) {
-      if (auto grade = earlier_grade(fs::path(options_.against) / submission.name)) {
-        earlier_.emplace(submission.name, std::move(*grade));
-      }
-    }
-  }
-
-  void compare(const SubmissionGrade& grade, ClassChanges& changes) const {
-    if (!grade.finished) return;
-    const auto earlier = earlier_.find(grade.name);
-    if (earlier == earlier_.end()) {
-      ++changes.new_ones;
-      return;
-    }
-    ++changes.compared;
-    if (auto change = change_of(earlier->second, grade)) {
-      changes.changed.push_back(std::move(*change));
-    }
-  }
-
   static void add_times(const SubmissionGrade& grade, std::optional<GradingTimes>& times) {
     if (!times) times.emplace();
     times->build_seconds += grade.build_seconds;
@@ -201,16 +170,11 @@ class ClassRun {
   }
 
   /// Of a submission whose files are `digested`.
-  SubmissionGrade new_grade(const Submission& submission, std::string digested) const {
+  SubmissionGrade new_grade(const Submission& submission, const std::string& digested) const {
     SubmissionGrade grade;
     grade.name = submission.name;
-    grade.inputs = {fmt::format("{}, {}", kVersion, kRecordShape),
-                    std::move(digested),
-                    rubric_.digest_beside_items,
-                    {}};
-    for (const Item& item : rubric_.items) grade.inputs.items[item.name] = item.digest;
     grade.seed = options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
-    grade.key = digest({grade.inputs.raycheck, rubric_.digest, grade.inputs.submission,
+    grade.key = digest({std::string(kVersion), std::string(kRecordShape), rubric_.digest, digested,
                         std::to_string(grade.seed), layers_.text()});
     grade.isolation = layers_;
     return grade;
@@ -230,7 +194,7 @@ class ClassRun {
     } catch (const std::system_error& error) {
       one.outside = error.what();
     }
-    one.grade = new_grade(submission, std::move(digested));
+    one.grade = new_grade(submission, digested);
     if (!one.outside.empty()) {
       refuse_for(one.outside, one.grade);
     } else if (writes()) {
@@ -333,7 +297,6 @@ class ClassRun {
   std::vector<Submission> submissions_;
   std::optional<OwnFiles> own_;  ///< Where results are written, and so the store.
   std::optional<Store> store_;
-  std::map<std::string, EarlierGrade> earlier_;
 };
 
 }  // namespace

@@ -23,14 +23,13 @@
 namespace raycheck::tools {
 
 struct GradeOptions {
-  std::string rubric;
+  std::string rubric = {};
   std::string dialect = {};  ///< Replaces the rubric's [driver]; see driver_rule().
-  std::vector<std::string> submissions;
-  std::string out;  ///< The folder, made if missing. Empty: nothing is written.
+  std::vector<std::string> submissions = {};
+  std::string out = {};  ///< The folder, made if missing. Empty: nothing is written.
   std::uint64_t seed = 1;
-  std::optional<std::string> secret;  ///< Seeds follow from it and the submissions' names.
+  std::optional<std::string> secret = {};  ///< Seeds follow from it and the submissions' names.
   Sandbox sandbox = Sandbox::kRequire;
-  std::string against = {};  ///< An earlier run's folder of results, possibly `out`; empty: none.
   /// The results file written for a course's system, besides the usual files; null: none.
   const ResultsFormat* results = nullptr;
 };

@@ -60,7 +60,6 @@ void require_no(const char* option, const std::string& value) {
 /// Without submissions the rubric itself is tried, on raycheck's own methods.
 int try_own_methods(const GradeArguments& arguments) {
   require_no("--out", arguments.options.out);
-  require_no("--against", arguments.options.against);
   require_no("--secret-file", arguments.secret_file);
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric, arguments.options.dialect);
@@ -91,11 +90,9 @@ int run_probe(const GradeArguments& arguments) {
     throw std::invalid_argument("--probe: tries submissions; leave out --package");
   }
   // --out is allowed: the command is the later grading's, tried beforehand.
-  for (const auto& [option, value] : {std::pair("--against", &arguments.options.against),
-                                      std::pair("--secret-file", &arguments.secret_file)}) {
-    if (value->empty()) continue;
-    throw std::invalid_argument(
-        fmt::format("{} {}: --probe judges nothing, so leave it out", option, *value));
+  if (!arguments.secret_file.empty()) {
+    throw std::invalid_argument("--secret-file " + arguments.secret_file +
+                                ": --probe judges nothing, so leave it out");
   }
   if (std::none_of(std::begin(kProbeViews), std::end(kProbeViews),
                    [&](const auto& view) { return view.name == arguments.format; })) {
@@ -116,7 +113,6 @@ int run_grade(const GradeArguments& arguments) {
       throw std::invalid_argument("--package: grades nothing; leave out the submissions");
     }
     require_no("--out", options.out);
-    require_no("--against", options.against);
     if (!arguments.secret_file.empty()) {
       throw std::invalid_argument(
           "--secret-file: every submission to a package has one name; give a --seed");
@@ -151,8 +147,6 @@ CommandRun add_grade(CLI::App& command) {
       ->required();
   command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
   command.add_option("--out", arguments.options.out, "the folder that takes the results");
-  command.add_option("--against", arguments.options.against,
-                     "the --out of an earlier run: lists what changed since, and why");
   command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
       ->check(whole_number(1, 1024));
   command.add_flag("--probe", arguments.probe,

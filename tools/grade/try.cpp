@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "tools/grade/grade.h"
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/own_files.h"
@@ -24,8 +23,8 @@ bool TryReport::holds() const {
          });
 }
 
-TryReport try_submission(const TryOptions& options, const properties::RunControl& control) {
-  const std::vector<Submission> submissions = find_submissions({options.submission}, {});
+TryReport try_submission(const GradeOptions& options, const properties::RunControl& control) {
+  const std::vector<Submission> submissions = find_submissions(options.submissions, {});
   std::optional<OwnFiles> own;
   const std::filesystem::path name = submissions.front().name;
   if (!options.out.empty()) {
@@ -35,14 +34,9 @@ TryReport try_submission(const TryOptions& options, const properties::RunControl
     for (const std::string& file : names_for_student(rubric)) own->require_own(name / file);
     own->make_folder(name);
   }
-  ClassGrade graded = grade({.rubric = options.rubric,
-                             .dialect = options.dialect,
-                             .submissions = {options.submission},
-                             .out = "",
-                             .seed = options.seed,
-                             .secret = {},
-                             .sandbox = options.sandbox},
-                            control);
+  GradeOptions unwritten = options;
+  unwritten.out.clear();
+  ClassGrade graded = grade(unwritten, control);
   TryReport report;
   report.interrupted = graded.interrupted;
   report.rubric = std::make_shared<const Rubric>(std::move(graded.rubric));

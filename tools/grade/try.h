@@ -1,25 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 
 #include "properties/run_control.h"
-#include "tools/external/sandbox/process.h"
-#include "tools/grade/results/redaction.h"
-#include "tools/grade/rubric/rubric.h"
+#include "tools/grade/grade.h"
 
 namespace raycheck::tools {
-
-struct TryOptions {
-  std::string rubric;
-  std::string dialect = {};  ///< Replaces the rubric's [driver]; see driver_rule().
-  std::string submission;
-  std::string
-      out;  ///< The parent of the submission's folder of results; empty: nothing is written.
-  std::uint64_t seed = 1;
-  Sandbox sandbox = Sandbox::kAvailable;
-};
 
 /// The part of a submission's grade that a student may see.
 struct TryReport {
@@ -32,10 +19,11 @@ struct TryReport {
   bool holds() const;
 };
 
-/// Grades a submission as grade() does with the same rubric and seed, for its author: asks every
-/// item, and shows those that students may see.
+/// Grades one submission as grade() does with the same rubric and seed, for its author: asks every
+/// item, and shows those that students may see. `out`: the parent of the submission's folder of
+/// results; empty: nothing is written.
 /// Errors: as grade().
-TryReport try_submission(const TryOptions& options, const properties::RunControl& control = {});
+TryReport try_submission(const GradeOptions& options, const properties::RunControl& control = {});
 
 std::string try_text(const TryReport& report);
 

@@ -10,12 +10,12 @@ namespace raycheck::tools {
 namespace {
 
 struct TryArguments {
-  TryOptions options;
+  GradeOptions options = {.sandbox = Sandbox::kAvailable};
   SandboxArguments sandbox;
 };
 
 int run_try(const TryArguments& arguments) {
-  TryOptions options = arguments.options;
+  GradeOptions options = arguments.options;
   options.sandbox = sandbox_of(arguments.sandbox);
   const TryReport report = try_submission(options, run_control("submissions"));
   print_report(try_text(report));
@@ -31,7 +31,7 @@ CommandRun add_try(CLI::App& command) {
       .add_option("RUBRIC", arguments.options.rubric,
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
       ->required();
-  command.add_option("SUBMISSION", arguments.options.submission, "the folder or file to hand in")
+  command.add_option("SUBMISSION", arguments.options.submissions, "the folder or file to hand in")
       ->required();
   command.add_option("--out", arguments.options.out,
                      "a folder that takes one of the submission's name, with its page and cases");

@@ -174,6 +174,35 @@ TEST_F(LongIntake, runs_of_several_programs_that_are_built_the_one_that_draws) {
                                        {"checks.cpp", kChecks}}));
 }
 
+TEST_F(LongIntake, builds_in_another_way_what_draws_nothing_by_its_makefile) {
+  const Files files = with(
+      kSources,
+      {{"Makefile", "check: checks.cpp\n\tg++ -o check checks.cpp\n"}, {"checks.cpp", kChecks}});
+  const auto result = expect_full("other", files);
+  EXPECT_EQ(result["notes"][1],
+            "nothing that draws comes from its Makefile; built from its sources");
+  expect_parts(result["program"], {"./raycheck-built "});
+  auto again = graded("other", "title = \"again, from the store\"\n");
+  EXPECT_EQ(again["build_is_stored"], true);
+  for (const char* key : {"program", "build", "driver", "notes", "score"}) {
+    EXPECT_EQ(again[key], result[key]) << key;
+  }
+}
+
+/// The Makefile's program fails; the other, of its sources, ends without a picture.
+TEST_F(LongIntake, says_of_several_ways_to_build_what_the_one_that_comes_farthest_says) {
+  const Files files = {
+      {"Makefile",
+       "check:\n\techo 'int main() { return 3; }' > check.c\n"
+       "\tgcc -o check check.c\n"},
+      {"rt.cpp", "#include <cstdio>\nint main() { std::puts(\"no such key\"); }\n"}};
+  expect_refused("farther", files, {"it made no picture {image}; it said: no such key"});
+  EXPECT_EQ(graded("farther")["notes"][0],
+            "nothing that draws comes from its Makefile; built from its sources");
+  expect_refused("no-farther", {files[0], {"rt.cpp", "int main() { return 4; }\n"}},
+                 {"it exited with 3"});
+}
+
 TEST_F(LongIntake, tries_programs_that_are_called_tests_last) {
   // This one draws, too.
   const auto result = expect_full(

@@ -133,7 +133,6 @@ TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
   EXPECT_EQ(results(grading, "broken")["score"], 25);
   expect_parts(results(grading, "broken")["output"], {"could not be judged"});
   expect_parts(grading.file("", "grades.csv"), {"\nbroken,25,100,,,"});
-  expect_parts(grading.file("", "statistics.csv"), {"\nnot judged,,1,,,,\n"});
   expect_parts(grading.file("", "index.html"), {"gives them 25% of the points"});
   expect_parts(grading.file("broken", "report.html"),
                {"could not be judged, for which there are 25 of 100"});
@@ -219,10 +218,6 @@ TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_ju
                      grading.submit_built("cleo", "rt.cpp", "mirrored"),
                      grading.submit("dan", "hostile.cpp", "#define ATTACK compile_error"),
                      grading.submit_built("eve", "rays.cpp", "far_root")});
-  expect_parts(grading.file("", "statistics.csv"),
-               {"\nitem,nearest root,4,2,0.5000,5,10\n", "\nitem,\"pixel (0, 0)\",4,3,0.7500,5,5\n",
-                "\nmistake,the far root is taken for the near one,2,,,,\n",
-                "\nmistake,columns are mirrored,1,,,,\n", "\nnot judged,,1,,,,\n"});
   expect_parts(outcome.out, {"could not be judged: g++ exited with 1\n",
                              "5 submissions graded, 1 could not be judged (built in "});
   const std::string page = grading.file("", "index.html");

@@ -226,49 +226,5 @@ TEST_F(Store, is_its_owners_and_no_submission_is_called_so) {
   expect_refused(grading.arguments(rubric(10), {hidden}, "out", kUnkept), "rename it");
 }
 
-TEST_F(Store, against_an_earlier_grading_lists_changed_points_with_their_causes) {
-  const std::string steady = submit("steady", "rays.py", kHits);
-  const std::string mine = submit("mine", "rays.py", "raise SystemExit(3)\n");
-  const auto changes = [&](const std::string& by, const std::vector<std::string>& folders,
-                           const std::string& more) {
-    return json::parse(grading
-                           .grade(by, folders, "out",
-                                  kUnkept + ("--against '" + grading.path("out") + "' ") + more)
-                           .out)["changes"];
-  };
-  graded(rubric(10), {steady, mine});
-  submit("mine", "rays.py", kHits);
-  const json mended = changes(rubric(10), {steady, mine}, "");
-  EXPECT_EQ(mended["compared"], 2);
-  ASSERT_EQ(mended["changed"].size(), 1u) << mended.dump(2);
-  EXPECT_EQ(mended["changed"][0]["name"], "mine");
-  EXPECT_TRUE(mended["changed"][0]["before"].is_null());
-  EXPECT_EQ(mended["changed"][0]["now"], 10);
-  EXPECT_EQ(mended["changed"][0]["causes"], json({"submission"}));
-  const json reweighed = changes(rubric(12), {steady, mine}, "");
-  ASSERT_EQ(reweighed["changed"].size(), 2u);
-  EXPECT_EQ(reweighed["changed"][0]["causes"], json({"items"}));
-  EXPECT_EQ(reweighed["changed"][0]["rubric_items"], json({"hits"}));
-  EXPECT_EQ(reweighed["changed"][0]["items"],
-            json::parse(R"([{"name": "hits", "before": 10, "now": 12}])"));
-  EXPECT_TRUE(changes(rubric(12), {steady, mine}, "--seed 2")["changed"].empty())
-      << "the same points";
-  const json both =
-      changes(rubric(13, "[conventions]\nroot = \"smaller\"\n"), {steady}, "--seed 3");
-  ASSERT_EQ(both["changed"].size(), 1u);
-  EXPECT_EQ(both["changed"][0]["causes"], json({"items", "rubric", "seed"}));
-  EXPECT_EQ(both["changed"][0]["now"], 0) << "it takes the nearest root, not the smaller";
-  expect_parts(
-      grading
-          .grade(rubric(14), {steady, submit("new", "rays.py", kHits)}, "out",
-                 "--sandbox none --i-know --seed 3 --against '" + grading.path("out") + "'")
-          .out,
-      {"1 of 1 submission changed since ", ", 1 had no grade there\n",
-       "  steady  0 -> 14: hits 0 -> 14\n"
-       "    the rubric changed: hits\n"
-       "    the rubric changed beside its items\n"});
-  EXPECT_EQ(grading.try_to_grade(rubric(14), {steady}, "out", "--against nowhere").exit_code, 2);
-}
-
 }  // namespace
 }  // namespace raycheck::tests

@@ -125,7 +125,7 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
     try {
       std::vector<std::string> programs = made_by(attempt, submission, to, options);
       return {std::move(programs), attempt.words.empty() ? "" : attempt.repairs + attempt.words,
-              std::move(attempt.notes)};
+              std::move(attempt.notes), std::move(attempt.what)};
     } catch (const CandidateError& error) {
       empty_folder(to);
       const auto missing = missing_includes(submission.files, error.said());
@@ -144,17 +144,27 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
   }
 }
 
+/// The way after one that works; 0: there is none.
+std::size_t next_way(const BuildPlan& plan, std::size_t way) {
+  do ++way;
+  while (way < plan.attempts.size() && plan.attempts[way].only_after_failure);
+  return way < plan.attempts.size() ? way : 0;
+}
+
 /// In the first way that works. Each has all of the time, so that what is said of one does not
 /// depend on how long others took.
 Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
   const BuildPlan plan = build_plan(submission.files);
   if (plan.attempts.empty()) throw CandidateError(plan.why_none);
+  const double before = options.build_spent->seconds();
   std::vector<std::string> notes;
   std::string why, said, failed;
-  for (const BuildAttempt& attempt : plan.attempts) {
-    if (options.build_spent->seconds() >= options.build_seconds) break;
+  for (std::size_t way = submission.way; way < plan.attempts.size(); ++way) {
+    if (options.build_spent->seconds() - before >= options.build_seconds) break;
+    const BuildAttempt& attempt = plan.attempts[way];
     try {
       Built made = built_by(attempt, submission, to, options);
+      made.next_way = next_way(plan, way);
       for (std::string& note : notes) note += " failed; built from " + attempt.what;
       std::move(made.notes.begin(), made.notes.end(), std::back_inserter(notes));
       made.notes = std::move(notes);
@@ -185,7 +195,7 @@ bool needs_building(const Unbuilt& submission) {
 }
 
 Built build_submission(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
-  const auto& [form, file, program, folder, files, contents] = submission;
+  const auto& [form, file, program, folder, files, contents, way] = submission;
   if (form.is_built_automatically()) return auto_built(submission, to, options);
   const bool is_source = program.kind == CandidateKind::kSource;
   const std::string words = words_of(submission);
@@ -207,6 +217,7 @@ std::string build_key(const Unbuilt& submission, const Layers& layers) {
   std::vector<std::string> texts = {toolchain(), layers.text(), submission.contents,
                                     words_of(submission), submission.program.text()};
   if (submission.form.is_built_automatically()) {
+    texts.push_back(std::to_string(submission.way));
     for (const BuildAttempt& attempt : build_plan(submission.files).attempts) {
       for (const std::string* text : {&attempt.what, &attempt.repairs, &attempt.words,
                                       &attempt.program, &attempt.main_class}) {

@@ -28,6 +28,7 @@ struct BuildAttempt {
   std::vector<std::string> notes = {};
   /// That a build may make in place of an executable: "de.uni.Main"; empty: no Java.
   std::string main_class = {};
+  bool only_after_failure = false;  ///< Another try at what the attempt before it builds.
 };
 
 /// Ways to build a submission, best first, or why there is none.
@@ -69,13 +70,14 @@ struct Unbuilt {
   const std::filesystem::path& folder;  ///< A copy of the submission, with these files.
   const HandedInFiles& files;
   std::string contents;  ///< Their digest.
+  std::size_t way = 0;   ///< Of the ways to build it, the first that is tried.
 };
 
 bool needs_building(const Unbuilt& submission);
 
-/// Builds a submission in the empty folder `to`: by the form's words, in the first way that works,
-/// or as a library of functions. Errors: CandidateError with what a compiler said, of several ways
-/// with what each did.
+/// Builds a submission in the empty folder `to`: by the form's words, in the first way that works
+/// from `way` on, or as a library of functions. Errors: CandidateError with what a compiler said,
+/// of several ways with what each did.
 Built build_submission(const Unbuilt& submission, const std::filesystem::path& to,
                        const RunOptions& options);
 

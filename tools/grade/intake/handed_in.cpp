@@ -43,8 +43,8 @@ bool is_left_behind(const fs::path& path, bool is_folder) {
 
 }  // namespace
 
-HandedInPaths paths_of(const fs::path& path, const IntakeLimits& limits) {
-  const std::uintmax_t most = limits.mib << 20;
+HandedInPaths paths_of(const fs::path& path, const SubmissionLimits& limits) {
+  const std::uintmax_t most = limits.submission_mib << 20;
   HandedInPaths found;
   auto& [files, folders] = found;
   const fs::file_status status = fs::symlink_status(path);
@@ -54,7 +54,7 @@ HandedInPaths paths_of(const fs::path& path, const IntakeLimits& limits) {
   if (!fs::is_directory(status)) {
     throw std::invalid_argument(
         fs::is_regular_file(status)
-            ? fmt::format("it has more than {} MiB (submission_mib)", limits.mib)
+            ? fmt::format("it has more than {} MiB (submission_mib)", limits.submission_mib)
             : "it is neither a file nor a folder");
   }
   std::uintmax_t bytes = 0;
@@ -77,7 +77,7 @@ HandedInPaths paths_of(const fs::path& path, const IntakeLimits& limits) {
     }
     if (bytes > most) {
       throw std::invalid_argument(
-          fmt::format("it has more than {} MiB (submission_mib)", limits.mib));
+          fmt::format("it has more than {} MiB (submission_mib)", limits.submission_mib));
     }
   }
   std::sort(folders.begin(), folders.end());

@@ -15,12 +15,6 @@
 
 namespace raycheck::tools {
 
-/// The largest submission that is accepted.
-struct IntakeLimits {
-  std::uintmax_t mib = 64;
-  std::size_t files = 10000;
-};
-
 /// A submitted file.
 struct HandedInFile {
   std::string text;   ///< Its first 4 MiB.
@@ -40,7 +34,7 @@ struct HandedInPaths {
 /// leave behind: __MACOSX, .git, virtual environments, objects, precompiled headers. Links are not
 /// followed: they may lead outside the submission.
 /// Errors: std::invalid_argument with what is wrong: no file or folder, or too large.
-HandedInPaths paths_of(const std::filesystem::path& path, const IntakeLimits& limits);
+HandedInPaths paths_of(const std::filesystem::path& path, const SubmissionLimits& limits);
 
 /// Where a folder has nothing but another, as unpacked archives do, that, unless a name `is_meant`;
 /// what is left behind aside.

@@ -256,6 +256,7 @@ void plan_c_family(const HandedInFiles& files, BuildPlan& plan) {
     plan.attempts.push_back(compiled(files, c, sources));
     if (reached.size() < sources.size()) {
       plan.attempts.push_back(compiled(files, c, reached));
+      plan.attempts.back().only_after_failure = true;
       plan.attempts.back().notes.push_back("only files whose headers are included are compiled");
     }
     if (count == 1) continue;

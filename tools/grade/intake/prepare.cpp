@@ -23,6 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where what is built shows no spheres, at most this many other ways to build it are tried.
+constexpr int kMostFurtherBuilds = 2;
+
 [[noreturn]] void refuse(const std::string& why) { throw SubmissionError({why, ""}, {}); }
 
 bool fits(const Form& form, const std::string& name) {
@@ -56,7 +59,7 @@ CopiedFiles copied(const Submission& submission, const Rubric& rubric, const fs:
     return std::any_of(rubric.forms.begin(), rubric.forms.end(),
                        [&](const Form& form) { return means_folder(form, name); });
   });
-  HandedInPaths handed_in = paths_of(top, intake_limits(rubric.limits));
+  HandedInPaths handed_in = paths_of(top, rubric.limits);
   HandedInPaths in_copy{{}, std::move(handed_in.folders)};
   auto& copies = in_copy.files;
   for (const auto& [name, path] : handed_in.files) {
@@ -150,10 +153,28 @@ class Preparing {
     start_ = run_folder(copied_.files, copied_.folders, copy_);
   }
 
-  void build() try {
+  /// One search over how it is built and, of each program, which form it reads.
+  RunnableSubmission best_program(const properties::RunControl& control) {
+    for (int builds = 0; builds <= kMostFurtherBuilds; ++builds) {
+      try {
+        build();
+      } catch (const CandidateError& error) {
+        take_failure({{error.why(), error.said()}, found_});
+        break;
+      }
+      if (one_works(control) || made_.next_way == 0 || control.interrupted()) break;
+    }
+    if (!best_) throw SubmissionError(*farthest_);
+    return std::move(*best_);
+  }
+
+ private:
+  /// In the next way.
+  void build() {
     const fs::path copy = copy_->path();
-    const Unbuilt unbuilt{*form_, file_, program_, copy, copied_.files, std::move(copied_.digest)};
-    const std::string key = build_key(unbuilt, options_.layers);
+    const Unbuilt unbuilt{*form_,        file_,          program_,      copy,
+                          copied_.files, copied_.digest, made_.next_way};
+    const std::string key = build_key(unbuilt, options_.layers), before = made_.what;
     if (store_ != nullptr) key_ = key;
     if (needs_building(unbuilt)) {
       auto to = std::make_shared<PrivateFolder>();
@@ -162,32 +183,36 @@ class Preparing {
       open_to_others(to->path());
       made_in_ = std::move(to);
     }
+    if (!before.empty() && before != made_.what) draws_nothing_.push_back(before);
     build_seconds_ = options_.build_spent->seconds();
     found_.build_words = made_.words;
     found_.notes = made_.notes;
-  } catch (const CandidateError& error) {
-    throw SubmissionError({error.why(), error.said()}, found_);
+    for (const std::string& other : draws_nothing_) {
+      found_.notes.push_back(
+          fmt::format("nothing that draws comes from {}; built from {}", other, made_.what));
+    }
   }
 
-  RunnableSubmission best_program(const properties::RunControl& control) const {
-    std::optional<RunnableSubmission> best;
-    std::optional<SubmissionError> farthest;
+  /// Whether one of the programs that are built does, which is taken then.
+  bool one_works(const properties::RunControl& control) {
     for (const std::string& by : made_.programs) {
       try {
         RunnableSubmission runnable = started(by, control);
         const auto& dry = runnable.found.dry_run;
         const bool works = !dry || dry->shows_a_sphere();
-        if (works || !best) best.emplace(std::move(runnable));
-        if (works) break;
+        if (works || !best_) best_.emplace(std::move(runnable));
+        if (works) return true;
       } catch (const SubmissionError& error) {
-        if (!farthest || error.progress() > farthest->progress()) farthest = error;
+        take_failure(error);
       }
     }
-    if (!best) throw SubmissionError(*farthest);
-    return std::move(*best);
+    return false;
   }
 
- private:
+  void take_failure(const SubmissionError& error) {
+    if (!farthest_ || error.progress() > farthest_->progress()) farthest_ = error;
+  }
+
   const std::shared_ptr<const PrivateFolder>& folder() const { return made_in_ ? made_in_ : copy_; }
 
   /// One of its programs, by its command line. Errors: SubmissionError.
@@ -254,6 +279,9 @@ class Preparing {
   std::shared_ptr<const StartingFolder> start_;  ///< Where a renderer runs.
   bool is_stored_ = false;
   double build_seconds_ = 0;
+  std::vector<std::string> draws_nothing_;  ///< What was built from, and shows no spheres.
+  std::optional<RunnableSubmission> best_;
+  std::optional<SubmissionError> farthest_;
 };
 
 }  // namespace
@@ -285,9 +313,7 @@ Limits program_limits(const Rubric& rubric) {
 RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                            const Confinement& confinement, const properties::RunControl& control,
                            Store* store) try {
-  Preparing preparing(submission, rubric, confinement, store);
-  preparing.build();
-  return preparing.best_program(control);
+  return Preparing(submission, rubric, confinement, store).best_program(control);
 } catch (const SubmissionError&) {
   throw;
 } catch (const fs::filesystem_error& error) {

@@ -74,10 +74,11 @@ Limits program_limits(const Rubric& rubric);
 /// Copies, builds and starts a submission, each step isolated like a candidate; a renderer makes a
 /// few pictures, so that it is asked in the form that it reads. Of several programs that are built
 /// the first that shows spheres, or introduces itself, is taken, else the first that makes a
-/// picture. What a store has is neither built nor asked again.
+/// picture; where none shows spheres, a form that is built automatically is built in other ways,
+/// too. What a store has is neither built nor asked again.
 /// Errors: SubmissionError with what is wrong: no form fits, a compiler's message, a program that
-/// does not introduce itself, or makes no picture; of several programs, that of the one that came
-/// farthest.
+/// does not introduce itself, or makes no picture; of several programs and ways to build them, that
+/// of the one that came farthest.
 RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                            const Confinement& confinement,
                            const properties::RunControl& control = {}, Store* store = nullptr);

@@ -82,13 +82,9 @@ void require_disjoint(const std::string& out, const std::vector<Submission>& sub
   }
 }
 
-IntakeLimits intake_limits(const SubmissionLimits& limits) {
-  return {limits.submission_mib, static_cast<std::size_t>(limits.files)};
-}
-
 std::string digest(const Submission& submission, const SubmissionLimits& limits) {
   try {
-    return digest_of(paths_of(submission.path, intake_limits(limits)));
+    return digest_of(paths_of(submission.path, limits));
   } catch (const std::system_error& error) {
     if (is_of_the_machine(error.code())) throw;
     return digest({error.what()});

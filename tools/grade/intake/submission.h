@@ -26,9 +26,6 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
 /// contains or lies in a submission, also through links. It need not exist.
 void require_disjoint(const std::string& out, const std::vector<Submission>& submissions);
 
-/// How much is taken of a submission.
-IntakeLimits intake_limits(const SubmissionLimits& limits);
-
 /// A digest of its files' names and contents or, if these cannot be read, of the reason.
 /// Errors: std::system_error if that is the machine's fault (is_of_the_machine).
 std::string digest(const Submission& submission, const SubmissionLimits& limits);

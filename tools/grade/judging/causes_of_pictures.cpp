@@ -5,6 +5,7 @@
 
 #include "properties/mistakes/picture_causes.h"
 #include "properties/mistakes/picture_evidence.h"
+#include "properties/mistakes/shape_cause.h"
 #include "tools/grade/judging/item_causes.h"
 
 namespace raycheck::tools {
@@ -250,6 +251,18 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
                                   found.wrong - std::min(found.wrong, found.left),
                                   properties::sentences_of(alternatives)});
   return cause;
+}
+
+/// Which scenes a renderer makes no picture of, if all items together tell.
+std::optional<properties::ShapeCause> shape_of_failures(const std::vector<ItemTrial>& trials) {
+  std::vector<properties::TriedScene> tried;
+  for (const ItemTrial& trial : trials) {
+    for (const ShownPicture& one : trial.pictures) tried.push_back({&one.scene, false});
+    for (const FailedCase& one : trial.failed) {
+      if (!one.shown) tried.push_back({&one.item_case.the_case.scene, true});
+    }
+  }
+  return properties::shape_cause(tried);
 }
 
 /// Whether a program would fail on all scenes that an item was not asked about any more.

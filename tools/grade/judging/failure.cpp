@@ -1,5 +1,3 @@
-#include "tools/grade/judging/failure.h"
-
 #include <algorithm>
 #include <exception>
 #include <map>
@@ -9,7 +7,7 @@
 #include "properties/cases/shrink.h"
 #include "properties/mistakes/picture_evidence.h"
 #include "properties/rounded_case.h"
-#include "tools/grade/results/result.h"
+#include "tools/grade/judging/item_trial.h"
 
 namespace raycheck::tools {
 namespace {
@@ -124,18 +122,18 @@ RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& 
 
 /// Both pictures of a case; empty if the candidate draws none. A renderer whose last picture it is
 /// does not run again.
-std::optional<ComparedPictures> compared_pictures(const Case& the_case, const Examinee& examinee) {
+std::optional<ComparedPictures> compared_pictures(const Case& the_case, const Examinee& who) {
   const scene::Conventions& conventions = the_case.scene.conventions;
   ComparedPictures pictures;
   try {
-    pictures.got = examinee.candidate.image(the_case.scene, conventions);
+    pictures.got = who.candidate.image(the_case.scene, conventions);
   } catch (const std::runtime_error&) {
     return {};
   }
   pictures.exact = properties::exact_image(the_case.scene, conventions);
   if (pictures.got.size() != pictures.exact->size()) return {};
   for (auto& sphere : *pictures.exact) {
-    if (sphere && examinee.masks_only) sphere = properties::kSomeSphere;
+    if (sphere && who.masks_only) sphere = properties::kSomeSphere;
   }
   return pictures;
 }
@@ -149,11 +147,10 @@ WrongAnswer wrong_answer(const Discrepancy& d) {
   return answer;
 }
 
-Case simplest(const FailedCase& first, const ItemExaminee& who, const properties::Fault& fault,
+Case simplest(const FailedCase& first, const Examinee& who, const properties::Fault& fault,
               const std::function<bool()>& is_late) {
   const Case& from = first.item_case.the_case;
   if (first.failure == FailureKind::kTimeUp) return from;
-  const Examinee examinee = who.examinee();
   const bool failed = first.discrepancy.wrong == Wrong::kFailed;
   const int tries = failed ? kTriesOfFailures : who.pictures ? kTriesOfPictures : kTries;
   // Every pixel of a picture is judged.
@@ -165,9 +162,9 @@ Case simplest(const FailedCase& first, const ItemExaminee& who, const properties
   if (who.pictures) start.pixels.clear();
   return whole(properties::smallest(std::move(start), tries, [&](const Case& next) {
     if (is_late() || !is_alike(next.scene, from.scene)) return false;
-    if (!properties::is_of_format(next.scene, examinee.candidate.precision)) return false;
+    if (!properties::is_of_format(next.scene, who.candidate.precision)) return false;
     const Case judged = whole(next);
-    Trial trial(judged, examinee.candidate, examinee.options());
+    Trial trial(judged, who.candidate, who.options());
     const Verdict verdict = apply(*first.broken, trial);
     if (verdict.holds()) return false;
     const Discrepancy now = verdict.worst(1).front();
@@ -175,13 +172,13 @@ Case simplest(const FailedCase& first, const ItemExaminee& who, const properties
       return false;
     }
     if (failed) return now.what == first.discrepancy.what;
-    return !who.pictures || fault.empty() || is_made_by(fault, judged, who.candidate);
+    return !who.pictures || fault.empty() || is_made_by(fault, judged, who.unmasked);
   }));
 }
 
 std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& first,
-                                        const Examinee& examinee) {
-  Trial trial(the_case, examinee.candidate, examinee.options());
+                                        const Examinee& who) {
+  Trial trial(the_case, who.candidate, who.options());
   Discrepancy d = first.discrepancy;
   if (first.failure != FailureKind::kTimeUp) {
     const Verdict verdict = apply(*first.broken, trial);
@@ -192,9 +189,9 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
   FailingCase failing{
       std::string(first.broken->name), first.item_case.origin, {}, wrong_answer(d), the_case};
   failing.the_case.scene.conventions = trial.conventions();
-  if (examinee.pictures) {
+  if (who.pictures) {
     failing.the_case.pixels.clear();
-    if (d.wrong != Wrong::kFailed) failing.pictures = compared_pictures(failing.the_case, examinee);
+    if (d.wrong != Wrong::kFailed) failing.pictures = compared_pictures(failing.the_case, who);
   } else if (d.wrong != Wrong::kFailed) {
     failing.step = first_wrong_step(trial);
     failing.answers = ray_answers(trial, d.place, *first.broken);

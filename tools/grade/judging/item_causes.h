@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "properties/mistakes/fault.h"
-#include "properties/mistakes/shape_cause.h"
 #include "tools/grade/judging/item_trial.h"
 #include "tools/grade/judging/judge.h"
 #include "tools/grade/rubric/rubric.h"
@@ -39,9 +38,6 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
 std::vector<ItemCause> causes_of_functions(const Rubric& rubric,
                                            const properties::Candidate& candidate,
                                            std::vector<ItemTrial>& trials);
-
-/// Which scenes a renderer makes no picture of, if all items together tell.
-std::optional<properties::ShapeCause> shape_of_failures(const std::vector<ItemTrial>& trials);
 
 /// Lets each mistake, and all else that is known, cost one item alone: of those that
 /// fail by it the first that asks about the step where it is made, or else the first. The others

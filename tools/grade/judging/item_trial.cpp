@@ -7,8 +7,86 @@
 namespace raycheck::tools {
 namespace {
 
+using properties::Case;
+using properties::Law;
+using properties::Needs;
 using properties::ShownPicture;
+using properties::Trial;
 using properties::Verdict;
+using properties::Wrong;
+
+/// The outcome of a case.
+struct CaseOutcome {
+  bool answers = false;  ///< There was something to ask.
+  std::uint64_t compared = 0;
+  properties::Verdict verdict;  ///< By all laws.
+  ItemReason unanswered;        ///< Why some questions were not answered.
+  const properties::Law* broken = nullptr;
+  std::optional<properties::Discrepancy> discrepancy;
+  std::optional<FailureKind> failure;  ///< The candidate's, if that is what breaks the law.
+  bool is_answered() const { return unanswered.kind == ItemReason::Kind::kNone; }
+  bool holds() const { return broken == nullptr && is_answered(); }
+};
+
+/// Whether the candidate misses hits, or has them at the other root, so that laws about hits have
+/// less to compare; what is excused does not count.
+bool misses_hits(Trial& trial) {
+  for (const Law& law : properties::laws()) {
+    if (!judges_decisions(law) || !needs_any(law.needs, Needs::kIntersect)) continue;
+    if (!what_is_missing(law.needs, trial).empty()) continue;
+    const auto defects = apply(law, trial).defects();
+    if (std::any_of(defects.begin(), defects.end(), [](const properties::DefectKind& defect) {
+          return defect.wrong == Wrong::kMissed || defect.wrong == Wrong::kWrongRoot;
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the candidate gives a law less to compare than the scene has.
+bool is_unanswered(const Law& law, Trial& trial) {
+  if (law.per == properties::Per::kImage || !scene_suits(law.needs, trial)) return false;
+  if (!what_is_missing(law.needs, trial).empty()) return true;
+  // The law of the class compares misses, too; those of no stage look at hits where there are some.
+  const bool is_of_class = judges_decisions(law) && law.quantity == properties::Quantity::kClass;
+  const bool compares_hits =
+      needs_any(law.needs, Needs::kIntersect) || (needs_any(law.needs, Needs::kRays) && !law.stage);
+  return compares_hits && !is_of_class && misses_hits(trial);
+}
+
+/// Tries the laws on a case.
+CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
+                     const Examinee& examinee) {
+  Trial trial(the_case, examinee.candidate, examinee.options());
+  CaseOutcome outcome;
+  for (const Law* law : laws) {
+    Verdict verdict = apply(*law, trial);
+    // Of pictures every pixel is compared.
+    const bool unanswered = !examinee.pictures && verdict.holds() && is_unanswered(*law, trial);
+    outcome.compared += verdict.compared();
+    outcome.answers = outcome.answers || verdict.compared() > 0 || unanswered;
+    // A renderer with colours of its own does not tell which sphere it sees.
+    const bool is_untold =
+        examinee.pictures && !examinee.masks_only && the_case.scene.spheres.size() > 1;
+    if (!verdict.holds()) {
+      if (outcome.broken != nullptr) continue;
+      outcome.broken = law;
+      outcome.discrepancy = verdict.worst(1).front();
+      if (outcome.discrepancy->wrong == properties::Wrong::kFailed && examinee.last_failure) {
+        outcome.failure = *examinee.last_failure;
+      }
+    } else if (is_untold && !verdict.reason_left_out().empty()) {
+      outcome.unanswered = {.kind = ItemReason::Kind::kOtherColours};
+    } else if (unanswered && outcome.is_answered()) {
+      outcome.unanswered = {.kind = ItemReason::Kind::kUnanswered,
+                            .law = std::string(law->name),
+                            .said = verdict.reason_left_out()};
+    }
+    outcome.verdict.merge(std::move(verdict));
+  }
+  return outcome;
+}
 
 /// How many failing cases of an item of functions are kept to find the mistake behind them.
 constexpr std::size_t kKeptCases = 8;
@@ -48,11 +126,33 @@ bool tells_spheres(const ShownPicture& picture) {
   return 2 * untold <= spheres;
 }
 
+/// What follows from all cases together. `is_untold`: of some its colours do not tell the answer.
+void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
+  if (grade.cases == 0 && is_untold) {
+    // It cannot be called wrong, or right.
+    grade.points = 0;
+    grade.state = ItemState::kNotAsked;
+    grade.reason = {.kind = ItemReason::Kind::kOtherColours};
+    return;
+  }
+  if (grade.cases == 0) grade.reason = {.kind = ItemReason::Kind::kNothingToCompare};
+  if (const auto quantity = never_right(all); quantity && all.holds()) {
+    grade.held = 0;
+    grade.reason = {.kind = ItemReason::Kind::kNeverRight,
+                    .quantity = std::string(info(*quantity).name)};
+  }
+  // What is given besides is not earned by misses alone.
+  if (grade.bonus && never_hits(all)) grade.held = 0;
+  grade.state =
+      grade.cases > 0 && grade.held == grade.cases ? ItemState::kHolds : ItemState::kFails;
+}
+
 }  // namespace
 
-ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExaminee& who,
-                   const std::function<ItemReason()>& reason_to_stop, ItemGrade grade) {
+ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const Examinee& who,
+                   const std::function<ItemReason()>& reason_to_stop, ItemGrade given) {
   ItemTrial trial;
+  ItemGrade& grade = trial.grade = std::move(given);
   Verdict all;
   int failed_altogether = 0, silent = 0;
   bool is_untold = false;
@@ -60,20 +160,19 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExami
     if (ItemReason reason = reason_to_stop(); reason.kind != ItemReason::Kind::kNone) {
       grade.state = ItemState::kNotJudged;
       grade.reason = std::move(reason);
-      trial.grade = std::move(grade);
       trial.failed.clear();
       return trial;
     }
     std::optional<ItemCase> item_case = cases[k];
     if (!item_case) continue;
-    CaseOutcome outcome = try_case(task.laws, item_case->the_case, who.examinee());
+    CaseOutcome outcome = try_case(task.laws, item_case->the_case, who);
     all.merge(std::move(outcome.verdict));
     if (!outcome.answers) continue;
     std::optional<ShownPicture> picture;
     // It was just drawn and is reused; a timeout is not waited for twice.
     const bool is_silent = outcome.failure == FailureKind::kTimeUp;
     if (who.pictures && !is_silent)
-      picture = properties::shown_picture(item_case->the_case.scene, who.candidate);
+      picture = properties::shown_picture(item_case->the_case.scene, who.unmasked);
     if (picture) trial.pictures.push_back(*picture);
     if (outcome.broken == nullptr && outcome.unanswered.kind == ItemReason::Kind::kOtherColours) {
       if (!tells_spheres(*picture)) {
@@ -90,40 +189,19 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExami
     }
     if (grade.reason.kind == ItemReason::Kind::kNone) grade.reason = outcome.unanswered;
     if (outcome.broken == nullptr) continue;
-    const bool failed = outcome.discrepancy->wrong == properties::Wrong::kFailed;
+    failed_altogether += outcome.discrepancy->wrong == properties::Wrong::kFailed ? 1 : 0;
+    silent += is_silent ? 1 : 0;
     if (who.pictures || trial.failed.size() < kKeptCases) {
       trial.failed.push_back({std::move(*item_case), outcome.broken, *outcome.discrepancy,
                               outcome.failure, std::move(picture)});
     }
-    failed_altogether += failed ? 1 : 0;
-    silent += is_silent ? 1 : 0;
-    if (failed_altogether == kMostFailures || silent == kMostSilentCases) {
-      grade.cases += cases.size() - k - 1;
-      while (++k < cases.size()) {
-        if (auto next = cases[k]) trial.not_asked.push_back(std::move(next->the_case.scene));
-      }
-      break;
+    if (failed_altogether < kMostFailures && silent < kMostSilentCases) continue;
+    grade.cases += cases.size() - k - 1;
+    while (++k < cases.size()) {
+      if (auto next = cases[k]) trial.not_asked.push_back(std::move(next->the_case.scene));
     }
   }
-  if (grade.cases == 0 && is_untold) {
-    // It cannot be called wrong, or right.
-    grade.points = 0;
-    grade.state = ItemState::kNotAsked;
-    grade.reason = {.kind = ItemReason::Kind::kOtherColours};
-    trial.grade = std::move(grade);
-    return trial;
-  }
-  if (grade.cases == 0) grade.reason = {.kind = ItemReason::Kind::kNothingToCompare};
-  if (const auto quantity = never_right(all); quantity && all.holds()) {
-    grade.held = 0;
-    grade.reason = {.kind = ItemReason::Kind::kNeverRight,
-                    .quantity = std::string(info(*quantity).name)};
-  }
-  // What is given besides is not earned by misses alone.
-  if (grade.bonus && never_hits(all)) grade.held = 0;
-  grade.state =
-      grade.cases > 0 && grade.held == grade.cases ? ItemState::kHolds : ItemState::kFails;
-  trial.grade = std::move(grade);
+  finish(all, is_untold, grade);
   return trial;
 }
 

@@ -1,17 +1,32 @@
 #pragma once
 
-// The cases of one item, asked and judged; its points follow once all items are known. Internal to
-// grading.
+// One item: its cases asked and judged, and the smallest that fails; its points follow once all
+// items are known. Internal to grading.
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "properties/mistakes/picture_causes.h"
-#include "tools/grade/judging/case_trial.h"
+#include "properties/trial.h"
+#include "tools/external/external_candidate.h"
 #include "tools/grade/judging/item_cases.h"
 
 namespace raycheck::tools {
+
+/// The candidate for an item, in the item's own units, and how strictly it is judged.
+struct Examinee {
+  properties::Candidate candidate;  ///< Of its pictures only what the item asks for counts.
+  properties::Candidate unmasked;   ///< The same, with its pictures as they are.
+  Tolerance tolerance;
+  bool pictures = false;
+  bool masks_only = false;             ///< Whether a pixel shows a sphere, not which.
+  LastFailure last_failure = nullptr;  ///< For other people's candidates.
+
+  properties::TrialOptions options() const { return {.max_error = tolerance.ulp}; }
+};
 
 /// A case that broke a law.
 struct FailedCase {
@@ -34,19 +49,23 @@ struct ItemTrial {
   std::vector<scene::Scene> not_asked;
 };
 
-/// The candidate for an item, in the item's own units.
-struct ItemExaminee {
-  properties::Candidate candidate;  ///< With the item's tolerance.
-  properties::Candidate masked;     ///< The same; of its pictures only the mask may count.
-  Tolerance tolerance;
-  bool pictures = false;
-  bool masks_only = false;
-  LastFailure last_failure = nullptr;
-  Examinee examinee() const { return {masked, tolerance, pictures, masks_only, last_failure}; }
-};
-
 /// Tries the cases of an item, until there is a reason to stop.
-ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExaminee& who,
+ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const Examinee& who,
                    const std::function<ItemReason()>& reason_to_stop, ItemGrade grade);
+
+/// The numbers of a discrepancy, without its law.
+WrongAnswer wrong_answer(const properties::Discrepancy& discrepancy);
+
+/// The simplest case found that fails as `first` does: by the same law, in the same quantity and
+/// way, with the same message if the candidate failed entirely, and, for a renderer whose mistakes
+/// are known (`fault`), with a picture that they make. Timeouts are not shrunk, since every case
+/// tried might take as long.
+properties::Case simplest(const FailedCase& first, const Examinee& who,
+                          const properties::Fault& fault, const std::function<bool()>& is_late);
+
+/// The report on a case, `first` being how it first failed; empty if it does not break the law any
+/// more.
+std::optional<FailingCase> failing_case(const properties::Case& the_case, const FailedCase& first,
+                                        const Examinee& examinee);
 
 }  // namespace raycheck::tools

@@ -6,7 +6,6 @@
 
 #include "properties/cases/random.h"
 #include "scene/interruption.h"
-#include "tools/grade/judging/failure.h"
 #include "tools/grade/judging/item_causes.h"
 #include "tools/grade/judging/item_trial.h"
 #include "tools/grade/results/result.h"
@@ -95,13 +94,13 @@ class Judge {
     return pictures_ ? item.pictures : item.functions;
   }
 
-  ItemExaminee examinee(const Item& item) const {
+  Examinee examinee(const Item& item) const {
     const ItemTask& task = *task_of(item);
-    ItemExaminee who;
-    who.candidate = tolerated(candidate_, item.tolerance);
-    who.candidate.excused_image_change =
-        task.image_change.value_or(who.candidate.excused_image_change);
-    who.masked = task.masks_only ? masked(who.candidate) : who.candidate;
+    Examinee who;
+    who.unmasked = tolerated(candidate_, item.tolerance);
+    who.unmasked.excused_image_change =
+        task.image_change.value_or(who.unmasked.excused_image_change);
+    who.candidate = task.masks_only ? masked(who.unmasked) : who.unmasked;
     who.tolerance = item.tolerance;
     who.pictures = pictures_;
     who.masks_only = task.masks_only;
@@ -127,7 +126,7 @@ class Judge {
     grade.points = item.points;
     properties::Random seeds(seed_);
     for (std::size_t k = 0; k < index; ++k) seeds.bits();
-    const ItemExaminee who = examinee(item);
+    const Examinee who = examinee(item);
     const ItemCases cases(*task, pictures_, seeds.bits(), who.candidate.declared,
                           rubric_.precision);
     try {
@@ -166,12 +165,12 @@ class Judge {
   void show_failure(std::size_t index, const Fault& fault, ItemTrial& trial) {
     if (trial.failed.empty()) return;
     const FailedCase& first = trial.failed.front();
-    const ItemExaminee who = examinee(rubric_.items[index]);
+    const Examinee who = examinee(rubric_.items[index]);
     trial.grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
     const auto is_late = [this] { return reason_to_stop().kind != ItemReason::Kind::kNone; };
     try {
       const properties::Case smallest = simplest(first, who, fault, is_late);
-      trial.grade.failing = failing_case(smallest, first, who.examinee());
+      trial.grade.failing = failing_case(smallest, first, who);
     } catch (const scene::Interrupted&) {
       trial.grade.failing.reset();
     }

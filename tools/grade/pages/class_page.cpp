@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "tools/grade/pages/figures.h"
-#include "tools/grade/pages/html.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/statistics.h"

@@ -45,59 +45,6 @@ std::string submission_lines(const ClassGrade& graded) {
   return text;
 }
 
-std::string before_and_now(const ScoreChange& change) {
-  const auto text = [](const std::optional<double>& points) {
-    return points ? points_text(*points) : "-";
-  };
-  return fmt::format("{} -> {}", text(change.before), text(change.now));
-}
-
-std::string cause_text(const SubmissionChange& change, ChangeCause cause) {
-  switch (cause) {
-    case ChangeCause::kSubmission:
-      return "its files changed";
-    case ChangeCause::kItems: {
-      std::string items;
-      for (const std::string& item : change.rubric_items) {
-        items += (items.empty() ? "" : ", ") + item;
-      }
-      return fmt::format("the rubric changed: {}", items);
-    }
-    case ChangeCause::kRubric:
-      return "the rubric changed beside its items";
-    case ChangeCause::kSeed:
-      return "another seed";
-    case ChangeCause::kRaycheck:
-      return "another version of raycheck";
-    case ChangeCause::kIsolation:
-      break;
-  }
-  return "isolated otherwise";
-}
-
-/// Whose points changed, and why.
-std::string changes_text(const ClassChanges& changes) {
-  std::string text = fmt::format("{} of {} changed since {}", changes.changed.size(),
-                                 count_text(changes.compared, "submission"), changes.against);
-  if (changes.new_ones > 0) text += fmt::format(", {} had no grade there", changes.new_ones);
-  text += "\n";
-  for (const SubmissionChange& change : changes.changed) {
-    text += fmt::format("  {}  {}", line_text(change.score.name), before_and_now(change.score));
-    for (const ScoreChange& item : change.items) {
-      text += fmt::format("{} {} {}", &item == change.items.data() ? ":" : ",", item.name,
-                          before_and_now(item));
-    }
-    text += "\n";
-    for (const ChangeCause cause : change.causes) {
-      text += "    " + cause_text(change, cause) + "\n";
-    }
-    if (change.causes.empty()) {
-      text += "    no known input changed: asked again, it answers differently\n";
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 /// The table that the command prints.
@@ -115,7 +62,6 @@ std::string class_text(const ClassGrade& graded) {
   if (graded.interrupted) {
     text += "INTERRUPTED: the same command goes on where it was cut.\n";
   }
-  if (graded.changes) text += changes_text(*graded.changes);
   text += count_text(graded.submissions.size(), "submission") + " graded";
   const std::size_t not_judged = submissions_that(graded, false).size();
   if (not_judged > 0) text += fmt::format(", {} could not be judged", not_judged);

@@ -1,9 +1,9 @@
-#include "tools/grade/pages/html.h"
-
 #include <fmt/core.h>
 
 #include <cctype>
 #include <cstdint>
+
+#include "tools/grade/pages/wording.h"
 
 namespace raycheck::tools {
 namespace {

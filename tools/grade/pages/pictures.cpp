@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "tools/grade/pages/html.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/report/picture_file.h"
 #include "tools/report/spelling.h"

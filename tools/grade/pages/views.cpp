@@ -4,7 +4,6 @@ namespace raycheck::tools {
 
 std::string class_text(const ClassGrade& graded);
 std::string class_csv(const ClassGrade& graded);
-std::string statistics_csv(const ClassGrade& graded);
 std::string class_json(const ClassGrade& graded);
 std::string class_page(const ClassGrade& graded);
 std::string gradescope_results(const StudentGrade& grade);
@@ -15,8 +14,7 @@ namespace {
 constexpr ClassView kPrintedViews[] = {
     {"text", class_text}, {"json", class_json}, {"csv", class_csv}};
 
-constexpr ClassView kClassFiles[] = {
-    {"grades.csv", class_csv}, {"statistics.csv", statistics_csv}, {"index.html", class_page}};
+constexpr ClassView kClassFiles[] = {{"grades.csv", class_csv}, {"index.html", class_page}};
 
 constexpr ResultsFormat kResultsFormats[] = {
     {"gradescope", HiddenBy::kOtherSystem, gradescope_results},

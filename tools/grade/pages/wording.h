@@ -9,6 +9,7 @@
 #include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 
@@ -85,6 +86,12 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
 
 /// Grades the submission again, as far as students may see, in its folder.
 HomeCommand command_for_all(const StudentGrade& grade);
+
+/// A self-contained page, for narrow and wide screens.
+std::string page(std::string_view title, std::string_view body);
+
+/// A link that saves a text as a file.
+std::string download(std::string_view file, std::string_view text);
 
 /// "12 of 441 pixels differ: yours is the expected picture mirrored left to right", `whose` being
 /// "yours"; empty if there are no pictures, or the exact one is withheld.

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "tools/grade/results/changes.h"
+#include "tools/grade/results/record.h"
 #include "tools/grade/rubric/rubric_files.h"
 #include "tools/report/output_file.h"
 

@@ -260,22 +260,13 @@ void list_fields(auto& fields, Refusal& refused) {
   fields("why", refused.why, "said", refused.said);
 }
 
-void list_fields(auto& fields, std::pair<std::string, std::string>& item) {
-  fields("name", item.first, "digest", item.second);
-}
-
-void list_fields(auto& fields, GradeInputs& inputs) {
-  fields("raycheck", inputs.raycheck, "submission", inputs.submission, "rubric", inputs.rubric,
-         "items", inputs.items);
-}
-
 void list_fields(auto& fields, SubmissionGrade& grade) {
   fields("name", grade.name, "program", grade.program, "build", grade.build_words, "driver",
          grade.driver, "notes", grade.notes, "opaque_files", grade.opaque_files, "isolated_by",
          grade.isolation, "refused", grade.refused, "build_seconds", grade.build_seconds,
          "build_is_stored", grade.build_is_stored, "judge_seconds", grade.judge_seconds, "seed",
-         grade.seed, "key", grade.key, "inputs", grade.inputs, "finished", grade.finished, "points",
-         grade.points, "score", grade.score, "bonus", grade.bonus, "items", grade.items);
+         grade.seed, "key", grade.key, "finished", grade.finished, "points", grade.points, "score",
+         grade.score, "bonus", grade.bonus, "items", grade.items);
 }
 
 }  // namespace
@@ -288,12 +279,6 @@ SubmissionGrade read_record(std::string_view text) {
   SubmissionGrade grade;
   FieldReader::read(Json::parse(text), grade);
   return grade;
-}
-
-GradeInputs inputs_of_record(const Json& json) {
-  GradeInputs inputs;
-  FieldReader::read(json, inputs);
-  return inputs;
 }
 
 }  // namespace raycheck::tools

@@ -9,8 +9,10 @@
 
 namespace raycheck::tools {
 
+/// The file of a submission's results that records its grade.
+inline constexpr const char* kRecordFile = "result.json";
 /// Changes with the format of records: submissions with other records are graded again.
-inline constexpr std::string_view kRecordShape = "record 11";
+inline constexpr std::string_view kRecordShape = "record 12";
 
 /// All that is known of a submission's grade, as JSON: for instructors, as it includes what is
 /// withheld from students, and for the next run.
@@ -22,8 +24,6 @@ Json driver_json(const DriverForm& form);
 /// Reads the text of such a record; how the submission was isolated is not read.
 /// Errors: std::exception where it is no such thing.
 SubmissionGrade read_record(std::string_view text);
-/// Of a record the inputs alone. Errors: std::exception.
-GradeInputs inputs_of_record(const Json& json);
 
 /// A picture as runs of equal pixels: "12x- 3x0 4x?" are twelve without a sphere, three of sphere
 /// 0, and four of some sphere.

@@ -165,19 +165,9 @@ struct OpaqueFile {
   std::uintmax_t bytes = 0;
 };
 
-/// What a grade depends on besides its seed and the submission's isolation: digests that tell what
-/// has changed since.
-struct GradeInputs {
-  std::string raycheck;                      ///< Its version, and that of records.
-  std::string submission;                    ///< Its files.
-  std::string rubric;                        ///< The rubric outside its items.
-  std::map<std::string, std::string> items;  ///< By name: what each asks, with its scenes.
-};
-
 struct SubmissionGrade {
   std::string name;
-  std::string key;  ///< Of everything the grade depends on.
-  GradeInputs inputs;
+  std::string key;                       ///< Of everything the grade depends on.
   std::optional<CandidateSpec> program;  ///< As it was run; absent if none was found.
   /// The shell command that built it, in a copy of its folder; empty: nothing had to be built, or
   /// raycheck compiled it.
@@ -208,42 +198,6 @@ struct GradingTimes {
   std::uint64_t stored_builds = 0;  ///< Submissions whose build was in the store.
 };
 
-/// What differs between two gradings of a submission.
-enum class ChangeCause {
-  kSubmission,  ///< Its files.
-  kItems,       ///< Items of the rubric.
-  kRubric,      ///< The rubric outside its items.
-  kSeed,
-  kRaycheck,  ///< Its version.
-  kIsolation
-};
-inline constexpr std::array<std::string_view, 6> kChangeCauseNames = {
-    "submission", "items", "rubric", "seed", "raycheck", "isolation"};
-constexpr std::string_view name(ChangeCause cause) {
-  return kChangeCauseNames[static_cast<std::size_t>(cause)];
-}
-
-/// Points before and now. Absent: it could not be judged, or the item did not exist.
-struct ScoreChange {
-  std::string name;
-  std::optional<double> before, now;
-};
-
-/// A submission whose points changed.
-struct SubmissionChange {
-  ScoreChange score;
-  std::vector<ScoreChange> items;         ///< Those whose points changed.
-  std::vector<ChangeCause> causes;        ///< Empty: it answers differently each time.
-  std::vector<std::string> rubric_items;  ///< Those that the rubric changed, added or removed.
-};
-
-/// A class compared with an earlier grading.
-struct ClassChanges {
-  std::string against;                       ///< The folder of that.
-  std::uint64_t compared = 0, new_ones = 0;  ///< Submissions with and without a grade there.
-  std::vector<SubmissionChange> changed;
-};
-
 /// A class, graded.
 struct ClassGrade {
   Rubric rubric;
@@ -253,8 +207,7 @@ struct ClassGrade {
   std::uint64_t reused = 0;                  ///< Those graded by an earlier run.
   std::uint64_t not_graded = 0;              ///< For outside causes, which may be gone next time.
   bool interrupted = false;
-  std::optional<GradingTimes> times = {};    ///< Absent: nothing was run.
-  std::optional<ClassChanges> changes = {};  ///< If there is an earlier grading.
+  std::optional<GradingTimes> times = {};  ///< Absent: nothing was run.
 };
 
 }  // namespace raycheck::tools

@@ -23,10 +23,8 @@ std::optional<double> median(std::vector<double> values);
 struct ItemStatistics {
   const Item* item = nullptr;
   std::size_t asked = 0;  ///< Of the submissions that could be judged.
-  std::size_t full = 0;   ///< With all its points.
   std::size_t failing = 0;
-  std::size_t left_out = 0;      ///< Or not judged, as time was up.
-  std::optional<double> median;  ///< Of the points; empty if nobody was asked.
+  std::size_t left_out = 0;  ///< Or not judged, as time was up.
 };
 /// In the order of the rubric. Domain: grades of `graded.rubric`, which outlives the result.
 std::vector<ItemStatistics> item_statistics(const ClassGrade& graded);

@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "scene/files/file_text.h"
 #include "scene/files/toml_fields.h"
@@ -28,13 +27,6 @@ constexpr std::int64_t kMostCases = 1000000;
 constexpr std::int64_t kMostOfLimit = std::int64_t{1} << 20;
 /// File systems allow at most 255 bytes.
 constexpr std::size_t kLongestName = 80;
-
-/// Without comments, with keys in canonical order.
-std::string toml_text(const toml::table& table) {
-  std::ostringstream text;
-  text << table;
-  return text.str();
-}
 
 class RubricReader {
  public:
@@ -88,9 +80,6 @@ class RubricReader {
       digested.push_back(scene::file_text(path));
     }
     rubric.digest = digest(digested);
-    toml::table beside_items = root;
-    beside_items.erase("item");
-    rubric.digest_beside_items = digest({toml_text(beside_items)});
     return rubric;
   }
 
@@ -249,19 +238,7 @@ class RubricReader {
       fields_.located().fail(from.line, from.prefix + "functions",
                              "is missing, and so is pictures: the item asks nothing");
     }
-    result.digest = digest_of(from, result);
     return result;
-  }
-
-  std::string digest_of(const Table& from, const Item& item) const {
-    std::vector<std::string> texts = {toml_text(from.keys)};
-    for (const auto* task : {&item.functions, &item.pictures}) {
-      if (!*task) continue;
-      for (const RubricScene& scene : (*task)->scenes) {
-        texts.push_back(scene::file_text(scene_files_.at(scene.name)));
-      }
-    }
-    return digest(texts);
   }
 
   ItemTask task(const Field& field, bool pictures) {

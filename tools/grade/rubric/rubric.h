@@ -80,9 +80,8 @@ struct ItemTask {
 
 struct Item {
   std::string name;
-  std::string digest;  ///< Of its table and of the scenes that it names.
-  std::string asks;    ///< The question, for students.
-  std::string why;     ///< Its reason: what goes wrong if it fails.
+  std::string asks;  ///< The question, for students.
+  std::string why;   ///< Its reason: what goes wrong if it fails.
   std::string hint;
   double points = 0;
   bool bonus = false;  ///< Its points are extra.
@@ -124,7 +123,6 @@ struct Rubric {
   std::string path;
   std::string title;
   std::string digest;                           ///< Of the file and the scenes that it names.
-  std::string digest_beside_items;              ///< Of its table without items.
   properties::DeclaredConventions conventions;  ///< Override what a submission declares.
   double seconds = 120;                         ///< For all questions to a submission.
   double reply_seconds = 5;                     ///< For one reply, or one picture.

@@ -99,7 +99,8 @@ std::optional<Built> Store::find(const std::string& key, const fs::path& to) con
     const auto digests = made.at("files").get<std::map<std::string, std::string>>();
     if (copy_files(folder / kFiles, to) == digests) {
       return Built{made.at("programs").get<std::vector<std::string>>(), made.at("words"),
-                   made.at("notes").get<std::vector<std::string>>()};
+                   made.at("notes").get<std::vector<std::string>>(), made.at("what"),
+                   made.at("next_way")};
     }
   } catch (const std::exception&) {
     // It has changed since it was stored.
@@ -113,10 +114,9 @@ void Store::keep(const std::string& key, const fs::path& from, const Built& buil
   const fs::path beside = fmt::format("{}.{}", folder.string(), getpid());
   fs::remove_all(beside);
   fs::create_directories(beside / kFiles);
-  const Json made = {{"programs", built.programs},
-                     {"words", built.words},
-                     {"notes", built.notes},
-                     {"files", copy_files(from, beside / kFiles)}};
+  const Json made = {{"programs", built.programs}, {"words", built.words},
+                     {"notes", built.notes},       {"what", built.what},
+                     {"next_way", built.next_way}, {"files", copy_files(from, beside / kFiles)}};
   std::ofstream(beside / kRecord, std::ios::binary)
       << Json{{"made", made}, {"digest", digest({made.dump()})}}.dump() << "\n";
   fs::remove_all(folder);
@@ -137,7 +137,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes with the format of stored builds and answers.
-constexpr std::string_view kStoreShape = "store 1";
+constexpr std::string_view kStoreShape = "store 2";
 
 /// As in kProgramPath.
 constexpr const char* kFolders[] = {"/usr/local/bin", "/usr/bin"};

@@ -21,6 +21,8 @@ struct Built {
   std::string words = {};  ///< The shell command that built it; empty: nothing to build.
   /// Remarks for readers of the grade: "its Makefile failed; built from its sources".
   std::vector<std::string> notes = {};
+  std::string what = {};     ///< What it was built from: "its Makefile"; empty: as the form says.
+  std::size_t next_way = 0;  ///< Of the ways to build it, the next; 0: there is none.
 };
 
 /// A digest of raycheck's version and of the compilers and interpreters of this machine that builds

@@ -51,7 +51,7 @@ ItemGrade failing_item() {
 TEST(Record, IsReadAsItWasWritten) {
   tools::SubmissionGrade grade;
   grade.name = "ada";
-  grade.inputs = {"0.1.0", "d1", "d2", {{"classes", "d3"}, {"hits", "d4"}}};
+  grade.key = "d1";
   grade.program = tools::parse_candidate("command:./a");
   grade.driver.extra_lines = {"recursionlevel 0"};
   grade.notes = {"a note"};
