@@ -128,12 +128,6 @@ static_assert(static_cast<int>(HitClass::tangent) ==
               static_cast<int>(WhichRoot::larger) ==
                   static_cast<int>(reference::WhichRoot::kLarger));
 
-std::vector<scene::Sphere> inside(const std::vector<Sphere>& spheres) {
-  std::vector<scene::Sphere> result;
-  for (const Sphere& one : spheres) result.push_back(library::sphere(one));
-  return result;
-}
-
 std::optional<Nearest> nearest_of(const SharedRay& of, const std::vector<scene::Sphere>& spheres,
                                   const scene::Conventions& conventions) {
   auto found = of->ray.nearest(spheres, conventions);
@@ -179,7 +173,7 @@ Intersection Ray::hit(const Sphere& sphere, const Conventions& conventions) cons
 
 std::optional<Nearest> Ray::nearest(const std::vector<Sphere>& spheres,
                                     const Conventions& conventions) const {
-  return nearest_of(impl_, inside(spheres), library::conventions(conventions));
+  return nearest_of(impl_, library::spheres(spheres), library::conventions(conventions));
 }
 
 struct Camera::Impl {
@@ -240,7 +234,7 @@ Intersection hit(const raycheck::Ray& ray, const Sphere& sphere, const Conventio
 
 std::vector<Intersection> hits(const std::vector<raycheck::Ray>& rays,
                                const std::vector<Sphere>& spheres, const Conventions& conventions) {
-  const std::vector<scene::Sphere> all = inside(spheres);
+  const std::vector<scene::Sphere> all = library::spheres(spheres);
   const scene::Conventions asked = library::conventions(conventions);
   std::vector<Intersection> met;
   met.reserve(rays.size() * all.size());
@@ -259,7 +253,7 @@ std::optional<Nearest> nearest(const raycheck::Ray& ray, const std::vector<Spher
 std::vector<std::optional<Nearest>> nearest(const std::vector<raycheck::Ray>& rays,
                                             const std::vector<Sphere>& spheres,
                                             const Conventions& conventions) {
-  const std::vector<scene::Sphere> all = inside(spheres);
+  const std::vector<scene::Sphere> all = library::spheres(spheres);
   const scene::Conventions asked = library::conventions(conventions);
   std::vector<std::optional<Nearest>> found;
   for (const raycheck::Ray& ray : rays) found.push_back(nearest_of(shared(ray), all, asked));
