@@ -76,6 +76,18 @@ void check_temporary_folder() {
   }
 }
 
+/// Candidates are started by programs installed beside raycheck.
+void check_helpers() {
+  for (const char* name : {"raycheck-jail", "raycheck-worker"}) {
+    const fs::path path = program_folder() / name;
+    if (access(path.c_str(), X_OK) == 0) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: {}; raycheck starts candidates by raycheck-jail and raycheck-worker, "
+                    "which have to lie beside it",
+                    path.string(), std::strerror(errno)));
+  }
+}
+
 /// After all others: layers that keep a program from files keep it from its group's.
 void try_control_group(LayersHere& here) {
   Layers layers = here.layers;
@@ -155,6 +167,7 @@ const LayersHere& layers_here() {
 
 LayersHere chosen_layers(Sandbox sandbox) {
   check_temporary_folder();
+  check_helpers();
   if (sandbox == Sandbox::kNone) return {};
   const LayersHere& here = layers_here();
   if (sandbox == Sandbox::kAvailable || here.missing.empty()) return here;
