@@ -1,5 +1,3 @@
-#include "library/candidates.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,7 +8,6 @@
 #include "fast/method_list.h"
 #include "library/conversions.h"
 #include "properties/candidates/fast_candidate.h"
-#include "scene/validate.h"
 
 namespace raycheck::library {
 namespace {
@@ -74,8 +71,7 @@ void add_intersections(const Candidate& from, properties::Candidate& to) {
   if (from.nearest) {
     to.nearest = [&from](Rays rays, Spheres spheres, const scene::Conventions& by) {
       const Conventions agreed = conventions(by);
-      std::vector<Sphere> list;
-      for (const scene::Sphere& one : spheres) list.push_back(sphere(one));
+      const std::vector<Sphere> list = library::spheres(spheres);
       std::vector<std::optional<std::size_t>> all;
       for (const scene::Ray& one : rays) {
         const auto index = from.nearest(ray(one), list, agreed);
@@ -89,11 +85,6 @@ void add_intersections(const Candidate& from, properties::Candidate& to) {
   }
 }
 
-}  // namespace
-
-namespace {
-
-/// Errors: std::invalid_argument saying what is invalid.
 void require_valid(const Candidate& candidate) {
   const bool has_any = candidate.frame || candidate.pixel_point || candidate.pixel_ray ||
                        candidate.focal_ray || candidate.intersect || candidate.nearest;
@@ -135,19 +126,6 @@ properties::Candidate inside(const Candidate& candidate) {
   add_cameras(candidate, inside);
   add_intersections(candidate, inside);
   return judged_in(precision(candidate.precision), std::move(inside));
-}
-
-properties::Case case_of(const Case& the_case) {
-  properties::Case made{scene_of(the_case.scene), {}};
-  scene::require_valid(made.scene);
-  for (const Pixel& one : the_case.pixels) made.pixels.push_back(pixel(one));
-  return made;
-}
-
-Case case_of(const properties::Case& the_case) {
-  Case made{scene_of(the_case.scene), {}};
-  for (const scene::Pixel& one : the_case.pixels) made.pixels.push_back(pixel(one));
-  return made;
 }
 
 }  // namespace raycheck::library

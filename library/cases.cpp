@@ -4,7 +4,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "library/candidates.h"
 #include "library/conversions.h"
 #include "properties/cases/case_source.h"
 #include "properties/cases/case_text.h"

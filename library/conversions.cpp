@@ -94,7 +94,7 @@ scene::Scene scene_of(const Scene& s) {
   scene::Scene inside;
   if (s.camera) inside.camera = camera(*s.camera);
   for (const Ray& r : s.rays) inside.rays.push_back(ray(r));
-  for (const Sphere& one : s.spheres) inside.spheres.push_back(sphere(one));
+  inside.spheres = spheres(s.spheres);
   inside.conventions = conventions(s.conventions);
   return inside;
 }
@@ -103,9 +103,22 @@ Scene scene_of(const scene::Scene& s) {
   Scene shown;
   if (s.camera) shown.camera = camera(*s.camera);
   for (const scene::Ray& r : s.rays) shown.rays.push_back(ray(r));
-  for (const scene::Sphere& one : s.spheres) shown.spheres.push_back(sphere(one));
+  shown.spheres = spheres(s.spheres);
   shown.conventions = conventions(s.conventions);
   return shown;
+}
+
+properties::Case case_of(const Case& the_case) {
+  properties::Case made{scene_of(the_case.scene), {}};
+  scene::require_valid(made.scene);
+  for (const Pixel& one : the_case.pixels) made.pixels.push_back(pixel(one));
+  return made;
+}
+
+Case case_of(const properties::Case& the_case) {
+  Case made{scene_of(the_case.scene), {}};
+  for (const scene::Pixel& one : the_case.pixels) made.pixels.push_back(pixel(one));
+  return made;
 }
 
 }  // namespace raycheck::library

@@ -2,7 +2,10 @@
 
 // Between the public structs and those that raycheck computes with.
 
-#include <raycheck/scene.h>
+#include <raycheck/judge.h>
+
+#include <span>
+#include <vector>
 
 #include "properties/candidate.h"
 #include "properties/case.h"
@@ -24,6 +27,16 @@ inline scene::Sphere sphere(const Sphere& s) { return {point(s.centre), s.radius
 inline Sphere sphere(const scene::Sphere& s) { return {vector(s.centre), s.radius}; }
 inline scene::Pixel pixel(Pixel p) { return {p.i, p.j}; }
 inline Pixel pixel(const scene::Pixel& p) { return {p.i, p.j}; }
+inline std::vector<scene::Sphere> spheres(const std::vector<Sphere>& list) {
+  std::vector<scene::Sphere> all;
+  for (const Sphere& one : list) all.push_back(sphere(one));
+  return all;
+}
+inline std::vector<Sphere> spheres(std::span<const scene::Sphere> list) {
+  std::vector<Sphere> all;
+  for (const scene::Sphere& one : list) all.push_back(sphere(one));
+  return all;
+}
 scene::Camera camera(const Camera& c);
 Camera camera(const scene::Camera& c);
 
@@ -40,5 +53,13 @@ scene::Precision precision(Precision precision);
 
 scene::Scene scene_of(const Scene& s);
 Scene scene_of(const scene::Scene& s);
+
+/// Errors: std::invalid_argument where the scene is not valid or a pixel lies outside its image.
+properties::Case case_of(const Case& the_case);
+Case case_of(const properties::Case& the_case);
+
+/// A candidate as the laws take it, held to the bounds of direct/cross. `candidate` must outlive
+/// it. Errors: std::invalid_argument saying what is invalid.
+properties::Candidate inside(const Candidate& candidate);
 
 }  // namespace raycheck::library

@@ -128,12 +128,6 @@ static_assert(static_cast<int>(HitClass::tangent) ==
               static_cast<int>(WhichRoot::larger) ==
                   static_cast<int>(reference::WhichRoot::kLarger));
 
-std::vector<scene::Sphere> inside(const std::vector<Sphere>& spheres) {
-  std::vector<scene::Sphere> result;
-  for (const Sphere& one : spheres) result.push_back(library::sphere(one));
-  return result;
-}
-
 std::optional<Nearest> nearest_of(const SharedRay& of, const std::vector<scene::Sphere>& spheres,
                                   const scene::Conventions& conventions) {
   auto found = of->ray.nearest(spheres, conventions);
@@ -179,7 +173,7 @@ Intersection Ray::hit(const Sphere& sphere, const Conventions& conventions) cons
 
 std::optional<Nearest> Ray::nearest(const std::vector<Sphere>& spheres,
                                     const Conventions& conventions) const {
-  return nearest_of(impl_, inside(spheres), library::conventions(conventions));
+  return nearest_of(impl_, library::spheres(spheres), library::conventions(conventions));
 }
 
 struct Camera::Impl {

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "library/candidates.h"
 #include "library/conversions.h"
 #include "properties/laws/law.h"
 #include "properties/mistakes/causes.h"
@@ -109,9 +108,6 @@ std::vector<Law> laws() {
 std::vector<Check> checks(const Candidate& candidate) {
   const properties::Candidate inside = library::inside(candidate);
   std::vector<Check> all;
-  const bool has_any = inside.frame || inside.pixel_points || inside.pixel_rays ||
-                       inside.focal_rays || inside.intersect || inside.nearest;
-  if (!has_any) return all;
   for (const properties::Law& law : properties::laws()) {
     for (const properties::CaseSource& source : properties::case_sources()) {
       if (speaks_of_cameras(law) && !source.has_camera) continue;

@@ -66,12 +66,8 @@ class Step {
 
 /// The compiler, without its words yet.
 Confined compiler(const RunOptions& options) {
-  Confined confined{.arguments = {},
-                    .readable = {},
-                    .layers = options.layers,
-                    .limits = options.limits,
-                    .surroundings = options.surroundings,
-                    .spent = options.build_spent};
+  Confined confined = options.confined();
+  confined.spent = options.build_spent;
   // A rubric's limits apply to what is built; compilers have limits of their own.
   const Limits usual;
   confined.limits.seconds = options.build_seconds;

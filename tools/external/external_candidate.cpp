@@ -133,7 +133,7 @@ class Conversation {
           {},
           !introduction_heard_,
           line};
-      if (external_.answers && is_lasting(words.kind)) {
+      if (is_lasting(words.kind)) {
         external_.answers->keep(request.body(), {words.words, words.kind, spent_since(before)});
       }
       fail(request, std::move(words));
@@ -148,7 +148,7 @@ class Conversation {
   }
 
   Introduction introduce() {
-    if (const auto known = known_answer(std::string(kGreeting))) {
+    if (const auto known = external_.answers->find(std::string(kGreeting))) {
       return parse_introduction(known->text);
     }
     start();
@@ -170,7 +170,7 @@ class Conversation {
         kMostIntroduction);
     introduction_ = parse_introduction(text);
     introduction_heard_ = true;
-    if (external_.answers) external_.answers->keep(std::string(kGreeting), {text});
+    external_.answers->keep(std::string(kGreeting), {text});
   }
 
   /// The source line at which a worker says that it failed.
@@ -180,23 +180,17 @@ class Conversation {
 
   double spent_since(double before) const { return external_.program.spent->seconds() - before; }
 
-  std::optional<StoredAnswer> known_answer(const std::string& request) const {
-    return external_.answers ? external_.answers->find(request) : std::nullopt;
-  }
-
   /// A reply, and the id of its request.
   struct IdentifiedReply {
     std::string id, text;
   };
 
   IdentifiedReply reply_to(const Request& request, std::size_t lines) {
-    if (const auto known = known_answer(request.body())) {
+    if (const auto known = external_.answers->find(request.body())) {
       external_.program.spent->add(known->seconds);
       if (known->failure) AnswerFailure{known->text, *known->failure}.raise(last_);
       const std::size_t line = known->text.find('\n');
-      if (line != std::string::npos) {
-        return {known->text.substr(0, line), known->text.substr(line + 1)};
-      }
+      return {known->text.substr(0, line), known->text.substr(line + 1)};
     }
     if (!process_) start();
     process_->allow(share_ * external_.program.limits.seconds);
@@ -204,10 +198,7 @@ class Conversation {
     std::string text = process_->exchange(
         request.text(), [&](std::string_view line) { return ends_reply(line, request.id()); },
         most_bytes(lines));
-    if (external_.answers) {
-      external_.answers->keep(request.body(),
-                              {request.id() + "\n" + text, {}, spent_since(before)});
-    }
+    external_.answers->keep(request.body(), {request.id() + "\n" + text, {}, spent_since(before)});
     return {request.id(), std::move(text)};
   }
 
@@ -245,12 +236,27 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   return judged_in(external.precision, std::move(candidate));
 }
 
-using Talk = std::shared_ptr<Conversation>;
-using Names = std::set<std::string>;
-
-/// What it offers of cameras.
-void add_rays(const Talk& talk, const Names& functions, Candidate& candidate) {
-  using Pixels = Candidate::Pixels;
+/// The functions that it offers.
+void add_functions(const std::shared_ptr<Conversation>& talk,
+                   const std::set<std::string>& functions, Candidate& candidate) {
+  const auto of_pixels = [talk](const char* function, auto answers) {
+    return [=](const scene::Camera& camera, const scene::Conventions& conventions,
+               Candidate::Pixels pixels) {
+      return talk->ask(
+          function, conventions, pixels.size(),
+          [&](Request& request) { request.camera(camera).pixels(pixels); },
+          [&](const Reply& reply) { return (reply.*answers)(pixels.size()); });
+    };
+  };
+  const auto of_rays = [talk](const char* function, auto answers) {
+    return [=](Candidate::Rays rays, Candidate::Spheres spheres,
+               const scene::Conventions& conventions) {
+      return talk->ask(
+          function, conventions, rays.size() * spheres.size(),
+          [&](Request& request) { request.rays(rays).spheres(spheres); },
+          [&](const Reply& reply) { return (reply.*answers)(rays.size(), spheres.size()); });
+    };
+  };
   if (functions.contains("frame")) {
     candidate.frame = [talk](const scene::Camera& camera) {
       return talk->ask(
@@ -259,48 +265,18 @@ void add_rays(const Talk& talk, const Names& functions, Candidate& candidate) {
     };
   }
   if (functions.contains("pixel_point")) {
-    candidate.pixel_points = [talk](const scene::Camera& camera,
-                                    const scene::Conventions& conventions, Pixels pixels) {
-      return talk->ask(
-          "pixel_point", conventions, pixels.size(),
-          [&](Request& request) { request.camera(camera).pixels(pixels); },
-          [&](const Reply& reply) { return reply.points(pixels.size()); });
-    };
+    candidate.pixel_points = of_pixels("pixel_point", &Reply::points);
   }
-  const auto make_rays = [talk](const char* function) {
-    return [talk, function](const scene::Camera& camera, const scene::Conventions& conventions,
-                            Pixels pixels) {
-      return talk->ask(
-          function, conventions, pixels.size(),
-          [&](Request& request) { request.camera(camera).pixels(pixels); },
-          [&](const Reply& reply) { return reply.rays(pixels.size()); });
-    };
-  };
-  if (functions.contains("pixel_ray")) candidate.pixel_rays = make_rays("pixel_ray");
-  if (functions.contains("focal_ray")) candidate.focal_rays = make_rays("focal_ray");
-}
-
-/// What it offers of given rays.
-void add_hits(const Talk& talk, const Names& functions, Candidate& candidate) {
-  using Rays = Candidate::Rays;
-  using Spheres = Candidate::Spheres;
+  if (functions.contains("pixel_ray")) {
+    candidate.pixel_rays = of_pixels("pixel_ray", &Reply::rays);
+  }
+  if (functions.contains("focal_ray")) {
+    candidate.focal_rays = of_pixels("focal_ray", &Reply::rays);
+  }
   if (functions.contains("intersect")) {
-    candidate.intersect = [talk](Rays rays, Spheres spheres,
-                                 const scene::Conventions& conventions) {
-      return talk->ask(
-          "intersect", conventions, rays.size() * spheres.size(),
-          [&](Request& request) { request.rays(rays).spheres(spheres); },
-          [&](const Reply& reply) { return reply.hits(rays.size(), spheres.size()); });
-    };
+    candidate.intersect = of_rays("intersect", &Reply::hits);
   }
-  if (functions.contains("nearest")) {
-    candidate.nearest = [talk](Rays rays, Spheres spheres, const scene::Conventions& conventions) {
-      return talk->ask(
-          "nearest", conventions, rays.size(),
-          [&](Request& request) { request.rays(rays).spheres(spheres); },
-          [&](const Reply& reply) { return reply.nearest(rays.size(), spheres.size()); });
-    };
-  }
+  if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 
 }  // namespace
@@ -375,8 +351,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   const auto talk = std::make_shared<Conversation>(external, last);
   Candidate candidate = introduced(external);
   candidate.allow = [talk](double share) { talk->allow(share); };
-  add_rays(talk, external.introduction.functions, candidate);
-  add_hits(talk, external.introduction.functions, candidate);
+  add_functions(talk, external.introduction.functions, candidate);
   return judged_in(external.precision, std::move(candidate));
 }
 

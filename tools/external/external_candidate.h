@@ -39,8 +39,7 @@ struct External {
   std::shared_ptr<const PrivateFolder> folder;
   /// What a renderer drew last.
   std::shared_ptr<Pictures> pictures = {};
-  /// Its functions' replies in earlier runs; null: they are always asked.
-  std::shared_ptr<AnswerStore> answers = {};
+  std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
   /// The file that it is made from, as named by the user; empty if that is not one file.
   std::string source_file = {};
 };
@@ -48,8 +47,8 @@ struct External {
 /// Starts the program once to hear its introduction, unless that is among the stored answers.
 /// Errors: CandidateError if it gives none.
 External introduced(std::string name, const Confined& program,
-                    std::shared_ptr<const PrivateFolder> folder = nullptr,
-                    std::shared_ptr<AnswerStore> answers = nullptr);
+                    std::shared_ptr<const PrivateFolder> folder,
+                    std::shared_ptr<AnswerStore> answers);
 
 External rendering(std::string name, Renderer renderer);
 
@@ -68,6 +67,11 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// they throw is properties::CandidateUnavailable. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
+
+/// The functions of someone else's shared library, called in raycheck's own process, where nothing
+/// isolates it. It is loaded once and stays, since what it has started may still run.
+/// Errors: CandidateError where it is isolated, or no such library.
+InProcess calls_in_process(const External& external);
 
 /// What commands judge of it.
 Implementation implementation_of(const External& external);

@@ -1,26 +1,17 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <string_view>
+#include <regex>
 
 #include "tools/external/external_candidate.h"
-#include "tools/external/in_process.h"
 #include "tools/implementations/built_in.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
 
 /// "renderer:python3 ../mine/rt.py {scene}" becomes "python3 rt.py {scene}".
-std::string without_folders(std::string_view name) {
-  name.remove_prefix(name.find(':') + 1);
-  std::string words;
-  while (!name.empty()) {
-    const std::size_t end = std::min(name.find(' '), name.size() - 1) + 1;
-    const std::string_view word = name.substr(0, end);
-    words += word.substr(word.rfind('/') + 1);
-    name.remove_prefix(end);
-  }
-  return words;
+std::string without_folders(const std::string& name) {
+  return std::regex_replace(name.substr(name.find(':') + 1), std::regex("[^ ]*/"), "");
 }
 
 /// How a renderer is run and judged, where that is not as usual.
@@ -28,9 +19,7 @@ std::string arguments_of(const Renderer& renderer, scene::Precision precision) {
   const Renderer usual{};
   std::string words;
   if (!(renderer.driver == usual.driver)) {
-    const std::string form = renderer.driver.name();
-    const char* const quote = form.find_first_of(" ()<>|&;*?[#~{") == std::string::npos ? "" : "'";
-    words += fmt::format(" --dialect {1}{0}{1}", form, quote);
+    words += " --dialect " + shell_word(renderer.driver.name());
   }
   if (precision != scene::Precision::kDouble)
     words += fmt::format(" --precision {}", name(precision));

@@ -1,11 +1,10 @@
-#include "tools/external/in_process.h"
-
 #include <dlfcn.h>
 #include <raycheck/candidate.h>
 
 #include <memory>
 
 #include "tools/external/candidate_spec.h"
+#include "tools/external/external_candidate.h"
 
 namespace raycheck::tools {
 namespace {
@@ -30,77 +29,69 @@ raycheck_camera to_c(const scene::Camera& c) {
           c.right,     c.bottom,        c.top,      c.width, c.height};
 }
 
+/// The enumerators of the header are raycheck's own, those of conventions after AS_ASKED.
+template <class Enum>
+std::int32_t enumerator(Enum value) {
+  return static_cast<std::int32_t>(value);
+}
+
 raycheck_asked to_c(const scene::Conventions& c) {
-  using namespace scene;  // NOLINT(google-build-using-namespace)
-  return {{c.rows == Rows::kBottomFirst ? RAYCHECK_ROWS_BOTTOM_FIRST : RAYCHECK_ROWS_TOP_FIRST,
-           c.samples == Samples::kEdges ? RAYCHECK_SAMPLES_EDGES : RAYCHECK_SAMPLES_CENTRES,
-           c.origin == Origin::kPixel ? RAYCHECK_ORIGIN_PIXEL : RAYCHECK_ORIGIN_FOCAL,
-           c.root == Root::kNearest ? RAYCHECK_ROOT_NEAREST : RAYCHECK_ROOT_SMALLER,
-           c.tangent == Tangent::kHit    ? RAYCHECK_TANGENT_HIT
-           : c.tangent == Tangent::kMiss ? RAYCHECK_TANGENT_MISS
-                                         : RAYCHECK_TANGENT_EITHER},
-          {c.valid.t_min, c.valid.t_max, static_cast<std::int32_t>(c.valid.ends),
-           static_cast<std::int32_t>(c.valid.unit), static_cast<std::int32_t>(c.valid.culling)}};
+  const scene::ValidRoots& valid = c.valid;
+  return {{1 + enumerator(c.rows), 1 + enumerator(c.samples), 1 + enumerator(c.origin),
+           1 + enumerator(c.root), 1 + enumerator(c.tangent)},
+          {valid.t_min, valid.t_max, enumerator(valid.ends), enumerator(valid.unit),
+           enumerator(valid.culling)}};
 }
 
 scene::Point3 point_of(const raycheck_vector& v) { return {v.x, v.y, v.z}; }
 
-/// A call about rays and a sphere as the library takes it.
-struct HitsAsked {
-  std::vector<raycheck_ray> rays;
-  raycheck_sphere sphere;
-  raycheck_asked asked;
-};
-
-void answer(const raycheck_candidate& library, const HitsAsked& call,
-            std::vector<raycheck_hit>& hits) {
-  const bool in_one_call =
-      library.intersect_batch != nullptr && (call.rays.size() != 1 || library.intersect == nullptr);
-  hits.resize(call.rays.size());
-  if (in_one_call) {
-    library.intersect_batch(call.rays.data(), call.rays.size(), &call.sphere,
-                            &call.asked.conventions, hits.data());
-    return;
-  }
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    hits[k] = library.intersect(&call.rays[k], &call.sphere, &call.asked.conventions);
-  }
-}
-
 ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library,
                                                const std::vector<IntersectCall>& given) {
-  const auto calls = std::make_shared<std::vector<HitsAsked>>();
+  struct Call {
+    std::vector<raycheck_ray> rays;
+    raycheck_sphere sphere;
+    raycheck_asked asked;
+  };
+  using Hits = std::vector<raycheck_hit>;
+  const auto calls = std::make_shared<std::vector<Call>>();
   for (const IntersectCall& call : given) {
     calls->push_back({{}, to_c(call.sphere), to_c(call.conventions)});
     for (const scene::Ray& ray : call.rays) calls->back().rays.push_back(to_c(ray));
   }
-  return {[&library, calls, hits = std::vector<raycheck_hit>{}](std::size_t count) mutable {
-            for (std::size_t k = 0; k < count; ++k) {
-              answer(library, (*calls)[k], hits);
-              keep(hits);
-            }
-          },
-          [&library, calls](std::size_t k) {
-            std::vector<raycheck_hit> hits;
-            answer(library, (*calls)[k], hits);
-            properties::SphereHits list;
-            for (std::size_t ray = 0; ray < hits.size(); ++ray) {
-              if (hits[ray].hit == 0) continue;
-              list.push_back({ray, {hits[ray].parameter, point_of(hits[ray].point)}});
-            }
-            return list;
-          }};
+  return ready<properties::SphereHits, Hits>(
+      [&library, calls](std::size_t k, Hits& hits) {
+        const auto& [rays, sphere, asked] = (*calls)[k];
+        hits.resize(rays.size());
+        if (library.intersect_batch != nullptr &&
+            (rays.size() != 1 || library.intersect == nullptr)) {
+          library.intersect_batch(rays.data(), rays.size(), &sphere, &asked.conventions,
+                                  hits.data());
+          return;
+        }
+        for (std::size_t ray = 0; ray < hits.size(); ++ray) {
+          hits[ray] = library.intersect(&rays[ray], &sphere, &asked.conventions);
+        }
+      },
+      [](const Hits& hits) {
+        properties::SphereHits list;
+        for (std::size_t ray = 0; ray < hits.size(); ++ray) {
+          if (hits[ray].hit == 0) continue;
+          list.push_back({ray, {hits[ray].parameter, point_of(hits[ray].point)}});
+        }
+        return list;
+      });
 }
 
 ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& library,
                                                 const std::vector<RaysCall>& given) {
-  struct RaysAsked {
+  struct Call {
     decltype(library.pixel_ray) make;
     raycheck_camera camera;
     raycheck_asked asked;
     std::vector<raycheck_pixel> pixels;
   };
-  const auto calls = std::make_shared<std::vector<RaysAsked>>();
+  using Rays = std::vector<raycheck_ray>;
+  const auto calls = std::make_shared<std::vector<Call>>();
   for (const RaysCall& call : given) {
     const bool from_pixel =
         library.focal_ray == nullptr ||
@@ -111,23 +102,21 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
                       {}});
     for (const auto& [i, j] : call.pixels) calls->back().pixels.push_back({i, j});
   }
-  return {[calls](std::size_t count) {
-            for (std::size_t k = 0; k < count; ++k) {
-              const RaysAsked& call = (*calls)[k];
-              for (const raycheck_pixel& pixel : call.pixels) {
-                keep(call.make(&call.camera, &call.asked.conventions, pixel));
-              }
-            }
-          },
-          [calls](std::size_t k) {
-            const RaysAsked& call = (*calls)[k];
-            std::vector<scene::Ray> rays;
-            for (const raycheck_pixel& pixel : call.pixels) {
-              const raycheck_ray ray = call.make(&call.camera, &call.asked.conventions, pixel);
-              rays.push_back({point_of(ray.origin), point_of(ray.direction) - scene::Point3{}});
-            }
-            return rays;
-          }};
+  return ready<std::vector<scene::Ray>, Rays>(
+      [calls](std::size_t k, Rays& rays) {
+        const auto& [make, camera, asked, pixels] = (*calls)[k];
+        rays.clear();
+        for (const raycheck_pixel& pixel : pixels) {
+          rays.push_back(make(&camera, &asked.conventions, pixel));
+        }
+      },
+      [](const Rays& rays) {
+        std::vector<scene::Ray> all;
+        for (const raycheck_ray& ray : rays) {
+          all.push_back({point_of(ray.origin), point_of(ray.direction) - scene::Point3{}});
+        }
+        return all;
+      });
 }
 
 }  // namespace

@@ -30,11 +30,9 @@ External library(const std::string& name, const fs::path& path, const RunOptions
   fs::copy_file(path, copy);
   open_to_others(folder->path());
   const std::string worker = helper("raycheck-worker");
-  const Confined program{.arguments = {worker, copy.string()},
-                         .readable = {worker, folder->path()},
-                         .layers = options.layers,
-                         .limits = options.limits,
-                         .surroundings = options.surroundings};
+  Confined program = options.confined();
+  program.arguments = {worker, copy.string()};
+  program.readable = {worker, folder->path()};
   External external = introduced(name, program, std::move(folder), options.answers);
   external.library = copy;
   return external;
@@ -121,10 +119,7 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 bool is_on_path(const std::string& program) {
-  const boost::char_separator<char> colons(":");
-  const std::string path(kProgramPath);
-  const boost::tokenizer folders(path, colons);
-  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+  return std::any_of(kProgramFolders.begin(), kProgramFolders.end(), [&](const char* folder) {
     std::error_code error;
     return fs::is_regular_file(fs::path(folder) / program, error);
   });
@@ -176,17 +171,14 @@ std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
 
 /// The program of a command line; words that name files are made absolute.
 Confined program_of(const std::string& words, const RunOptions& options, ReadableCopies& copies) {
-  Confined program;
-  program.layers = options.layers;
-  program.limits = options.limits;
-  program.surroundings = options.surroundings;
+  Confined program = options.confined();
   for (const std::string& word : split(words)) {
     const bool is_program = program.arguments.empty();
     const bool is_bare = word.find('/') == std::string::npos;
     std::error_code error;
     const fs::path named = options.folder / word;
     if (is_program && is_bare && !is_on_path(word)) {
-      throw CandidateError(fmt::format("there is no program '{}' in {}", word, kProgramPath));
+      throw CandidateError(fmt::format("there is no program '{}' in {}", word, program_path()));
     }
     if (is_program && !is_bare && !fs::exists(named, error)) {
       throw CandidateError(fmt::format("there is no program '{}'", word));

@@ -24,10 +24,18 @@ struct RunOptions {
   std::string build_seconds_name = {};  ///< The name of that limit.
   /// Where compile time is added up.
   std::shared_ptr<SpentTime> build_spent = std::make_shared<SpentTime>();
-  /// Its answers in earlier runs; null: it is always asked.
-  std::shared_ptr<AnswerStore> answers = {};
+  std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
   /// Is told about failures with a cause outside the candidate; null: nobody is.
   std::shared_ptr<Surroundings> surroundings = {};
+
+  /// A program to run in this way, without its words yet.
+  Confined confined() const {
+    return {.arguments = {},
+            .readable = {},
+            .layers = layers,
+            .limits = limits,
+            .surroundings = surroundings};
+  }
 };
 
 /// An external implementation, compiled if it is a source, and started once. Words that name files

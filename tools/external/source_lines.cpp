@@ -2,9 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <charconv>
 #include <exception>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -28,24 +29,14 @@ constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kMostShown = 200;
 
 /// A line of a text, as shown, without its file; empty if the text has fewer.
-std::optional<CodeLine> line_of(std::string_view text, std::int64_t number) {
-  for (std::int64_t k = 1; k < number; ++k) {
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) return std::nullopt;
-    text.remove_prefix(end + 1);
+std::optional<CodeLine> line_of(const std::string& text, std::int64_t number) {
+  std::istringstream lines(text);
+  std::string line;
+  for (std::int64_t k = 0; k < number; ++k) {
+    if (!std::getline(lines, line)) return std::nullopt;
   }
-  if (text.empty()) return std::nullopt;
-  text = text.substr(0, text.find('\n'));
-  constexpr std::string_view kSpace = " \t\r";
-  const std::size_t begin = std::min(text.find_first_not_of(kSpace), text.size());
-  std::size_t end = std::min(text.find_last_not_of(kSpace) + 1, begin + kMostShown);
-  // Do not cut within a multi-byte character.
-  while (end < text.size() && end > begin &&
-         (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
-    --end;
-  }
-  end = std::max(begin, end);
-  return CodeLine{"", number, std::string(text.substr(begin, end - begin))};
+  boost::trim(line);
+  return CodeLine{"", number, std::string(cut_to(line, kMostShown))};
 }
 
 /// A file's path in a folder, links resolved; empty if it lies elsewhere, or does not exist.
@@ -89,12 +80,9 @@ std::optional<CodeLine> SourceLines::find(const std::vector<std::uint64_t>& fram
   Process process(confined);
   if (process.finish() != 0) return std::nullopt;
   // A line for each frame, followed by one for each function that it is inlined in.
-  const std::string said = process.printed().text();
-  std::string_view rest = said;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    if (auto line = own_line(rest.substr(0, end))) return line;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+  std::istringstream said(process.printed().text());
+  for (std::string line; std::getline(said, line);) {
+    if (auto found = own_line(line)) return found;
   }
   return std::nullopt;
 } catch (const std::exception&) {

@@ -30,63 +30,42 @@ ReadyCalls<properties::SphereHits> ready_calls(const fast::IntersectMethod& meth
     IntersectCall asked;
     fast::Rays batch;
   };
+  struct Result {
+    std::optional<fast::Hit> one;
+    fast::Hits many;
+  };
   const auto calls = std::make_shared<std::vector<Call>>();
   for (const IntersectCall& call : given) {
     calls->push_back({call, properties::batch_of(call.rays)});
   }
-  const auto one = [&method](const IntersectCall& asked) {
-    return method.intersect_one(asked.rays.front(), asked.sphere, asked.conventions.root,
-                                asked.conventions.tangent);
-  };
-  const auto many = [&method](const Call& call, fast::Hits& hits) {
-    method.intersect(call.batch, call.asked.sphere, call.asked.conventions.root,
-                     call.asked.conventions.tangent, hits);
-  };
-  return {[=, hits = fast::Hits{}](std::size_t count) mutable {
-            for (std::size_t k = 0; k < count; ++k) {
-              const Call& call = (*calls)[k];
-              if (call.asked.rays.size() == 1) {
-                keep(one(call.asked));
-              } else {
-                many(call, hits);
-                keep(hits);
-              }
-            }
-          },
-          [=](std::size_t k) {
-            const Call& call = (*calls)[k];
-            fast::Hits hits;
-            if (call.asked.rays.size() != 1) {
-              many(call, hits);
-              return properties::list_of(hits);
-            }
-            const auto hit = one(call.asked);
-            if (!hit) return properties::SphereHits{};
-            return properties::SphereHits{{0, {hit->parameter, hit->point}}};
-          }};
+  return ready<properties::SphereHits, Result>(
+      [&method, calls](std::size_t k, Result& result) {
+        const auto& [asked, batch] = (*calls)[k];
+        const auto& [rays, sphere, conventions] = asked;
+        if (rays.size() == 1) {
+          result.one =
+              method.intersect_one(rays.front(), sphere, conventions.root, conventions.tangent);
+        } else {
+          method.intersect(batch, sphere, conventions.root, conventions.tangent, result.many);
+        }
+      },
+      [](const Result& result) {
+        if (!result.one) return properties::list_of(result.many);
+        return properties::SphereHits{{0, {result.one->parameter, result.one->point}}};
+      });
 }
 
 ReadyCalls<std::vector<scene::Ray>> ready_calls(const fast::PixelRayMethod& method,
                                                 const std::vector<RaysCall>& given) {
   const auto calls = std::make_shared<const std::vector<RaysCall>>(given);
-  const auto make = [&method, calls](std::size_t k, fast::Rays& rays) {
-    const RaysCall& call = (*calls)[k];
-    const bool from_pixel =
-        call.conventions.origin == scene::Origin::kPixel && method.pixel_rays != nullptr;
-    (from_pixel ? method.pixel_rays : method.focal_rays)(call.camera, call.conventions, call.pixels,
-                                                         rays);
-  };
-  return {[make, rays = fast::Rays{}](std::size_t count) mutable {
-            for (std::size_t k = 0; k < count; ++k) {
-              make(k, rays);
-              keep(rays);
-            }
-          },
-          [make](std::size_t k) {
-            fast::Rays rays;
-            make(k, rays);
-            return properties::rays_of(rays);
-          }};
+  return ready<std::vector<scene::Ray>, fast::Rays>(
+      [&method, calls](std::size_t k, fast::Rays& rays) {
+        const auto& [camera, conventions, pixels] = (*calls)[k];
+        const bool from_pixel =
+            conventions.origin == scene::Origin::kPixel && method.pixel_rays != nullptr;
+        (from_pixel ? method.pixel_rays : method.focal_rays)(camera, conventions, pixels, rays);
+      },
+      properties::rays_of);
 }
 
 /// Every method as an implementation of its stage, those that make rays first.
@@ -130,11 +109,9 @@ MethodPair find_pair(const std::string& name) {
 
 std::vector<const fast::IntersectMethod*> all_intersect_methods() {
   std::vector<const fast::IntersectMethod*> all;
-  const auto append = [&all](std::span<const fast::IntersectMethod* const> methods) {
+  for (const auto& methods : {fast::intersect_methods(), properties::exact_methods()}) {
     all.insert(all.end(), methods.begin(), methods.end());
-  };
-  append(fast::intersect_methods());
-  append(properties::exact_methods());
+  }
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
+#include <utility>
 
 namespace raycheck::tools {
 
@@ -30,19 +31,28 @@ std::vector<std::string> lasting_names(const std::vector<Implementation>& implem
 }
 
 std::string isolation_text(const std::vector<Implementation>& implementations) {
-  std::string text;
+  std::vector<std::pair<std::string, std::string>> lines;  // of names, and what holds of them
   std::set<std::string_view> said;
   for (const Implementation& one : implementations) {
     if (one.isolated_by.empty() || !said.insert(one.name).second) continue;
-    text += fmt::format("{}  isolated by: {}", one.name, one.isolated_by);
+    std::string holds = fmt::format("isolated by: {}", one.isolated_by);
     if (!one.bounds_of.empty()) {
-      text += fmt::format("; documents no bounds: judged by those of {} (--bounds)", one.bounds_of);
+      holds +=
+          fmt::format("; documents no bounds: judged by those of {} (--bounds)", one.bounds_of);
     }
     if (one.precision != scene::Precision::kDouble) {
-      text += "; judged in single precision: u = 2^-24, ulp of float";
+      holds += "; judged in single precision: u = 2^-24, ulp of float";
     }
-    text += "\n";
+    const auto same = std::find_if(lines.begin(), lines.end(),
+                                   [&](const auto& line) { return line.second == holds; });
+    if (same == lines.end()) {
+      lines.emplace_back(one.name, holds);
+    } else {
+      same->first += ", " + one.name;
+    }
   }
+  std::string text;
+  for (const auto& [names, holds] : lines) text += fmt::format("{}  {}\n", names, holds);
   return text;
 }
 

@@ -56,6 +56,22 @@ void keep(const Value& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
+/// `call(k, result)` makes the k-th call, `answer_of(result)` is what it returned.
+template <class Answer, class Result, class Call, class AnswerOf>
+ReadyCalls<Answer> ready(const Call& call, const AnswerOf& answer_of) {
+  return {[call, result = Result{}](std::size_t count) mutable {
+            for (std::size_t k = 0; k < count; ++k) {
+              call(k, result);
+              keep(result);
+            }
+          },
+          [=](std::size_t k) {
+            Result result{};
+            call(k, result);
+            return answer_of(result);
+          }};
+}
+
 /// Whoever can be judged: a pair of raycheck's methods, one of them alone, or someone else's
 /// implementation. These differ in how they are made, and in nothing that a command asks.
 struct Implementation {
@@ -88,7 +104,7 @@ struct Implementation {
 std::vector<std::string> lasting_names(const std::vector<Implementation>& implementations);
 
 /// What isolates those that are not raycheck's own, whose bounds they are held to and in which
-/// precision, a line each, once.
+/// precision: a line for all of whom the same holds.
 std::string isolation_text(const std::vector<Implementation>& implementations);
 
 }  // namespace raycheck::tools

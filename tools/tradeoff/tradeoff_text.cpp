@@ -197,14 +197,18 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
     for (const MethodCost& cost : *costs) {
       methods.push_back(cost.method);
       if (!cost.is_called_here) continue;
-      called_here += fmt::format(
-          "{}{} ({}) was timed in raycheck's own process (--sandbox none), by the same loops, once "
-          "its answers there were those that were judged\n",
-          item, cost.method.name, name(cost.stage));
+      called_here += fmt::format("{}{} ({})", called_here.empty() ? "" : ", ", cost.method.name,
+                                 name(cost.stage));
     }
   }
   const std::string others = isolation_text(methods);
-  if (!others.empty()) text += "\n" + indented(others, item) + called_here;
+  if (!others.empty()) text += "\n" + indented(others, item);
+  if (!called_here.empty()) {
+    text += fmt::format(
+        "{}timed in raycheck's own process (--sandbox none), by the same loops, once the answers "
+        "there were those that were judged: {}\n",
+        item, called_here);
+  }
   std::vector<std::string> notes = report.left_out;
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {

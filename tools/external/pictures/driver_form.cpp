@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/split.hpp>
 #include <charconv>
 #include <map>
+#include <stdexcept>
 
 #include "scene/number.h"
 
@@ -42,11 +45,58 @@ scene::Point3 light_position(const scene::Camera& camera) {
   return at.x == 0 && at.y == 0 && at.z == 0 ? behind(2) : at;
 }
 
+constexpr std::string_view kAuto = "auto";
+constexpr std::string_view kNoLight = "no-light";
+constexpr std::string_view kLight = "light";
+constexpr std::string_view kOrder = "order=";
+std::string_view number_name(DriverNumbers numbers) {
+  return kDriverNumberNames[static_cast<std::size_t>(numbers)];
+}
+
+bool is_count(std::string_view part) {
+  return !part.empty() &&
+         std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+int sphere_numbers_of(std::string_view part) {
+  const auto* const known =
+      std::find_if(kSphereNumbers.begin(), kSphereNumbers.end(),
+                   [&](int numbers) { return std::to_string(numbers) == part; });
+  if (known == kSphereNumbers.end()) {
+    throw std::invalid_argument(
+        fmt::format("{} numbers: a sphere has one of {}", part, fmt::join(kSphereNumbers, ", ")));
+  }
+  return *known;
+}
+
+std::vector<std::string> split(std::string_view text, const char* mark) {
+  std::vector<std::string> parts;
+  return boost::split(parts, text, boost::is_any_of(mark));
+}
+
+/// "A, B, C, 2017, ..."
+std::string preset_names() {
+  std::string names;
+  for (const DriverPreset& one : driver_presets()) {
+    names += (names.empty() ? "" : ", ") + std::string(one.name);
+  }
+  return names;
+}
+
+std::vector<std::string> order_of(std::string_view part, scene::Dialect dialect) {
+  std::vector<std::string> order = split(part.substr(kOrder.size()), ",");
+  const std::vector<std::string> usual = usual_order(dialect);
+  if (!std::is_permutation(order.begin(), order.end(), usual.begin(), usual.end())) {
+    throw std::invalid_argument(
+        fmt::format("'{}' must have each of these once: {}", part, fmt::join(usual, ",")));
+  }
+  return order;
+}
+
 }  // namespace
 
 std::string DriverForm::text() const {
-  std::string said(kDialectNames[static_cast<std::size_t>(dialect)]);
-  said += fmt::format(", spheres of {} numbers", sphere_numbers);
+  std::string said = fmt::format("{}, spheres of {} numbers", scene::name(dialect), sphere_numbers);
   for (const std::string& line : extra_lines) said += ", " + line;
   said += light == DriverLight::kBehind ? ", a light" : ", no light";
   if (numbers == DriverNumbers::kFixed) said += ", no exponents";
@@ -84,12 +134,77 @@ std::span<const DriverPreset> driver_presets() {
 
 std::optional<DriverForm> driver_preset(std::string_view name) {
   for (const DriverPreset& preset : driver_presets()) {
-    const bool is_it =
-        std::equal(name.begin(), name.end(), preset.name.begin(), preset.name.end(),
-                   [](char a, char b) { return std::toupper(static_cast<unsigned char>(a)) == b; });
-    if (is_it) return preset.form;
+    if (boost::iequals(name, preset.name)) return preset.form;
   }
   return {};
+}
+
+std::string DriverForm::name() const {
+  std::string said;
+  for (const DriverPreset& preset : driver_presets()) {
+    const bool is_base = preset.form.dialect == dialect &&
+                         preset.form.sphere_numbers == sphere_numbers &&
+                         preset.form.extra_lines == extra_lines;
+    if (is_base) said = preset.name;
+  }
+  if (said.empty()) {
+    said = fmt::format("{}:{}", scene::name(dialect), sphere_numbers);
+    for (const std::string& line : extra_lines) said += ":" + line;
+  }
+  if (light == DriverLight::kNone) said += fmt::format(":{}", kNoLight);
+  if (numbers == DriverNumbers::kFixed) said += fmt::format(":{}", number_name(numbers));
+  if (!order.empty()) said += fmt::format(":{}{}", kOrder, fmt::join(order, ","));
+  return said;
+}
+
+DriverForm driver_form(std::string_view name) {
+  const std::vector<std::string> parts = split(name, ":");
+  const auto preset = driver_preset(parts.front());
+  if (!preset) {
+    throw std::invalid_argument(
+        fmt::format("the dialects are {}, and forms such as B:17:no-light", preset_names()));
+  }
+  DriverForm form = *preset;
+  std::vector<std::string> lines;
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const std::string& part = parts[k];
+    if (is_count(part)) {
+      form.sphere_numbers = sphere_numbers_of(part);
+    } else if (part == kNoLight || part == kLight) {
+      form.light = part == kLight ? DriverLight::kBehind : DriverLight::kNone;
+    } else if (part.starts_with(kOrder)) {
+      form.order = order_of(part, form.dialect);
+    } else if (part == number_name(DriverNumbers::kFixed)) {
+      form.numbers = DriverNumbers::kFixed;
+    } else if (part == number_name(DriverNumbers::kShortest)) {
+      form.numbers = DriverNumbers::kShortest;
+    } else {
+      lines.push_back(part);
+    }
+  }
+  if (!lines.empty()) form.extra_lines = std::move(lines);
+  return form;
+}
+
+DriverRule driver_rule(std::string_view name) {
+  if (name == kAuto) return {};
+  if (name.find(':') != std::string_view::npos) return {driver_form(name), false, true};
+  if (const auto form = driver_preset(name)) return {*form, false, true};
+  throw std::invalid_argument(fmt::format("must be one of {}, {}", preset_names(), kAuto));
+}
+
+DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from) {
+  fields.require_known(from, {"preset", "others"});
+  DriverRule rule;
+  if (const auto field = fields.optional(from, "preset")) {
+    try {
+      rule = driver_rule(fields.text(*field));
+    } catch (const std::invalid_argument& error) {
+      fields.fail(*field, error.what());
+    }
+  }
+  if (const auto field = fields.optional(from, "others")) rule.tries_others = fields.flag(*field);
+  return rule;
 }
 
 std::vector<DriverForm> known_forms(const DriverForm& first) {

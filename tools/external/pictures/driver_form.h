@@ -13,8 +13,6 @@
 
 namespace raycheck::tools {
 
-inline constexpr std::array<std::string_view, 3> kDialectNames = {"A", "B", "C"};
-
 /// The light of a driver file, by which spheres reflect nothing.
 enum class DriverLight {
   kBehind,  ///< One, behind the eye and not at the origin.
@@ -66,8 +64,8 @@ std::optional<DriverForm> driver_preset(std::string_view name);
 
 /// Reads what DriverForm::name() writes: a preset, then parts behind colons, in any order: the
 /// numbers of a sphere's line, `no-light` (or `light`), `fixed` (or `shortest`),
-/// `order=eye,look,...`, and extra lines as they stand, which replace the preset's. In a line `%3A`
-/// is a colon; %XX stands for any byte, so that a line may be like another part.
+/// `order=eye,look,...`, and extra lines as they stand, which replace the preset's and have no
+/// colon.
 /// Errors: std::invalid_argument naming the part that is wrong.
 DriverForm driver_form(std::string_view name);
 

@@ -1,15 +1,14 @@
-#include "tools/external/pictures/picture_file.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstring>
 #include <sstream>
 #include <string_view>
 #include <tuple>
 #include <vector>
+
+#include "tools/external/pictures/renderer.h"
 
 namespace raycheck::tools {
 
@@ -67,34 +66,26 @@ std::optional<FoundPicture> found_picture(const fs::path& folder, const std::str
 
 std::string stored_text(const MadePicture& made) {
   const auto& [width, height, pixels] = made.picture;
-  std::string text =
-      fmt::format("{} {} {} {}\n", width, height, made.other_name.size(), made.ended.size());
+  std::string text = fmt::format("{} {} {} {} {}\n", width, height, pixels.size(),
+                                 made.other_name.size(), made.ended.size());
   text += made.other_name + made.ended;
-  text.append(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(Colour));
-  return text;
+  return text.append(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(Colour));
 }
 
-std::optional<MadePicture> stored_picture(std::string_view text) {
-  const std::size_t line = text.find('\n');
-  if (line == std::string_view::npos) return {};
-  std::istringstream head{std::string(text.substr(0, line))};
-  text.remove_prefix(line + 1);
+MadePicture stored_picture(const std::string& text) {
+  std::istringstream stored(text);
   MadePicture made;
-  std::size_t other_name = 0, ended = 0;
-  head >> made.picture.width >> made.picture.height >> other_name >> ended;
-  if (!head || other_name > text.size() || ended > text.size() - other_name) return {};
-  made.other_name = text.substr(0, other_name);
-  made.ended = text.substr(other_name, ended);
-  text.remove_prefix(other_name + ended);
-  made.picture.pixels.resize(text.size() / sizeof(Colour));
-  const auto width = static_cast<std::size_t>(made.picture.width);
-  if (made.picture.width <= 0 || made.picture.height <= 0 || text.size() % sizeof(Colour) != 0 ||
-      (!text.empty() &&
-       (made.picture.pixels.size() % width != 0 ||
-        made.picture.pixels.size() / width != static_cast<std::size_t>(made.picture.height)))) {
-    return {};
-  }
-  std::memcpy(made.picture.pixels.data(), text.data(), text.size());
+  std::size_t pixels = 0, other_name = 0, ended = 0;
+  stored >> made.picture.width >> made.picture.height >> pixels >> other_name >> ended;
+  stored.get();
+  const auto take = [&](auto& into, std::size_t size) {
+    into.resize(size);
+    stored.read(reinterpret_cast<char*>(into.data()),
+                static_cast<std::streamsize>(size * sizeof(into[0])));
+  };
+  take(made.other_name, other_name);
+  take(made.ended, ended);
+  take(made.picture.pixels, pixels);
   return made;
 }
 

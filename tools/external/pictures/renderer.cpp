@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "properties/failures.h"
-#include "tools/external/pictures/picture_file.h"
 #include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {
@@ -119,26 +118,21 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
 }
 
 MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size) {
-  class None : public AnswerStore {
-    std::optional<StoredAnswer> find(const std::string& /*request*/) const override { return {}; }
-    void keep(const std::string& /*request*/, StoredAnswer /*answer*/) override {}
-  } none;
-  AnswerStore& answers = renderer.answers ? *renderer.answers : none;
   const std::string request =
       fmt::format("within {} s\n{}", renderer.program.limits.seconds, driver);
   SpentTime& spent = *renderer.program.spent;
-  if (const auto known = answers.find(request)) {
+  if (const auto known = renderer.answers->find(request)) {
     spent.add(known->seconds);
     if (known->failure) {
       const std::size_t line = std::min(known->text.find('\n'), known->text.size());
       throw ProcessFailure(*known->failure, known->text.substr(0, line),
                            known->text.substr(std::min(line + 1, known->text.size())));
     }
-    if (auto made = stored_picture(known->text)) return std::move(*made);
+    return stored_picture(known->text);
   }
   const double before = spent.seconds();
   const auto keep = [&](const std::string& text, std::optional<FailureKind> failure = {}) {
-    answers.keep(request, {text, failure, spent.seconds() - before});
+    renderer.answers->keep(request, {text, failure, spent.seconds() - before});
   };
   try {
     MadePicture made = drawn(renderer, driver, size);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,7 +36,7 @@ struct Renderer {
   double threshold = 0;  ///< Hits with an s of at most this are not judged.
   /// The number of pictures not made in time after which it is no longer started.
   int most_silences = kMostSilences;
-  std::shared_ptr<AnswerStore> answers = {};  ///< Null: it is run for every picture.
+  std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
 };
 
 /// The driver file of a scene for a renderer: the spheres' colours tell which is seen. Domain: a
@@ -54,6 +56,23 @@ struct MadePicture {
   std::string ended;       ///< "exited with 1"; empty: as it should.
   std::string said;        ///< On standard error, else on standard output.
 };
+
+/// A picture that a program made, and whether it has the requested name.
+struct FoundPicture {
+  std::filesystem::path path;
+  bool is_named = true;
+};
+
+/// The picture that a program left in its folder, which held the driver file `scene` and no
+/// picture: the one with the requested name; else one of a usual name (that of the driver file,
+/// out, output, image, picture, result); else the newest. PPM and PNG count, links do not. Empty if
+/// there is none.
+std::optional<FoundPicture> found_picture(const std::filesystem::path& folder,
+                                          const std::string& named, const std::string& scene);
+
+/// A picture as text, stored between runs, and read back.
+std::string stored_text(const MadePicture& made);
+MadePicture stored_picture(const std::string& text);
 
 /// Runs the program once for a driver file, or takes its stored picture. A complete picture counts,
 /// whatever the program's exit code; one of the wrong size has no pixels. Reading it counts as the

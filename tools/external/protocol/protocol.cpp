@@ -17,12 +17,6 @@ namespace {
 
 using properties::SphereHits;
 
-constexpr std::array<std::string_view, 6> kFunctions = {"frame",     "pixel_point", "pixel_ray",
-                                                        "focal_ray", "intersect",   "nearest"};
-
-/// How much of a wrong line an error shows.
-constexpr std::size_t kShown = 60;
-
 std::vector<std::string_view> lines_of(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
@@ -35,74 +29,26 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// A line as errors may show it: without terminal control sequences.
-std::string shown(std::string_view line) {
-  std::string text(line.substr(0, kShown));
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+std::size_t index(Words& words, std::size_t count) {
+  const std::int64_t value = words.integer();
+  if (value < 0) words.fail("has no index");
+  if (static_cast<std::uint64_t>(value) >= count) {
+    words.fail(fmt::format("has the index {} of {}", value, count));
   }
-  return line.size() > kShown ? text + "..." : text;
+  return static_cast<std::size_t>(value);
 }
-
-/// The words of one line of a reply.
-class Words {
- public:
-  Words(std::string_view line, std::size_t number) : line_(line), rest_(line), number_(number) {}
-
-  std::string_view word() {
-    if (rest_.empty()) fail("has too few words");
-    const std::size_t end = std::min(rest_.find(' '), rest_.size());
-    const std::string_view found = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    return found;
-  }
-  double number() {
-    const auto value = scene::parse_number(word());
-    if (!value) fail("has a word that is no number");
-    return *value;
-  }
-  std::size_t index(std::size_t count) {
-    const std::string_view text = word();
-    std::size_t value = 0;
-    const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || at != text.data() + text.size()) fail("has no index");
-    if (value >= count) fail(fmt::format("has the index {} of {}", value, count));
-    return value;
-  }
-  template <class Triple>
-  Triple triple() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-  void end() const {
-    if (!rest_.empty()) fail("has too many words");
-  }
-  [[noreturn]] void fail(const std::string& how) const {
-    throw ProtocolError(fmt::format("line {} of its reply {}: '{}'", number_, how, shown(line_)));
-  }
-
- private:
-  std::string_view line_, rest_;
-  std::size_t number_;
-};
 
 /// The next word, one of these names in the order of an enumeration.
-template <class Enum, std::size_t kCount>
-Enum choose(Words& words, const std::array<std::string_view, kCount>& names,
-            const char* otherwise) {
-  const auto found = std::find(names.begin(), names.end(), words.word());
-  if (found == names.end()) words.fail(otherwise);
-  return static_cast<Enum>(found - names.begin());
+template <class Enum>
+Enum choose(Words& words, std::span<const std::string_view> names, const char* otherwise) {
+  return static_cast<Enum>(words.place_in(names, otherwise));
 }
-
-/// The ends in one word, in the order of scene::Ends; or that every interval is taken.
-constexpr std::array<std::string_view, 5> kEndsWords = {"[]", "[)", "(]", "()", "as-asked"};
 
 std::optional<scene::ValidRoots> read_roots(Words& words) {
   constexpr const char* kOtherwise = "declares no such roots";
   scene::Conventions conventions;
   scene::ValidRoots& valid = conventions.valid;
-  const auto ends = choose<std::size_t>(words, kEndsWords, kOtherwise);
+  const std::size_t ends = words.place_in(kEndsWords, kOtherwise);
   if (ends + 1 == kEndsWords.size()) return {};
   valid.ends = static_cast<scene::Ends>(ends);
   valid.t_min = words.number();
@@ -134,8 +80,8 @@ void read_convention(Words& words, properties::DeclaredConventions& declared) {
 /// What a line of that kind states.
 void read_statement(std::string_view kind, Words& words, Introduction& introduction) {
   if (kind == "function") {
-    const auto function = choose<std::size_t>(words, kFunctions, "offers no such function");
-    introduction.functions.emplace(kFunctions[function]);
+    introduction.functions.emplace(
+        kFunctions[words.place_in(kFunctions, "offers no such function")]);
   } else if (kind == "convention") {
     read_convention(words, introduction.declared);
   } else if (kind == "precision") {
@@ -186,52 +132,44 @@ Introduction parse_introduction(std::string_view text) {
 }
 
 Request::Request(std::string id, std::string_view function, const scene::Conventions& conventions)
-    : id_(std::move(id)) {
-  text_ = fmt::format("request {} {}\n", id_, function);
-  body_ = fmt::format("{}\n", function);
-  add(fmt::format("conventions {} {} {} {} {}\n", name(conventions.rows), name(conventions.samples),
-                  name(conventions.origin), name(conventions.root), name(conventions.tangent)));
+    : id_(std::move(id)),
+      body_(fmt::format("{}\nconventions {} {} {} {} {}\n", function, name(conventions.rows),
+                        name(conventions.samples), name(conventions.origin), name(conventions.root),
+                        name(conventions.tangent))) {
   // Candidates that do not know it are asked under the usual roots only.
-  if (!conventions.valid.is_usual()) add(roots_line(conventions.valid));
+  if (!conventions.valid.is_usual()) body_ += roots_line(conventions.valid);
 }
 
-void Request::add(std::string_view words) {
-  text_ += words;
-  body_ += words;
-}
+std::string Request::text() const { return fmt::format("request {0} {1}end {0}\n", id_, body_); }
 
 Request& Request::camera(const scene::Camera& camera) {
-  add(fmt::format("camera {} {} {} {} {} {} {} {} {} {}\n", scene::shortest_words(camera.eye),
-                  scene::shortest_words(camera.look_at), scene::shortest_words(camera.up),
-                  scene::shortest(camera.near), scene::shortest(camera.left),
-                  scene::shortest(camera.right), scene::shortest(camera.bottom),
-                  scene::shortest(camera.top), camera.width, camera.height));
+  body_ += fmt::format("camera {} {} {} {} {} {} {} {} {} {}\n", scene::shortest_words(camera.eye),
+                       scene::shortest_words(camera.look_at), scene::shortest_words(camera.up),
+                       scene::shortest(camera.near), scene::shortest(camera.left),
+                       scene::shortest(camera.right), scene::shortest(camera.bottom),
+                       scene::shortest(camera.top), camera.width, camera.height);
   return *this;
 }
 
 Request& Request::pixels(std::span<const scene::Pixel> pixels) {
-  fmt::memory_buffer lines;
-  fmt::format_to(std::back_inserter(lines), "pixels {}\n", pixels.size());
-  for (const auto& [i, j] : pixels) fmt::format_to(std::back_inserter(lines), "{} {}\n", i, j);
-  add({lines.data(), lines.size()});
+  body_ += fmt::format("pixels {}\n", pixels.size());
+  for (const auto& [i, j] : pixels) fmt::format_to(std::back_inserter(body_), "{} {}\n", i, j);
   return *this;
 }
 
 Request& Request::rays(std::span<const scene::Ray> rays) {
-  std::string lines = fmt::format("rays {}\n", rays.size());
+  body_ += fmt::format("rays {}\n", rays.size());
   for (const auto& [origin, direction] : rays) {
-    lines += scene::shortest_words(origin) + " " + scene::shortest_words(direction) + "\n";
+    body_ += scene::shortest_words(origin) + " " + scene::shortest_words(direction) + "\n";
   }
-  add(lines);
   return *this;
 }
 
 Request& Request::spheres(std::span<const scene::Sphere> spheres) {
-  std::string lines = fmt::format("spheres {}\n", spheres.size());
+  body_ += fmt::format("spheres {}\n", spheres.size());
   for (const auto& [centre, radius] : spheres) {
-    lines += scene::shortest_words(centre) + " " + scene::shortest(radius) + "\n";
+    body_ += scene::shortest_words(centre) + " " + scene::shortest(radius) + "\n";
   }
-  add(lines);
   return *this;
 }
 
@@ -305,8 +243,8 @@ std::vector<SphereHits> Reply::hits(std::size_t rays, std::size_t spheres) const
   std::vector<SphereHits> hits(spheres);
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     Words words(lines_[k], k + 2);
-    const std::size_t ray = words.index(rays);
-    SphereHits& of_sphere = hits[words.index(spheres)];
+    const std::size_t ray = index(words, rays);
+    SphereHits& of_sphere = hits[index(words, spheres)];
     const double parameter = words.number();
     of_sphere.push_back({ray, {parameter, words.triple<scene::Point3>()}});
     words.end();
@@ -334,7 +272,7 @@ std::vector<std::optional<std::size_t>> Reply::nearest(std::size_t rays,
       words = copy;
       return std::nullopt;
     }
-    return words.index(spheres);
+    return index(words, spheres);
   });
 }
 

@@ -7,21 +7,15 @@
 #include <limits>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "properties/candidate.h"
 #include "scene/scene.h"
+#include "tools/external/protocol/words.h"
 
 namespace raycheck::tools {
-
-/// A malformed reply: what() says which line is wrong and how.
-class ProtocolError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 inline constexpr int kProtocolVersion = 1;
 
@@ -61,15 +55,12 @@ class Request {
 
   const std::string& id() const { return id_; }
   /// The whole request.
-  std::string text() const { return text_ + "end " + id_ + "\n"; }
+  std::string text() const;
   /// The request without its id.
   const std::string& body() const { return body_; }
 
  private:
-  void add(std::string_view words);
-
-  std::string id_;
-  std::string text_, body_;
+  std::string id_, body_;
 };
 
 /// Whether a line ends the reply to a request: "end ID" or "error ID ...".

@@ -10,96 +10,45 @@
 #include <raycheck/candidate.h>
 #include <unistd.h>
 
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
-#include <stdexcept>
-#include <string>
-#include <string_view>
+#include <optional>
 #include <vector>
 
+#include "properties/level.h"
+#include "scene/precision.h"
 #include "tools/external/protocol/frames.h"
+#include "tools/external/protocol/words.h"
 
 namespace {
 
-constexpr std::array<std::array<const char*, 4>, 5> kConventionNames = {
-    {{"as-asked", "bottom-first", "top-first", nullptr},
-     {"as-asked", "edges", "centres", nullptr},
-     {"as-asked", "pixel", "focal", nullptr},
-     {"as-asked", "nearest", "smaller", nullptr},
-     {"as-asked", "hit", "miss", "either"}}};
-constexpr std::array<const char*, 4> kEnds = {"[]", "[)", "(]", "()"};
-constexpr std::array<const char*, 2> kUnits = {"absolute", "radius"};
-constexpr std::array<const char*, 3> kCullings = {"none", "back-faces", "front-faces"};
-constexpr std::array<const char*, 5> kConventions = {"rows", "samples", "origin", "root",
-                                                     "tangent"};
+using raycheck::tools::kConventionWords;
+using raycheck::tools::kEndsWords;
+using raycheck::tools::Words;
+namespace scene = raycheck::scene;
 
 [[noreturn]] void give_up(const std::string& why) {
   std::fprintf(stderr, "raycheck-worker: %s\n", why.c_str());
   std::exit(2);
 }
 
-/// Lines of the standard input, word by word.
-class Words {
- public:
-  /// False at the end of the input.
-  bool next_line() {
-    length_ = getline(&line_, &size_, stdin);
-    if (length_ < 0) return false;
-    while (length_ > 0 && (line_[length_ - 1] == '\n' || line_[length_ - 1] == '\r')) --length_;
-    rest_ = std::string_view(line_, static_cast<std::size_t>(length_));
-    return true;
-  }
-  void require_line() {
-    if (!next_line()) give_up("a request without an end");
-  }
-  std::string_view word() {
-    const std::size_t end = rest_.find(' ');
-    const std::string_view found = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    return found;
-  }
-  double number() {
-    std::string_view text = word();
-    double value = 0;
-    const bool negative = text.starts_with('-');
-    if (negative) text.remove_prefix(1);
-    const bool hex = text.starts_with("0x");
-    if (hex) text.remove_prefix(2);
-    const auto [at, error] =
-        std::from_chars(text.data(), text.data() + text.size(), value,
-                        hex ? std::chars_format::hex : std::chars_format::general);
-    if (error != std::errc() || at != text.data() + text.size()) {
-      give_up("not a number: " + std::string(text));
-    }
-    return negative ? -value : value;
-  }
-  std::int64_t integer() {
-    const std::string_view text = word();
-    std::int64_t value = 0;
-    const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || at != text.data() + text.size()) {
-      give_up("not a whole number: " + std::string(text));
-    }
-    return value;
-  }
-  raycheck_vector vector() {
-    const double x = number(), y = number(), z = number();
-    return {x, y, z};
-  }
-
- private:
-  char* line_ = nullptr;
-  std::size_t size_ = 0;
-  ssize_t length_ = 0;
-  std::string_view rest_;
-};
+/// The next line of the standard input, valid until the next call; empty at its end.
+std::optional<Words> next_line() {
+  static char* line = nullptr;
+  static std::size_t size = 0;
+  const ssize_t length = getline(&line, &size, stdin);
+  if (length < 0) return {};
+  std::string_view text(line, static_cast<std::size_t>(length));
+  while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
+  return Words(text, 0);
+}
+Words require_line() {
+  const std::optional<Words> line = next_line();
+  if (!line) give_up("a request without an end");
+  return *line;
+}
 
 /// What is written, numbers as shortest decimals.
 class Reply {
@@ -140,85 +89,81 @@ struct Request {
   std::vector<raycheck_sphere> spheres;
 };
 
-std::int32_t convention(std::size_t which, std::string_view name) {
-  const auto& names = kConventionNames[which];
-  for (std::size_t k = 1; k < names.size(); ++k) {
-    if (names[k] != nullptr && name == names[k]) return static_cast<std::int32_t>(k);
-  }
-  give_up("no such convention: " + std::string(name));
-}
-
-template <class Names>
-std::int32_t index_in(const Names& names, std::string_view name) {
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (name == names[k]) return static_cast<std::int32_t>(k);
-  }
-  give_up("no such word about roots: " + std::string(name));
+std::int32_t place(Words& words, std::span<const std::string_view> names) {
+  return static_cast<std::int32_t>(words.place_in(names, "has no such name"));
 }
 
 template <class Item, class Read>
-void read_list(Words& words, std::vector<Item>& list, Read read) {
-  const std::int64_t count = words.integer();
+void read_list(std::int64_t count, std::vector<Item>& list, Read read) {
   for (std::int64_t k = 0; k < count; ++k) {
-    words.require_line();
-    list.push_back(read());
+    Words words = require_line();
+    list.push_back(read(words));
   }
 }
 
-/// False at the end of the input.
-bool read_request(Words& words, Request& request) {
-  request = {};
-  request.asked.valid.t_max = std::numeric_limits<double>::infinity();
-  if (!words.next_line()) return false;
-  if (words.word() != "request") give_up("not a request");
-  request.id = words.word();
-  request.function = words.word();
-  for (;;) {
-    words.require_line();
-    const std::string_view kind = words.word();
-    if (kind == "end") return true;
-    if (kind == "conventions") {
-      auto& c = request.asked.conventions;
-      std::size_t which = 0;
-      for (std::int32_t* value : {&c.rows, &c.samples, &c.origin, &c.root, &c.tangent}) {
-        *value = convention(which++, words.word());
-      }
-    } else if (kind == "roots") {
-      auto& v = request.asked.valid;
-      v.ends = index_in(kEnds, words.word());
-      v.t_min = words.number();
-      v.t_max = words.number();
-      v.unit = index_in(kUnits, words.word());
-      v.culling = index_in(kCullings, words.word());
-    } else if (kind == "camera") {
-      auto& c = request.camera;
-      c.eye = words.vector();
-      c.look_at = words.vector();
-      c.up = words.vector();
-      for (double* value : {&c.near_plane, &c.left, &c.right, &c.bottom, &c.top}) {
-        *value = words.number();
-      }
-      c.width = words.integer();
-      c.height = words.integer();
-    } else if (kind == "pixels") {
-      read_list(words, request.pixels, [&] {
-        const std::int64_t i = words.integer(), j = words.integer();
-        return raycheck_pixel{i, j};
-      });
-    } else if (kind == "rays") {
-      read_list(words, request.rays, [&] {
-        const raycheck_vector origin = words.vector(), direction = words.vector();
-        return raycheck_ray{origin, direction};
-      });
-    } else if (kind == "spheres") {
-      read_list(words, request.spheres, [&] {
-        const raycheck_vector centre = words.vector();
-        return raycheck_sphere{centre, words.number()};
-      });
-    } else {
-      give_up("no such part of a request: " + std::string(kind));
+void read_part(std::string_view kind, Words& words, Request& request) {
+  if (kind == "conventions") {
+    auto& c = request.asked.conventions;
+    std::size_t which = 0;
+    for (std::int32_t* value : {&c.rows, &c.samples, &c.origin, &c.root, &c.tangent}) {
+      *value = 1 + place(words, kConventionWords[which++].values);
     }
+  } else if (kind == "roots") {
+    auto& v = request.asked.valid;
+    v.ends = place(words, kEndsWords);
+    v.t_min = words.number();
+    v.t_max = words.number();
+    v.unit = place(words, scene::kTUnitNames);
+    v.culling = place(words, scene::kCullingNames);
+  } else if (kind == "camera") {
+    auto& c = request.camera;
+    for (raycheck_vector* vector : {&c.eye, &c.look_at, &c.up}) {
+      *vector = words.triple<raycheck_vector>();
+    }
+    for (double* value : {&c.near_plane, &c.left, &c.right, &c.bottom, &c.top}) {
+      *value = words.number();
+    }
+    c.width = words.integer();
+    c.height = words.integer();
+  } else if (kind == "pixels") {
+    read_list(words.integer(), request.pixels, [](Words& line) {
+      const std::int64_t i = line.integer(), j = line.integer();
+      return raycheck_pixel{i, j};
+    });
+  } else if (kind == "rays") {
+    read_list(words.integer(), request.rays, [](Words& line) {
+      const auto origin = line.triple<raycheck_vector>();
+      return raycheck_ray{origin, line.triple<raycheck_vector>()};
+    });
+  } else if (kind == "spheres") {
+    read_list(words.integer(), request.spheres, [](Words& line) {
+      const auto centre = line.triple<raycheck_vector>();
+      return raycheck_sphere{centre, line.number()};
+    });
+  } else {
+    give_up("no such part of a request: " + std::string(kind));
   }
+}
+
+/// Empty at the end of the input.
+std::optional<Request> read_request() {
+  std::optional<Words> first = next_line();
+  if (!first) return {};
+  Request request;
+  request.asked.valid.t_max = std::numeric_limits<double>::infinity();
+  if (first->word() != "request") give_up("not a request");
+  request.id = first->word();
+  request.function = first->word();
+  for (;;) {
+    Words words = require_line();
+    const std::string_view kind = words.word();
+    if (kind == "end") return request;
+    read_part(kind, words, request);
+  }
+}
+
+bool offers_intersect(const raycheck_candidate& candidate) {
+  return candidate.intersect != nullptr || candidate.intersect_batch != nullptr;
 }
 
 void intersect(const raycheck_candidate& candidate, const Request& request, Reply& reply) {
@@ -250,18 +195,15 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
     for (const raycheck_pixel& pixel : request.pixels) {
       reply << candidate.pixel_point(&request.camera, &request.asked.conventions, pixel) << "\n";
     }
-  } else if (function == "pixel_ray" && candidate.pixel_ray != nullptr) {
+  } else if (const auto make = function == "pixel_ray"   ? candidate.pixel_ray
+                               : function == "focal_ray" ? candidate.focal_ray
+                                                         : nullptr;
+             make != nullptr) {
     for (const raycheck_pixel& pixel : request.pixels) {
-      const auto ray = candidate.pixel_ray(&request.camera, &request.asked.conventions, pixel);
+      const auto ray = make(&request.camera, &request.asked.conventions, pixel);
       reply << ray.origin << " " << ray.direction << "\n";
     }
-  } else if (function == "focal_ray" && candidate.focal_ray != nullptr) {
-    for (const raycheck_pixel& pixel : request.pixels) {
-      const auto ray = candidate.focal_ray(&request.camera, &request.asked.conventions, pixel);
-      reply << ray.origin << " " << ray.direction << "\n";
-    }
-  } else if (function == "intersect" &&
-             (candidate.intersect != nullptr || candidate.intersect_batch != nullptr)) {
+  } else if (function == "intersect" && offers_intersect(candidate)) {
     intersect(candidate, request, reply);
   } else if (function == "nearest" && candidate.nearest != nullptr) {
     for (const raycheck_ray& ray : request.rays) {
@@ -278,86 +220,60 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
   }
 }
 
-/// Missing in libraries of versions 1 and 2.
-void introduce_precision(const raycheck_candidate& candidate, Reply& reply) {
-  switch (candidate.precision) {
-    case RAYCHECK_PRECISION_DOUBLE:
-      return;
-    case RAYCHECK_PRECISION_SINGLE:
-      reply << "precision single\n";
-      return;
-    default:
-      give_up("no such precision: " + std::to_string(candidate.precision));
-  }
-}
-
-template <class Names>
-const char* name_in(const Names& names, std::int32_t index, const char* what) {
+std::string_view name_in(std::span<const std::string_view> names, std::int32_t index,
+                         std::string_view what) {
   if (index < 0 || static_cast<std::size_t>(index) >= names.size()) {
-    give_up(std::string("no such ") + what + ": " + std::to_string(index));
+    give_up("no such " + std::string(what) + ": " + std::to_string(index));
   }
   return names[static_cast<std::size_t>(index)];
 }
 
-void introduce_roots(const raycheck_candidate& candidate, Reply& reply) {
-  const raycheck_valid_roots& v = candidate.declared_roots;
-  switch (candidate.roots) {
-    case RAYCHECK_ROOTS_USUAL:
-      return;
-    case RAYCHECK_ROOTS_AS_ASKED:
-      reply << "roots as-asked\n";
-      return;
-    case RAYCHECK_ROOTS_DECLARED:
-      reply << "roots " << name_in(kEnds, v.ends, "ends") << " " << v.t_min << " " << v.t_max << " "
-            << name_in(kUnits, v.unit, "unit") << " " << name_in(kCullings, v.culling, "culling")
-            << "\n";
-      return;
-    default:
-      give_up("no such roots: " + std::to_string(candidate.roots));
-  }
-}
-
 /// Missing in libraries of version 1.
 void introduce_contract(const raycheck_candidate& candidate, Reply& reply) {
-  constexpr std::array<const char*, 4> kLevels = {nullptr, "ordinary", "demanding", "extreme"};
-  if (candidate.level < 0 || candidate.level > 3) {
-    give_up("no such level: " + std::to_string(candidate.level));
-  }
-  if (const char* const level = kLevels[static_cast<std::size_t>(candidate.level)]) {
-    reply << "level " << level << "\n";
+  if (candidate.level != RAYCHECK_LEVEL_UNSTATED) {
+    reply << "level " << name_in(raycheck::properties::kLevelNames, candidate.level - 1, "level")
+          << "\n";
   }
   if (candidate.smallest_length != 0 || candidate.largest_length != 0) {
     reply << "lengths " << candidate.smallest_length << " " << candidate.largest_length << "\n";
   }
 }
 
+/// Missing in libraries of versions 1 and 2.
+void introduce_numbers(const raycheck_candidate& candidate, Reply& reply) {
+  if (candidate.precision != RAYCHECK_PRECISION_DOUBLE) {
+    reply << "precision " << name_in(scene::kPrecisionNames, candidate.precision, "precision")
+          << "\n";
+  }
+  const raycheck_valid_roots& v = candidate.declared_roots;
+  if (candidate.roots == RAYCHECK_ROOTS_AS_ASKED) {
+    reply << "roots as-asked\n";
+  } else if (candidate.roots == RAYCHECK_ROOTS_DECLARED) {
+    reply << "roots " << name_in(std::span(kEndsWords).first(4), v.ends, "ends") << " " << v.t_min
+          << " " << v.t_max << " " << name_in(scene::kTUnitNames, v.unit, "unit") << " "
+          << name_in(scene::kCullingNames, v.culling, "culling") << "\n";
+  } else if (candidate.roots != RAYCHECK_ROOTS_USUAL) {
+    give_up("no such roots: " + std::to_string(candidate.roots));
+  }
+}
+
 void introduce(const raycheck_candidate& candidate, Reply& reply) {
   reply << "raycheck 1 " << (candidate.name != nullptr ? candidate.name : "-") << "\n";
-  const std::array<std::pair<const char*, bool>, 6> functions = {
-      {{"frame", candidate.frame != nullptr},
-       {"pixel_point", candidate.pixel_point != nullptr},
-       {"pixel_ray", candidate.pixel_ray != nullptr},
-       {"focal_ray", candidate.focal_ray != nullptr},
-       {"intersect", candidate.intersect != nullptr || candidate.intersect_batch != nullptr},
-       {"nearest", candidate.nearest != nullptr}}};
-  for (const auto& [name, has] : functions) {
-    if (has) reply << "function " << name << "\n";
+  const std::array<bool, 6> has = {candidate.frame != nullptr,     candidate.pixel_point != nullptr,
+                                   candidate.pixel_ray != nullptr, candidate.focal_ray != nullptr,
+                                   offers_intersect(candidate),    candidate.nearest != nullptr};
+  for (std::size_t k = 0; k < has.size(); ++k) {
+    if (has[k]) reply << "function " << raycheck::tools::kFunctions[k] << "\n";
   }
   const auto& d = candidate.declared;
   const std::array<std::int32_t, 5> declared = {d.rows, d.samples, d.origin, d.root, d.tangent};
   for (std::size_t k = 0; k < declared.size(); ++k) {
-    const auto value = static_cast<std::size_t>(declared[k]);
-    if (value == RAYCHECK_AS_ASKED) continue;
-    if (value > 3 || kConventionNames[k][value] == nullptr) {
-      give_up(std::string("no such ") + kConventions[k] + ": " + std::to_string(declared[k]));
-    }
-    reply << "convention " << kConventions[k] << " " << kConventionNames[k][value] << "\n";
+    if (declared[k] == RAYCHECK_AS_ASKED) continue;
+    const auto& [name, values] = kConventionWords[k];
+    reply << "convention " << name << " " << name_in(values, declared[k] - 1, name) << "\n";
   }
   if (candidate.version >= 2) introduce_contract(candidate, reply);
-  if (candidate.version >= 3) {
-    introduce_precision(candidate, reply);
-    introduce_roots(candidate, reply);
-  }
+  if (candidate.version >= 3) introduce_numbers(candidate, reply);
   reply << "ready\n";
   reply.send();
 }
@@ -390,18 +306,18 @@ int main(int argc, char** argv) {
   Reply reply(fdopen(replies, "w"));
   raycheck::tools::report_deaths(replies);
   const raycheck_candidate& candidate = load(argv[1]);
-  Words words;
-  if (!words.next_line() || words.word() != "raycheck") give_up("not spoken to by raycheck");
+  if (std::optional<Words> first = next_line(); !first || first->word() != "raycheck") {
+    give_up("not spoken to by raycheck");
+  }
   introduce(candidate, reply);
-  Request request;
-  while (read_request(words, request)) {
-    reply << "reply " << request.id << "\n";
+  while (const std::optional<Request> request = read_request()) {
+    reply << "reply " << request->id << "\n";
     try {
-      answer(candidate, request, reply);
-      reply << "end " << request.id << "\n";
+      answer(candidate, *request, reply);
+      reply << "end " << request->id << "\n";
     } catch (const std::exception& error) {
       reply << raycheck::tools::frames_of_throw(error);
-      reply << "error " << request.id << " " << error.what() << "\n";
+      reply << "error " << request->id << " " << error.what() << "\n";
     }
     reply.send();
   }

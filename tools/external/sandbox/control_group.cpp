@@ -1,10 +1,8 @@
 #include "tools/external/sandbox/control_group.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
@@ -19,6 +17,8 @@
 #include <string_view>
 #include <system_error>
 #include <vector>
+
+#include "tools/external/sandbox/process_tree.h"
 
 namespace raycheck::tools {
 namespace {
@@ -35,11 +35,6 @@ constexpr useconds_t kLookPause = 500;
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream words(text);
-  return {std::istream_iterator<std::string>(words), {}};
 }
 
 bool has_word(const std::string& text, const std::string& word) {
@@ -60,12 +55,11 @@ std::uint64_t value_of(const std::string& text, const std::string& name) {
 
 /// In a single write, as the kernel requires.
 void write_value(const fs::path& path, const std::string& value) {
-  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  const ssize_t written = file < 0 ? -1 : write(file, value.data(), value.size());
-  const int error = errno;
-  if (file >= 0) close(file);
+  const Descriptor file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
   // Names of groups differ from run to run, error messages must not.
-  if (written < 0) throw std::system_error(error, std::generic_category(), path.filename());
+  if (!file.is_open() || write(file.number(), value.data(), value.size()) < 0) {
+    throw std::system_error(errno, std::generic_category(), path.filename());
+  }
 }
 
 bool try_value(const fs::path& path, const std::string& value) {
@@ -102,11 +96,10 @@ std::string unescaped(const std::string& text) {
 }
 
 /// A group's folder, opened and locked by its owner until that ends, in whatever way.
-int held_folder(const fs::path& group, int how) {
-  const int folder = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0 || flock(folder, how | LOCK_NB) == 0) return folder;
-  close(folder);
-  return -1;
+Descriptor held_folder(const fs::path& group, int how) {
+  Descriptor folder(open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (flock(folder.number(), how | LOCK_NB) != 0) folder.close();
+  return folder;
 }
 
 /// Removes groups whose process is dead, as far as this one can see, and that nobody holds: other
@@ -124,10 +117,8 @@ void remove_dead_groups(const fs::path& own) {
     std::from_chars(rest.data(), rest.data() + rest.size(), pid);
     if (pid <= 0) continue;
     if (pid != getpid() && (::kill(pid, 0) == 0 || errno != ESRCH)) continue;
-    const int folder = held_folder(at->path(), LOCK_EX);
-    if (folder < 0) continue;
-    rmdir(at->path().c_str());
-    close(folder);
+    const Descriptor folder = held_folder(at->path(), LOCK_EX);
+    if (folder.is_open()) rmdir(at->path().c_str());
   }
 }
 
@@ -252,14 +243,12 @@ ControlGroup::ControlGroup(const Layers& layers, const Limits& limits) {
     }
   } catch (const std::exception&) {
     rmdir(path_.c_str());
-    if (folder_ >= 0) close(folder_);
     throw;
   }
 }
 
 ControlGroup::~ControlGroup() {
   kill();
-  if (folder_ >= 0) close(folder_);
   for (int k = 0; k < kMostLooks && rmdir(path_.c_str()) != 0 && errno == EBUSY; ++k) {
     usleep(kLookPause);
   }

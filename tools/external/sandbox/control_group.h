@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tools/external/sandbox/descriptor.h"
 #include "tools/external/sandbox/launch.h"
 
 namespace raycheck::tools {
@@ -49,7 +50,7 @@ class ControlGroup {
 
  private:
   std::filesystem::path path_;
-  int folder_ = -1;  ///< Locked, so that no other run takes it for a dead run's.
+  Descriptor folder_;  ///< Locked, so that no other run takes it for a dead run's.
 };
 
 }  // namespace raycheck::tools

@@ -1,7 +1,5 @@
 #include "tools/external/sandbox/file_tree.h"
 
-#include <dirent.h>
-#include <fcntl.h>
 #include <linux/magic.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
@@ -14,7 +12,6 @@
 #include <charconv>
 #include <fstream>
 #include <map>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -22,17 +19,18 @@
 #include <system_error>
 #include <utility>
 
+#include "tools/external/sandbox/descriptor.h"
+
 namespace raycheck::tools {
 
 namespace {
 
 /// How deep sizes of folders are added up, at most.
 constexpr int kMostDepth = 128;
+/// The unit of st_blocks, in bytes.
+constexpr std::uint64_t kBlock = 512;
 
-using Entries = std::unique_ptr<DIR, int (*)(DIR*)>;
-
-/// The entries of an open folder, which is closed with them; no entries if it cannot be read.
-Entries entries_of(int folder) {
+FolderEntries entries_of(int folder) {
   DIR* const entries = fdopendir(folder);
   if (entries == nullptr) close(folder);
   return {entries, closedir};
@@ -42,10 +40,10 @@ bool is_here_or_above(std::string_view name) { return name == "." || name == "..
 
 constexpr int kOpenFolder = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 
-int open_folder_in(int folder, const char* name) {
-  int opened = openat(folder, name, kOpenFolder);
-  if (opened < 0 && errno == EACCES && fchmodat(folder, name, S_IRWXU, 0) == 0) {
-    opened = openat(folder, name, kOpenFolder);
+Descriptor open_folder_in(int folder, const char* name) {
+  Descriptor opened(openat(folder, name, kOpenFolder));
+  if (!opened.is_open() && errno == EACCES && fchmodat(folder, name, S_IRWXU, 0) == 0) {
+    opened = Descriptor(openat(folder, name, kOpenFolder));
   }
   return opened;
 }
@@ -53,7 +51,7 @@ int open_folder_in(int folder, const char* name) {
 /// Removes the files and empty folders in an open folder; returns the name of a nonempty folder in
 /// it, if any. `failed`: something could not be removed.
 std::string remove_entries(int folder, bool& failed) {
-  const Entries entries = entries_of(openat(folder, ".", kOpenFolder));
+  const FolderEntries entries = entries_of(openat(folder, ".", kOpenFolder));
   if (!entries) {
     failed = true;
     return "";
@@ -70,7 +68,7 @@ std::string remove_entries(int folder, bool& failed) {
 }
 
 void add_up(int folder, int depth, DiskUse& use) {
-  const Entries entries = entries_of(folder);
+  const FolderEntries entries = entries_of(folder);
   if (!entries) return;
   while (const dirent* const entry = readdir(entries.get())) {
     if (is_here_or_above(entry->d_name)) continue;
@@ -80,7 +78,6 @@ void add_up(int folder, int depth, DiskUse& use) {
       use.are_too_many = true;
       return;
     }
-    constexpr std::uint64_t kBlock = 512;
     const auto bytes = static_cast<std::uint64_t>(status.st_blocks) * kBlock;
     if (!S_ISDIR(status.st_mode)) {
       // Split among its names.
@@ -105,44 +102,34 @@ void add_up(int folder, int depth, DiskUse& use) {
 }  // namespace
 
 std::string file_bytes(const std::filesystem::path& file, std::size_t most) {
-  const int opened = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  const auto fail = [&] {
-    throw std::system_error(errno, std::generic_category(), file.filename());
-  };
-  if (opened < 0) fail();
+  const Descriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   std::string bytes;
   std::array<char, 65536> buffer{};
-  ssize_t count = 0;
-  while (bytes.size() < most &&
-         (count = read(opened, buffer.data(), std::min(buffer.size(), most - bytes.size()))) != 0) {
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) break;
-    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+  ssize_t count = opened.is_open() ? 1 : -1;
+  while (count > 0 && bytes.size() < most) {
+    do {
+      count = read(opened.number(), buffer.data(), std::min(buffer.size(), most - bytes.size()));
+    } while (count < 0 && errno == EINTR);
+    if (count > 0) bytes.append(buffer.data(), static_cast<std::size_t>(count));
   }
-  const int error = errno;
-  close(opened);
-  errno = error;
-  if (count < 0) fail();
+  if (count < 0) throw std::system_error(errno, std::generic_category(), file.filename());
   return bytes;
 }
 
 bool remove_tree(const std::filesystem::path& folder) {
-  int here = open_folder_in(AT_FDCWD, folder.c_str());
-  if (here < 0) return errno == ENOENT;
+  Descriptor here = open_folder_in(AT_FDCWD, folder.c_str());
+  if (!here.is_open()) return errno == ENOENT;
   bool failed = false;
   // Descends into nonempty folders and ascends from empty ones, with one open at a time, so that
   // neither descriptors nor the length of paths run out.
   for (std::int64_t depth = 0;;) {
-    const std::string below = remove_entries(here, failed);
+    const std::string below = remove_entries(here.number(), failed);
     if (below.empty() && (depth == 0 || failed)) break;
-    const int next =
-        below.empty() ? openat(here, "..", kOpenFolder) : open_folder_in(here, below.c_str());
-    if (next < 0) break;
-    close(here);
-    here = next;
+    Descriptor next = open_folder_in(here.number(), below.empty() ? ".." : below.c_str());
+    if (!next.is_open()) break;
+    here = std::move(next);
     depth += below.empty() ? -1 : 1;
   }
-  close(here);
   return rmdir(folder.c_str()) == 0 || errno == ENOENT;
 }
 
@@ -160,8 +147,6 @@ DiskUse disk_use(const std::filesystem::path& folder) {
 }
 
 namespace {
-
-constexpr std::uint64_t kBlock = 512;
 
 /// How many lines of a process's mappings are read: only hostile programs have more.
 constexpr int kMostMappings = 4096;
@@ -189,7 +174,7 @@ bool take(const std::string& link, Sizes& sizes) {
 
 void take_open(const std::string& process, Sizes& sizes) {
   const std::string folder = process + "/fd";
-  const std::unique_ptr<DIR, int (*)(DIR*)> entries(opendir(folder.c_str()), closedir);
+  const FolderEntries entries(opendir(folder.c_str()), closedir);
   if (!entries) return;
   while (const dirent* const entry = readdir(entries.get())) {
     if (entry->d_type == DT_LNK) take(folder + "/" + entry->d_name, sizes);

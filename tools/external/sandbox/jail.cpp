@@ -16,7 +16,6 @@
 // standard streams and descriptor 3, killed when its parent dies. Exits with 125, after a line
 // about it, when it cannot.
 
-#include <fcntl.h>
 #include <grp.h>
 #include <linux/close_range.h>
 #include <linux/sched.h>
@@ -34,14 +33,18 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "tools/external/sandbox/descriptor.h"
 #include "tools/external/sandbox/jail_rules.h"
 #include "tools/external/sandbox/process_tree.h"
 
 namespace {
 
+using raycheck::tools::Descriptor;
 using raycheck::tools::FileRights;
 using raycheck::tools::Reach;
 
@@ -76,35 +79,32 @@ struct Limits {
   std::string group;
 };
 
-/// Reads paths only; else false.
-bool read_path(std::string_view name, std::string_view value, Limits& limits) {
-  if (name == "reads") limits.rights.reads.emplace_back(value);
-  if (name == "writes") limits.rights.writes.emplace_back(value);
-  if (name == "hidden") limits.rights.hidden.emplace_back(value);
-  if (name == "group") limits.group = value;
-  return name == "reads" || name == "writes" || name == "hidden" || name == "group";
-}
-
 void read_limit(std::string_view argument, Limits& limits) {
-  const std::size_t equals = argument.find('=');
-  if (equals == std::string_view::npos) give_up(argument, "not LIMIT=VALUE");
-  const std::string_view name = argument.substr(0, equals);
-  if (read_path(name, argument.substr(equals + 1), limits)) return;
-  std::uint64_t* value = name == "cpu"         ? &limits.cpu
-                         : name == "memory"    ? &limits.memory
-                         : name == "file"      ? &limits.file
-                         : name == "files"     ? &limits.files
-                         : name == "processes" ? &limits.processes
-                         : name == "user"      ? &limits.user
-                         : name == "supervise" ? &limits.supervise
-                         : name == "seccomp"   ? &limits.seccomp
-                         : name == "judge"     ? &limits.judge
-                         : name == "error"     ? &limits.error
-                                               : nullptr;
-  if (value == nullptr) give_up(argument, "no such limit");
-  const char* const end = argument.data() + argument.size();
-  const auto [at, error] = std::from_chars(argument.data() + equals + 1, end, *value);
-  if (error != std::errc() || at != end) give_up(argument, "not a whole number");
+  const std::map<std::string_view, std::uint64_t*> numbers = {
+      {"cpu", &limits.cpu},         {"memory", &limits.memory},
+      {"file", &limits.file},       {"files", &limits.files},
+      {"user", &limits.user},       {"processes", &limits.processes},
+      {"seccomp", &limits.seccomp}, {"supervise", &limits.supervise},
+      {"judge", &limits.judge},     {"error", &limits.error}};
+  const std::map<std::string_view, std::vector<std::filesystem::path>*> paths = {
+      {"reads", &limits.rights.reads},
+      {"writes", &limits.rights.writes},
+      {"hidden", &limits.rights.hidden}};
+  const std::size_t equals = std::min(argument.find('='), argument.size() - 1);
+  const std::string_view name = argument.substr(0, equals), value = argument.substr(equals + 1);
+  if (name == "group") {
+    limits.group = value;
+  } else if (const auto path = paths.find(name); path != paths.end()) {
+    path->second->emplace_back(value);
+  } else {
+    const auto number = numbers.find(name);
+    if (number == numbers.end()) give_up(argument, "no such limit");
+    const auto [end, error] =
+        std::from_chars(value.data(), value.data() + value.size(), *number->second);
+    if (error != std::errc() || end != value.data() + value.size()) {
+      give_up(argument, "not a whole number");
+    }
+  }
 }
 
 void keep(const Limits& limits) {
@@ -159,17 +159,13 @@ void end_all() {
 /// fork() into a control group: moving there later would wait for all processors.
 pid_t fork_into(const std::string& group) {
   if (group.empty()) return fork();
-  const int folder = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return -1;
+  const Descriptor folder(open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.is_open()) return -1;
   clone_args how{};
   how.flags = CLONE_INTO_CGROUP;
   how.exit_signal = SIGCHLD;
-  how.cgroup = static_cast<std::uint64_t>(folder);
-  const auto child = static_cast<pid_t>(syscall(SYS_clone3, &how, sizeof how));
-  const int error = errno;
-  close(folder);
-  errno = error;
-  return child;
+  how.cgroup = static_cast<std::uint64_t>(folder.number());
+  return static_cast<pid_t>(syscall(SYS_clone3, &how, sizeof how));
 }
 
 /// Continues as a child of this process, which stays to collect what the child leaves behind: it
@@ -204,8 +200,6 @@ int main(int argc, char** argv) {
   if (limits.supervise != 0) {
     require(supervise(limits.group), "supervise");
     require(setpgid(0, 0) == 0, "supervise");
-  } else if (!limits.group.empty()) {
-    give_up("group", "needs supervise=1");
   }
   // raycheck ignores this signal, but reports that it ended a program.
   require(std::signal(SIGXFSZ, SIG_DFL) != SIG_ERR, "file");

@@ -1,6 +1,5 @@
 #include "tools/external/sandbox/jail_rules.h"
 
-#include <fcntl.h>
 #include <linux/falloc.h>
 #include <linux/filter.h>
 #include <linux/landlock.h>
@@ -12,7 +11,6 @@
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +20,8 @@
 #include <initializer_list>
 #include <string>
 #include <system_error>
+
+#include "tools/external/sandbox/descriptor.h"
 
 namespace raycheck::tools {
 
@@ -221,26 +221,20 @@ class Ruleset {
  public:
   explicit Ruleset(const Attributes& handled)
       : handled_(handled.files),
-        descriptor_(
+        rules_(
             static_cast<int>(syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0U))) {
-    if (descriptor_ < 0) fail("rules");
+    if (!rules_.is_open()) fail("rules");
   }
-  ~Ruleset() { close(descriptor_); }
-  Ruleset(const Ruleset&) = delete;
-  Ruleset& operator=(const Ruleset&) = delete;
 
   void allow(const fs::path& path, std::uint64_t rights) const {
-    const int of = open(path.c_str(), O_PATH | O_CLOEXEC);
-    if (of < 0) fail(path);
+    const Descriptor of(open(path.c_str(), O_PATH | O_CLOEXEC));
     landlock_path_beneath_attr rule{};
-    rule.parent_fd = of;
+    rule.parent_fd = of.number();
     rule.allowed_access = rights & handled_ & (fs::is_directory(path) ? ~0ULL : kOfFiles);
-    const auto failed =
-        syscall(SYS_landlock_add_rule, descriptor_, LANDLOCK_RULE_PATH_BENEATH, &rule, 0U);
-    const int error = errno;
-    close(of);
-    errno = error;
-    if (failed != 0) fail(path);
+    if (!of.is_open() || syscall(SYS_landlock_add_rule, rules_.number(), LANDLOCK_RULE_PATH_BENEATH,
+                                 &rule, 0U) != 0) {
+      fail(path);
+    }
   }
 
   /// For a folder with hidden parts, allows everything else in it one by one.
@@ -259,12 +253,12 @@ class Ruleset {
   }
 
   void enforce() const {
-    if (syscall(SYS_landlock_restrict_self, descriptor_, 0U) != 0) fail("beginning");
+    if (syscall(SYS_landlock_restrict_self, rules_.number(), 0U) != 0) fail("beginning");
   }
 
  private:
   std::uint64_t handled_;
-  int descriptor_;
+  Descriptor rules_;
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <vector>
@@ -18,10 +19,7 @@ std::string printable(std::string line) {
     if ((static_cast<unsigned char>(c) < ' ' && c != '\t') || c == '\x7f') c = '?';
   }
   if (line.size() <= kLongestLine) return line;
-  // Do not cut within a multi-byte character.
-  std::size_t end = kLongestLine;
-  while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;
-  return line.substr(0, end) + " ...";
+  return std::string(cut_to(line, kLongestLine)) + " ...";
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -29,18 +27,20 @@ std::vector<std::string> lines_of(const std::string& text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
     std::string line = text.substr(at, end - at);
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (line.ends_with('\r')) line.pop_back();
     lines.push_back(printable(std::move(line)));
     at = end + 1;
   }
   return lines;
 }
 
-std::string left_out(std::size_t lines) {
-  return fmt::format("... {} line{} left out ...\n", lines, lines == 1 ? "" : "s");
-}
-
 }  // namespace
+
+std::string_view cut_to(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
 
 void KeptText::append(std::string_view more) {
   lines_ += static_cast<std::size_t>(std::count(more.begin(), more.end(), '\n'));
@@ -59,30 +59,24 @@ std::string KeptText::text() const {
 }
 
 std::string KeptText::excerpt() const {
-  std::vector<std::string> first = lines_of(dropped_ == 0 ? begin_ + end_ : begin_);
-  std::vector<std::string> last;
+  std::vector<std::string> first = lines_of(dropped_ == 0 ? begin_ + end_ : begin_), last = first;
   std::size_t count = first.size();
   if (dropped_ != 0) {
     last = lines_of(end_);
     // The line is cut where text is missing.
     first.pop_back();
     last.erase(last.begin());
-    count = std::max(lines_ + 1, first.size() + last.size());
-    if (!end_.empty() && end_.back() == '\n') --count;
-  } else if (count > 2 * kLines) {
-    last.assign(first.end() - kLines, first.end());
+    count = lines_ + (end_.ends_with('\n') ? 0 : 1);
+  } else if (count <= 2 * kLines) {
+    return fmt::format("{}", fmt::join(first, "\n"));
   }
-  std::string text;
-  if (!last.empty()) {
-    first.resize(std::min(first.size(), kLines));
-    last.erase(last.begin(),
-               last.end() - static_cast<std::ptrdiff_t>(std::min(last.size(), kLines)));
-  }
-  for (const std::string& line : first) text += line + "\n";
-  if (!last.empty()) text += left_out(count - first.size() - last.size());
-  for (const std::string& line : last) text += line + "\n";
-  if (!text.empty()) text.pop_back();
-  return text;
+  first.resize(std::min(first.size(), kLines));
+  last.erase(last.begin(), last.end() - static_cast<std::ptrdiff_t>(std::min(last.size(), kLines)));
+  std::vector<std::string> shown = std::move(first);
+  const std::size_t missing = count - shown.size() - last.size();
+  shown.push_back(fmt::format("... {} line{} left out ...", missing, missing == 1 ? "" : "s"));
+  shown.insert(shown.end(), last.begin(), last.end());
+  return fmt::format("{}", fmt::join(shown, "\n"));
 }
 
 }  // namespace raycheck::tools

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/utsname.h>
@@ -22,6 +23,7 @@
 #include <thread>
 
 #include "scene/interruption.h"
+#include "tools/external/sandbox/descriptor.h"
 #include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/process_tree.h"
 #include "tools/report/version.h"
@@ -51,6 +53,8 @@ std::uint64_t next_user() {
   return kFirst + (process * 61 + number) % kCount;
 }
 
+std::string program_path() { return fmt::format("{}", fmt::join(kProgramFolders, ":")); }
+
 fs::path helper(const std::string& name) { return readable_copy(program_folder() / name); }
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
@@ -71,30 +75,6 @@ constexpr int kKeptDescriptor = 3;
 /// they are not.
 constexpr int kStartSeconds = 60;
 constexpr std::size_t kMostSaid = 4096;
-
-/// What the layers write before they are in place.
-class SaidBefore {
- public:
-  SaidBefore() {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-      throw ProcessFailure(FailureKind::kSystem, fmt::format("pipe: {}", std::strerror(errno)));
-    }
-    read = ends[0];
-    write = ends[1];
-  }
-  ~SaidBefore() {
-    close(read);
-    close_write();
-  }
-  SaidBefore(const SaidBefore&) = delete;
-  SaidBefore& operator=(const SaidBefore&) = delete;
-  void close_write() {
-    if (write >= 0) close(write);
-    write = -1;
-  }
-  int read = -1, write = -1;
-};
 
 /// By default Java would reserve more address space than one process may.
 constexpr const char* kJava =
@@ -234,17 +214,6 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
   return arguments;
 }
 
-/// Whether a stream has data, or ends, before a deadline.
-bool is_heard(int stream, std::chrono::steady_clock::time_point until) {
-  constexpr int kMilliseconds = 100;
-  while (std::chrono::steady_clock::now() < until) {
-    scene::poll();
-    pollfd one = {stream, POLLIN, 0};
-    if (poll(&one, 1, kMilliseconds) > 0) return true;
-  }
-  return false;
-}
-
 /// Waits until all layers are in place. On an error no process is left.
 /// Errors: ProcessFailure with what the layers said; scene::Interrupted.
 void await_start(pid_t pid, int said) try {
@@ -252,7 +221,11 @@ void await_start(pid_t pid, int said) try {
   std::array<char, 4096> buffer{};
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(kStartSeconds);
   for (;;) {
-    const bool is_in_time = is_heard(said, until);
+    scene::poll();
+    constexpr int kMilliseconds = 100;
+    pollfd stream = {said, POLLIN, 0};
+    const bool is_in_time = std::chrono::steady_clock::now() < until;
+    if (is_in_time && poll(&stream, 1, kMilliseconds) <= 0) continue;
     const ssize_t count = is_in_time ? read(said, buffer.data(), buffer.size()) : 0;
     if (count < 0 && errno == EINTR) continue;
     if (!is_in_time) text += fmt::format("not within {} s", kStartSeconds);
@@ -276,13 +249,13 @@ void await_start(pid_t pid, int said) try {
 pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t user,
              const fs::path& group, const Streams& streams) {
   const std::vector<std::string> arguments = jailed(confined, folder, user, group);
-  std::vector<std::string> environment = {"PATH=" + std::string(kProgramPath),
+  std::vector<std::string> environment = {"PATH=" + program_path(),
                                           "HOME=" + folder.string(),
                                           "TMPDIR=" + folder.string(),
                                           "LANG=C.UTF-8",
                                           kJava,
                                           "PYTHONPATH=" + adapters().string()};
-  SaidBefore said;
+  Pipe said;  // by the layers, before they are in place
   std::vector<char*> argv, envp;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   for (std::string& entry : environment) envp.push_back(entry.data());
@@ -293,7 +266,7 @@ pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t use
   posix_spawn_file_actions_adddup2(&actions, streams.input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, streams.output, STDOUT_FILENO);
   posix_spawn_file_actions_adddup2(&actions, streams.error, kKeptDescriptor);
-  posix_spawn_file_actions_adddup2(&actions, said.write, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, said.write.number(), STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   // A new session and group from the start, so that it cannot join raycheck's, and no signal
   // ignored or blocked as in raycheck.
@@ -314,8 +287,8 @@ pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t use
     throw ProcessFailure(FailureKind::kSystem, fmt::format("{} cannot be started: {}", arguments[0],
                                                            std::strerror(failed)));
   }
-  said.close_write();
-  await_start(pid, said.read);
+  said.write.close();
+  await_start(pid, said.read.number());
   return pid;
 }
 

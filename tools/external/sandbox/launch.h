@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstdint>
@@ -143,8 +144,8 @@ struct Confined {
   std::vector<std::filesystem::path> readable;
   Layers layers;
   Limits limits;
-  /// The files in its folder at the start: names and contents.
-  std::vector<std::pair<std::string, std::string>> files = {};
+  /// The files in its folder at the start.
+  std::vector<StartingFolder::File> files = {};
   /// Further contents of it; null: none.
   std::shared_ptr<const StartingFolder> start = {};
   /// Is told about failures with a cause outside the candidate; null: nobody is.
@@ -183,7 +184,9 @@ class ProcessFailure : public std::runtime_error {
 };
 
 /// Where programs named without a folder are searched.
-inline constexpr std::string_view kProgramPath = "/usr/local/bin:/usr/bin:/bin";
+inline constexpr std::array kProgramFolders = {"/usr/local/bin", "/usr/bin", "/bin"};
+/// The same as a PATH.
+std::string program_path();
 
 /// raycheck-jail or raycheck-worker.
 std::filesystem::path helper(const std::string& name);

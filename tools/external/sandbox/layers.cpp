@@ -128,21 +128,35 @@ LayersHere found_by_trying() {
   return here;
 }
 
+/// raycheck's programs in a folder, except those that run other people's code.
+void add_programs(const fs::path& folder, std::vector<fs::path>& programs) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename();
+    const bool is_helper = name == "raycheck-jail" || name == "raycheck-worker";
+    if (name.starts_with("raycheck") && !is_helper && entry.is_regular_file(ignored)) {
+      programs.push_back(entry.path());
+    }
+  }
+}
+
 }  // namespace
 
 std::string Layers::text() const {
-  std::string text;
-  for (const auto& [has, name] :
-       {std::pair(own_user, "own user"), std::pair(seccomp, "seccomp"),
-        std::pair(landlock, "Landlock"), std::pair(bubblewrap, "bubblewrap"),
-        std::pair(control_group, "control group")}) {
-    if (has) text += (text.empty() ? "" : ", ") + std::string(name);
-  }
-  if (group_memory || group_processes) {
-    text += fmt::format(" ({}{}{})", group_memory ? "memory" : "",
-                        group_memory && group_processes ? ", " : "",
-                        group_processes ? "processes" : "");
-  }
+  const auto those = [](std::initializer_list<std::pair<bool, std::string_view>> names) {
+    std::string text;
+    for (const auto& [is_there, name] : names) {
+      if (is_there) text += (text.empty() ? "" : ", ") + std::string(name);
+    }
+    return text;
+  };
+  std::string text = those({{own_user, "own user"},
+                            {seccomp, "seccomp"},
+                            {landlock, "Landlock"},
+                            {bubblewrap, "bubblewrap"},
+                            {control_group, "control group"}});
+  const std::string limits = those({{group_memory, "memory"}, {group_processes, "processes"}});
+  if (!limits.empty()) text += " (" + limits + ")";
   return text.empty() ? "limits only" : text;
 }
 
@@ -166,8 +180,6 @@ LayersHere chosen_layers(Sandbox sandbox) {
       "package of that name), or take sandbox available, which goes on with what does: {}",
       missing, here.layers.text()));
 }
-
-namespace fs = std::filesystem;
 
 std::vector<fs::path> system_paths() {
   std::vector<fs::path> paths = {"/usr",
@@ -196,32 +208,12 @@ std::vector<fs::path> own_paths() {
   return paths;
 }
 
-namespace {
-
-/// raycheck's programs in a folder, except those that run other people's code.
-void add_programs(const fs::path& folder, std::vector<fs::path>& programs) {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename();
-    const bool is_helper = name == "raycheck-jail" || name == "raycheck-worker";
-    if (name.starts_with("raycheck") && !is_helper && entry.is_regular_file(ignored)) {
-      programs.push_back(entry.path());
-    }
-  }
-}
-
-}  // namespace
-
 std::vector<fs::path> hidden_paths() {
   std::vector<fs::path> named = {prefix() / "share" / "raycheck" / "rubrics"};
   add_programs(program_folder(), named);
-  std::string_view folders = kProgramPath;
-  while (!folders.empty()) {
-    const std::size_t end = std::min(folders.find(':'), folders.size());
-    const fs::path folder(folders.substr(0, end));
+  for (const fs::path folder : kProgramFolders) {
     named.push_back(folder / "raycheck");
     add_programs(folder.parent_path() / "libexec" / "raycheck", named);
-    folders.remove_prefix(std::min(end + 1, folders.size()));
   }
   std::vector<fs::path> found;
   for (const fs::path& path : named) {

@@ -1,9 +1,7 @@
 #include "tools/external/sandbox/private_folder.h"
 
-#include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -14,6 +12,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "tools/external/sandbox/descriptor.h"
 #include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {
@@ -86,20 +85,19 @@ fs::path new_folder(const fs::path& begin) {
   return name;
 }
 
-/// Locks a run's folder by this file in it, until that is closed or this process ends; -1 if
+/// Locks a run's folder by this file in it, until that is closed or this process ends; not open if
 /// another holds it, or it is not a run's. `create`: O_CREAT to make it one.
-int hold(const fs::path& by, int create = 0) {
-  const int opened = open(by.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | create, 0600);
-  if (opened >= 0 && flock(opened, LOCK_EX | LOCK_NB) == 0) return opened;
-  if (opened >= 0) close(opened);
-  return -1;
+Descriptor hold(const fs::path& by, int create = 0) {
+  Descriptor opened(open(by.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | create, 0600));
+  if (flock(opened.number(), LOCK_EX | LOCK_NB) != 0) opened.close();
+  return opened;
 }
 
 /// Locks a new folder. The lock file becomes visible to others once it is locked.
-int hold_new(const fs::path& folder) {
+Descriptor hold_new(const fs::path& folder) {
   const fs::path unseen = folder / "new";
-  const int held = hold(unseen, O_CREAT);
-  if (held >= 0) fs::rename(unseen, folder / kHeldBy);
+  Descriptor held = hold(unseen, O_CREAT);
+  if (held.is_open()) fs::rename(unseen, folder / kHeldBy);
   return held;
 }
 
@@ -111,10 +109,7 @@ void remove_left_overs(const fs::path& where) {
     struct stat status {};
     if (lstat(at->path().c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) continue;
     if (status.st_uid != geteuid()) continue;
-    if (const int held = hold(at->path() / kHeldBy); held >= 0) {
-      remove_tree(at->path());
-      close(held);
-    }
+    if (hold(at->path() / kHeldBy).is_open()) remove_tree(at->path());
   }
 }
 
@@ -126,17 +121,14 @@ class RunFolder {
     fs::permissions(path_, fs::perms::others_exec, fs::perm_options::add);
     remove_left_overs(path_.parent_path());
   }
-  ~RunFolder() {
-    remove_tree(path_);
-    if (held_ >= 0) close(held_);
-  }
+  ~RunFolder() { remove_tree(path_); }
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
   const fs::path& path() const { return path_; }
 
  private:
   fs::path path_;
-  int held_;
+  Descriptor held_;
 };
 
 const fs::path& run_folder() {
@@ -190,14 +182,10 @@ void lay_out(const StartingFolder& start, const std::filesystem::path& folder, s
     require(user == 0 || chown(path.c_str(), id, id) == 0, name);
   }
   for (const auto& [name, text, runs] : start.files) {
-    const int file = open((folder / name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
-                          runs ? kProgramMode : kFileMode);
-    require(file >= 0, name);
-    const bool is_made = write_all(file, text) && (user == 0 || fchown(file, id, id) == 0);
-    const int error = errno;
-    close(file);
-    errno = error;
-    require(is_made, name);
+    const Descriptor file(open((folder / name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC,
+                               runs ? kProgramMode : kFileMode));
+    require(file.is_open() && write_all(file.number(), text), name);
+    require(user == 0 || fchown(file.number(), id, id) == 0, name);
   }
   for (const std::string& name : start.links) {
     require(symlink((start.linked->path() / name).c_str(), (folder / name).c_str()) == 0, name);

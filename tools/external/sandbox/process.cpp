@@ -13,7 +13,6 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -32,37 +31,8 @@ constexpr int kMostTurns = 64;
 /// Between two checks whether a process has ended.
 constexpr useconds_t kPause = 500;
 
-[[noreturn]] void fail_to_start(const std::string& what) {
-  throw std::system_error(errno, std::generic_category(), what);
-}
-
-/// Both ends of a pipe, closed in other programs.
-struct Pipe {
-  Pipe() {
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
-      throw std::system_error(errno, std::generic_category(), "pipe");
-    }
-    read = ends[0];
-    write = ends[1];
-  }
-  ~Pipe() {
-    for (const int end : {read, write}) {
-      if (end >= 0) close(end);
-    }
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  int read = -1, write = -1;
-};
-
 /// Whether a stream that cannot be read or written now may be later, or is closed.
 bool is_passing(int error) { return error == EAGAIN || error == EINTR || error == EPIPE; }
-
-void close_once(int& descriptor) {
-  if (descriptor >= 0) close(descriptor);
-  descriptor = -1;
-}
 
 /// bubblewrap and shells turn a signal into an exit code above this one.
 constexpr int kSignalled = 128;
@@ -154,28 +124,26 @@ Process::Process(const Confined& confined) try : confined_(confined) {
   if (confined.layers.own_user) {
     user_ = next_user();
     const auto id = static_cast<uid_t>(user_);
-    if (chown(folder_.path().c_str(), id, id) != 0) fail_to_start("its folder");
-  }
-  if (confined.start) lay_out(*confined.start, folder_.path(), user_);
-  for (const auto& [name, content] : confined.files) {
-    const fs::path path = folder_.path() / name;
-    std::ofstream file(path, std::ios::binary);
-    if (!(file << content).flush()) fail_to_start(name);
-    if (user_ != 0 &&
-        chown(path.c_str(), static_cast<uid_t>(user_), static_cast<gid_t>(user_)) != 0) {
-      fail_to_start(name);
+    if (chown(folder_.path().c_str(), id, id) != 0) {
+      throw std::system_error(errno, std::generic_category(), "its folder");
     }
   }
+  if (confined.start) lay_out(*confined.start, folder_.path(), user_);
+  StartingFolder given;
+  given.files = confined.files;
+  lay_out(given, folder_.path(), user_);
   if (confined.layers.control_group) group_.emplace(confined.layers, confined.limits);
   Pipe in, out, err;
   pid_ = launch(confined, folder_.path(), user_, group_ ? group_->path() : fs::path(),
-                {in.read, out.write, err.write});
+                {in.read.number(), out.write.number(), err.write.number()});
   watch_.emplace(pid_, folder_.path(), confined_.limits, group_ ? &*group_ : nullptr,
                  has_neighbours());
-  input_ = std::exchange(in.write, -1);
-  output_ = std::exchange(out.read, -1);
-  error_ = std::exchange(err.read, -1);
-  for (const int end : {input_, output_, error_}) fcntl(end, F_SETFL, O_NONBLOCK);
+  input_ = std::move(in.write);
+  output_ = std::move(out.read);
+  error_ = std::move(err.read);
+  for (const Descriptor* end : {&input_, &output_, &error_}) {
+    fcntl(end->number(), F_SETFL, O_NONBLOCK);
+  }
 } catch (const std::exception& error) {
   if (confined.surroundings) confined.surroundings->blame(error.what());
   throw ProcessFailure(FailureKind::kSystem, error.what());
@@ -197,21 +165,21 @@ bool Process::has_ended(int& status) {
   if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;
   pid_ = -1;
   watch_->end(seconds_of(used.ru_utime) + seconds_of(used.ru_stime));
-  listen();
+  listen(error_, said_);
   return true;
 }
 
 /// Whether all of it could be killed.
 bool Process::kill_all() {
-  close_once(input_);
+  input_.close();
   bool is_done = true;
   if (pid_ > 0) {
     if (group_) group_->kill();
     is_done = end_supervised(pid_);
     pid_ = -1;
   }
-  close_once(output_);
-  close_once(error_);
+  output_.close();
+  error_.close();
   return is_done;
 }
 
@@ -261,17 +229,24 @@ void Process::fail_ended() {
   fail_with(status);
 }
 
-/// Reads what is available on standard error.
-void Process::listen() {
-  std::array<char, 4096> buffer{};
+/// What a stream has now, as far as it fits, until the next call; empty: nothing, or its end, which
+/// closes it.
+std::string_view Process::heard_on(Descriptor& stream) {
+  if (!stream.is_open()) return {};
+  const ssize_t count = read(stream.number(), buffer_.data(), buffer_.size());
+  if (count == 0) stream.close();
+  if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
+  if (count <= 0) return {};
+  watch_->hear();
+  return {buffer_.data(), static_cast<std::size_t>(count)};
+}
+
+/// Reads what a stream has.
+void Process::listen(Descriptor& stream, KeptText& to) {
   for (int turn = 0; turn < kMostTurns; ++turn) {
-    const ssize_t count = error_ < 0 ? 0 : read(error_, buffer.data(), buffer.size());
-    if (count == 0) close_once(error_);
-    if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
-    if (count <= 0) return;
-    said_.append({buffer.data(), static_cast<std::size_t>(count)});
-    watch_->hear();
-    if (count < static_cast<ssize_t>(buffer.size())) return;
+    const std::string_view heard = heard_on(stream);
+    if (heard.empty()) return;
+    to.append(heard);
   }
 }
 
@@ -282,30 +257,26 @@ std::string Process::exchange(std::string_view request,
   watch_->restart();
   answer_.clear();
   std::size_t line_begin = 0, searched = 0;
-  std::array<char, 65536> buffer{};
   for (;;) {
     look("gave no reply");
     const auto left = watch_->until_next().count();
     scene::poll();
-    std::array<pollfd, 3> streams = {
-        {{output_, POLLIN, 0}, {error_, POLLIN, 0}, {request.empty() ? -1 : input_, POLLOUT, 0}}};
+    std::array<pollfd, 3> streams = {{{output_.number(), POLLIN, 0},
+                                      {error_.number(), POLLIN, 0},
+                                      {request.empty() ? -1 : input_.number(), POLLOUT, 0}}};
     if (poll(streams.data(), streams.size(), static_cast<int>(left)) < 0 && errno != EINTR) {
       fail(FailureKind::kSystem, std::strerror(errno));
     }
-    if (streams[1].revents != 0) listen();
+    if (streams[1].revents != 0) listen(error_, said_);
     if (streams[2].revents != 0) {
-      const ssize_t count = write(input_, request.data(), request.size());
+      const ssize_t count = write(input_.number(), request.data(), request.size());
       if (count > 0) request.remove_prefix(static_cast<std::size_t>(count));
       if (count < 0 && errno == EPIPE) request = {};  // it no longer reads
       if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
     }
     if (streams[0].revents == 0) continue;
-    const ssize_t count = read(output_, buffer.data(), buffer.size());
-    if (count == 0) fail_ended();
-    if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
-    if (count < 0) continue;
-    answer_.append(buffer.data(), static_cast<std::size_t>(count));
-    watch_->hear();
+    answer_ += heard_on(output_);
+    if (!output_.is_open()) fail_ended();
     for (std::size_t end; (end = answer_.find('\n', searched)) != std::string::npos;) {
       const std::string_view line = std::string_view(answer_).substr(line_begin, end - line_begin);
       line_begin = searched = end + 1;
@@ -322,20 +293,13 @@ std::string Process::exchange(std::string_view request,
 }
 
 int Process::finish() {
-  close_once(input_);
-  std::array<char, 65536> buffer{};
+  input_.close();
   for (;;) {
     scene::poll();
     int status = 0;
     const bool ended = has_ended(status);
-    listen();
-    for (int turn = 0; turn < kMostTurns; ++turn) {
-      const ssize_t count = read(output_, buffer.data(), buffer.size());
-      if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
-      if (count <= 0) break;
-      printed_.append({buffer.data(), static_cast<std::size_t>(count)});
-      watch_->hear();
-    }
+    listen(error_, said_);
+    listen(output_, printed_);
     if (ended) {
       if (signal_of(status) != 0) fail_with(status);
       // However it ended: some of its output may be missing.

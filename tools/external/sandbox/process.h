@@ -8,8 +8,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tools/external/sandbox/control_group.h"
+#include "tools/external/sandbox/descriptor.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/watch.h"
@@ -32,6 +34,9 @@ class KeptText {
   std::size_t lines_ = 0;    ///< Line ends in all of the output.
   std::size_t dropped_ = 0;  ///< Bytes.
 };
+
+/// The beginning of a text, at most this many bytes, not cut within a multi-byte character.
+std::string_view cut_to(std::string_view text, std::size_t most);
 
 /// The last line of a program's output, as a clause; empty if there is none.
 std::string last_line_text(const KeptText& said);
@@ -75,7 +80,8 @@ class Process {
   void blame(FailureKind kind, const std::string& words) const;
   void charge();
   void look(const char* doing);
-  void listen();
+  std::string_view heard_on(Descriptor& stream);
+  void listen(Descriptor& stream, KeptText& to);
   bool has_neighbours() const;
   bool has_ended(int& status);
   bool kill_all();
@@ -86,7 +92,8 @@ class Process {
   std::uint64_t user_ = 0;
   pid_t pid_ = -1;
   std::optional<Watch> watch_;
-  int input_ = -1, output_ = -1, error_ = -1;
+  Descriptor input_, output_, error_;
+  std::vector<char> buffer_ = std::vector<char>(65536);
   KeptText said_, printed_;
   std::string answer_;
 };

@@ -1,9 +1,6 @@
 #include "tools/external/sandbox/process_tree.h"
 
-#include <dirent.h>
-#include <fcntl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -12,11 +9,13 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <memory>
+#include <iterator>
 #include <optional>
-#include <string>
+#include <sstream>
 #include <string_view>
 #include <utility>
+
+#include "tools/external/sandbox/descriptor.h"
 
 namespace raycheck::tools {
 namespace {
@@ -27,17 +26,15 @@ constexpr useconds_t kPauseOfEnding = 500;
 /// What one read of a file in /proc returns: all of the short ones read here.
 std::string start_of(const std::string& path) {
   std::array<char, 4096> text{};
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return "";
-  const ssize_t size = read(file, text.data(), text.size());
-  close(file);
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  const ssize_t size = read(file.number(), text.data(), text.size());
   return size <= 0 ? "" : std::string(text.data(), static_cast<std::size_t>(size));
 }
 
 /// Calls what(number) for each number that names an entry of a folder.
 template <class What>
 void for_each_number(const std::string& folder, const What& what) {
-  const std::unique_ptr<DIR, int (*)(DIR*)> entries(opendir(folder.c_str()), closedir);
+  const FolderEntries entries(opendir(folder.c_str()), closedir);
   if (!entries) return;
   while (const dirent* const entry = readdir(entries.get())) {
     pid_t number = 0;
@@ -48,19 +45,10 @@ void for_each_number(const std::string& folder, const What& what) {
 }
 
 /// The fields of proc(5)'s /proc/PID/stat from the third on: the name before may contain anything.
-std::vector<std::string_view> stat_fields(std::string_view line) {
+std::vector<std::string> stat_fields(const std::string& line) {
   const std::size_t name_end = line.rfind(')');
-  std::vector<std::string_view> fields;
-  if (name_end == std::string_view::npos) return fields;
-  line.remove_prefix(name_end + 1);
-  while (!line.empty()) {
-    const std::size_t begin = line.find_first_not_of(" \n");
-    if (begin == std::string_view::npos) break;
-    const std::size_t end = std::min(line.find_first_of(" \n", begin), line.size());
-    fields.push_back(line.substr(begin, end - begin));
-    line.remove_prefix(end);
-  }
-  return fields;
+  if (name_end == std::string::npos) return {};
+  return words_of(line.substr(name_end + 1));
 }
 
 std::uint64_t number_of(std::string_view text) {
@@ -72,8 +60,8 @@ std::uint64_t number_of(std::string_view text) {
 std::optional<ProcessState> state_of(pid_t pid) {
   // Counted from the third field: state, ppid, utime to cstime, num_threads, rss.
   constexpr std::size_t kState = 0, kParent = 1, kTimes = 11, kThreads = 17, kMemory = 21;
-  const std::string line = start_of("/proc/" + std::to_string(pid) + "/stat");
-  const std::vector<std::string_view> fields = stat_fields(line);
+  const std::vector<std::string> fields =
+      stat_fields(start_of("/proc/" + std::to_string(pid) + "/stat"));
   if (fields.size() <= kMemory) return {};
   std::uint64_t ticks = 0;
   for (std::size_t k = 0; k < 4; ++k) ticks += number_of(fields[kTimes + k]);
@@ -129,6 +117,11 @@ bool disks_keep_waiting() {
 
 }  // namespace
 
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
 std::vector<ProcessState> process_tree(pid_t root, double* computed) {
   std::vector<ProcessState> all, tree;
   for_each_number("/proc", [&](pid_t pid) {
@@ -155,8 +148,8 @@ bool want_to_run(const std::vector<ProcessState>& processes) {
   for (const ProcessState& process : processes) {
     const std::string tasks = "/proc/" + std::to_string(process.pid) + "/task";
     for_each_number(tasks, [&](pid_t task) {
-      const std::string line = start_of(tasks + "/" + std::to_string(task) + "/stat");
-      const std::vector<std::string_view> fields = stat_fields(line);
+      const std::vector<std::string> fields =
+          stat_fields(start_of(tasks + "/" + std::to_string(task) + "/stat"));
       runs = runs || (!fields.empty() && fields[0] == "R");
       sleeps = sleeps || (!fields.empty() && fields[0] == "D");
     });

@@ -4,9 +4,13 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace raycheck::tools {
+
+/// What lies between spaces and line ends.
+std::vector<std::string> words_of(const std::string& text);
 
 /// A process as shown in /proc.
 struct ProcessState {

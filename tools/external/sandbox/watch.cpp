@@ -109,17 +109,20 @@ milliseconds Watch::until_next() const {
 }
 
 std::optional<Stop> Watch::excess(const std::vector<ProcessState>& tree) {
-  std::uint64_t threads = 0;
-  for (const ProcessState& one : tree) threads += one.threads;
+  const auto stopped = [](const std::string& words) {
+    return Stop{FailureKind::kEnded, "was stopped: " + words};
+  };
+  std::uint64_t threads = 0, memory = 0;
+  for (const ProcessState& one : tree) {
+    threads += one.threads;
+    memory += one.memory;
+  }
   if (threads > limits_.processes + kOfLayers) {
-    return Stop{FailureKind::kEnded,
-                fmt::format("was stopped: it has more than {} processes and threads{}",
-                            limits_.processes, called(limits_.names.processes))};
+    return stopped(fmt::format("it has more than {} processes and threads{}", limits_.processes,
+                               called(limits_.names.processes)));
   }
   const NamelessFiles nameless = nameless_files(tree);
-  std::uint64_t memory = nameless.in_memory;
-  for (const ProcessState& one : tree) memory += one.memory;
-  if (memory > limits_.memory) {
+  if (memory + nameless.in_memory > limits_.memory) {
     // Mapped shared memory was counted with each process.
     const MemoryUse use = memory_together(tree);
     memory = use.own + std::max(use.shared, nameless.in_memory);
@@ -133,20 +136,12 @@ std::optional<Stop> Watch::excess(const std::vector<ProcessState>& tree) {
     next_at_files_ = end + std::min((end - begin) * kShare, kMostInterval);
   }
   if (files_.bytes + nameless.on_disk > limits_.disk) {
-    return Stop{FailureKind::kEnded, fmt::format("was stopped: its files take more than {} MiB{}",
-                                                 limits_.disk >> 20, called(limits_.names.disk))};
+    return stopped(fmt::format("its files take more than {} MiB{}", limits_.disk >> 20,
+                               called(limits_.names.disk)));
   }
-  if (files_.is_too_deep) {
-    return Stop{FailureKind::kEnded, "was stopped: it nests folders too deep"};
-  }
-  if (files_.is_closed) {
-    return Stop{FailureKind::kEnded,
-                "was stopped: it closes a folder, so that none can look into it"};
-  }
-  if (files_.are_too_many) {
-    return Stop{FailureKind::kEnded,
-                fmt::format("was stopped: it has more than {} files", kMostFiles)};
-  }
+  if (files_.is_too_deep) return stopped("it nests folders too deep");
+  if (files_.is_closed) return stopped("it closes a folder, so that none can look into it");
+  if (files_.are_too_many) return stopped(fmt::format("it has more than {} files", kMostFiles));
   return {};
 }
 

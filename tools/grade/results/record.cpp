@@ -18,7 +18,7 @@ using NamesOfEnum = std::span<const std::string_view>;
 NamesOfEnum names_of(properties::Wrong /*of*/) { return properties::kWrongNames; }
 NamesOfEnum names_of(ItemState /*of*/) { return kItemStateNames; }
 NamesOfEnum names_of(ItemReason::Kind /*of*/) { return kReasonNames; }
-NamesOfEnum names_of(scene::Dialect /*of*/) { return kDialectNames; }
+NamesOfEnum names_of(scene::Dialect /*of*/) { return scene::kDialectNames; }
 NamesOfEnum names_of(DriverLight /*of*/) { return kDriverLightNames; }
 NamesOfEnum names_of(DriverNumbers /*of*/) { return kDriverNumberNames; }
 NamesOfEnum names_of(properties::Quantity /*of*/) {

@@ -139,7 +139,7 @@ namespace fs = std::filesystem;
 /// Changes with the format of stored builds and answers.
 constexpr std::string_view kStoreShape = "store 2";
 
-/// As in kProgramPath.
+/// As in kProgramFolders.
 constexpr const char* kFolders[] = {"/usr/local/bin", "/usr/bin"};
 constexpr const char* kPrograms[] = {"g++",   "gcc",  "c++",  "cc",     "clang++",
                                      "clang", "ld",   "make", "cmake",  "ninja",

@@ -194,17 +194,8 @@ TEST(KnownForms, are_all_different_and_begin_with_what_is_asked_for) {
 }
 
 TEST(DriverFormName, says_all_of_a_form) {
-  const std::vector<std::vector<std::string>> odd_lines = {{},
-                                                           {"no-light"},
-                                                           {"light"},
-                                                           {"16"},
-                                                           {"fixed", "shortest"},
-                                                           {"order=eye"},
-                                                           {"a:b"},
-                                                           {"%3A"},
-                                                           {"100% \"x\" y"},
-                                                           {"", ""},
-                                                           {"model a.obj", "recursionlevel 0"}};
+  const std::vector<std::vector<std::string>> odd_lines = {
+      {}, {"100% \"x\" y"}, {"", ""}, {"model a.obj", "recursionlevel 0"}};
   for (const auto& lines : odd_lines) {
     for (const int numbers : kSphereNumbers) {
       DriverForm form = form_of(Dialect::kA);
@@ -238,10 +229,7 @@ TEST(DriverFormName, is_refused_with_what_is_wrong) {
   for (const auto& [name, why] : {std::pair("D", "the dialects are A, B, C, 2017"),
                                   {"", "the dialects are"},
                                   {"B:15", "15 numbers"},
-                                  {"B:order=eye", "each of these once: eye,look"},
-                                  {"B:a%", "%25"},
-                                  {"B:a%zz", "hexadecimal"},
-                                  {"B:a%0Ab", "one line"}}) {
+                                  {"B:order=eye", "each of these once: eye,look"}}) {
     std::string said;
     try {
       driver_form(name);

@@ -18,7 +18,7 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
-HEADERS = HERE.parent.parent / "include/raycheck"
+HEADERS = HERE.parent.parent.parent / "include/raycheck"
 SKIPPED = 77
 ACCEPT = "./run abi --accept"
 # Nothing that depends on the machine, and no type that the public headers do not reach.

@@ -1,0 +1,104 @@
+#pragma once
+
+// The words of the lines that raycheck and a candidate's process exchange (docs/candidates.md).
+// Both sides read them by this header: raycheck-worker links no other room.
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "scene/conventions.h"
+#include "scene/number.h"
+
+namespace raycheck::tools {
+
+inline constexpr std::array<std::string_view, 6> kFunctions = {
+    "frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "nearest"};
+
+/// The conventions of a `conventions` line, in its order, with their values in the order of the
+/// enumerators.
+struct ConventionWords {
+  std::string_view name;
+  std::span<const std::string_view> values;
+};
+inline constexpr std::array<ConventionWords, 5> kConventionWords = {
+    {{"rows", scene::kRowsNames},
+     {"samples", scene::kSamplesNames},
+     {"origin", scene::kOriginNames},
+     {"root", scene::kRootNames},
+     {"tangent", scene::kTangentNames}}};
+
+/// The ends of an interval in one word, in the order of scene::Ends; or that every interval is
+/// taken.
+inline constexpr std::array<std::string_view, 5> kEndsWords = {"[]", "[)", "(]", "()", "as-asked"};
+
+/// A malformed line: what() says which one and how.
+class ProtocolError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A line as errors may show it: without terminal control sequences.
+inline std::string shown(std::string_view line) {
+  constexpr std::size_t kShown = 60;
+  std::string text(line.substr(0, kShown));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return line.size() > kShown ? text + "..." : text;
+}
+
+/// The words of a line, one after the other. Errors: ProtocolError.
+class Words {
+ public:
+  Words(std::string_view line, std::size_t number) : line_(line), rest_(line), number_(number) {}
+
+  std::string_view word() {
+    if (rest_.empty()) fail("has too few words");
+    const std::size_t end = std::min(rest_.find(' '), rest_.size());
+    const std::string_view found = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return found;
+  }
+  double number() {
+    const auto value = scene::parse_number(word());
+    if (!value) fail("has a word that is no number");
+    return *value;
+  }
+  std::int64_t integer(const char* otherwise = "has no index") {
+    const std::string_view text = word();
+    std::int64_t value = 0;
+    const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || at != text.data() + text.size()) fail(otherwise);
+    return value;
+  }
+  template <class Triple>
+  Triple triple() {
+    const double x = number(), y = number(), z = number();
+    return {x, y, z};
+  }
+  /// Which of these names the next word is.
+  std::size_t place_in(std::span<const std::string_view> names, const char* otherwise) {
+    const auto found = std::find(names.begin(), names.end(), word());
+    if (found == names.end()) fail(otherwise);
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  void end() const {
+    if (!rest_.empty()) fail("has too many words");
+  }
+  [[noreturn]] void fail(const std::string& how) const {
+    throw ProtocolError("line " + std::to_string(number_) + " of its reply " + how + ": '" +
+                        shown(line_) + "'");
+  }
+
+ private:
+  std::string_view line_, rest_;
+  std::size_t number_;
+};
+
+}  // namespace raycheck::tools
