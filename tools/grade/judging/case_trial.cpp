@@ -34,7 +34,8 @@ bool misses_hits(Trial& trial) {
 bool has_hits(Trial& trial) {
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     for (const properties::Meeting& meeting : trial.exact_meetings(sphere)) {
-      const bool is_judged = !is_unjudged(meeting.intersection, trial.conventions().tangent);
+      const bool is_judged =
+          !properties::is_unjudged(meeting.intersection, trial.conventions().tangent);
       if (is_judged && trial.exact_hit(meeting.ray, sphere)) return true;
     }
   }
