@@ -1,7 +1,6 @@
 #include "properties/candidate.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "scene/validate.h"
 

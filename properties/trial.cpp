@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "properties/rounded_case.h"
 #include "reference/account/nearby_valid.h"

@@ -1,6 +1,5 @@
 #include "properties/truth.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "reference/account/condition.h"

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <iterator>
 #include <numeric>
 #include <set>
 #include <tuple>
-#include <utility>
 
 namespace raycheck::properties {
 

@@ -17,7 +17,6 @@
 #include <raycheck/api.h>
 #include <raycheck/scene.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>

@@ -2,7 +2,6 @@
 // camera stands, how it is turned and how large everything is.
 
 #include <cmath>
-#include <utility>
 
 #include "properties/cases/case_list.h"
 #include "properties/cases/generators.h"

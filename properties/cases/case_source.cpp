@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <stdexcept>
-#include <vector>
 
 #include "properties/cases/case_list.h"
 #include "properties/cases/random.h"

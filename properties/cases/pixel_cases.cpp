@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "properties/cases/case_list.h"
 #include "properties/cases/generators.h"

@@ -1,7 +1,6 @@
 #include "properties/cases/varied_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

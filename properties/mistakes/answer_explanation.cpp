@@ -1,7 +1,6 @@
 #include "properties/mistakes/answer_explanation.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "properties/mistakes/answer_examination.h"

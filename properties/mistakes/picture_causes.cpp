@@ -1,7 +1,6 @@
 #include "properties/mistakes/picture_causes.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "properties/mistakes/picture_evidence.h"
 

@@ -6,9 +6,6 @@
 #include <charconv>
 #include <limits>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"

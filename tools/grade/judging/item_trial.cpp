@@ -44,15 +44,27 @@ bool misses_hits(Trial& trial) {
   return false;
 }
 
+bool has_hits(Trial& trial) {
+  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
+    for (const properties::Meeting& meeting : trial.exact_meetings(sphere)) {
+      const bool is_judged =
+          !properties::is_unjudged(meeting.intersection, trial.conventions().tangent);
+      if (is_judged && trial.exact_hit(meeting.ray, sphere)) return true;
+    }
+  }
+  return false;
+}
+
 /// Whether the candidate gives a law less to compare than the scene has.
 bool is_unanswered(const Law& law, Trial& trial) {
   if (law.per == properties::Per::kImage || !scene_suits(law.needs, trial)) return false;
-  if (!what_is_missing(law.needs, trial).empty()) return true;
+  const bool lacks_functions = !what_is_missing(law.needs, trial).empty();
   // The law of the class compares misses, too; those of no stage look at hits where there are some.
   const bool is_of_class = judges_decisions(law) && law.quantity == properties::Quantity::kClass;
   const bool compares_hits =
       needs_any(law.needs, Needs::kIntersect) || (needs_any(law.needs, Needs::kRays) && !law.stage);
-  return compares_hits && !is_of_class && misses_hits(trial);
+  if (is_of_class || !compares_hits) return lacks_functions;
+  return has_hits(trial) && (lacks_functions || misses_hits(trial));
 }
 
 /// Tries the laws on a case.
