@@ -100,7 +100,7 @@ void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& 
 
 std::vector<std::string_view> names_of_class_files() {
   std::vector<std::string_view> names;
-  for (const ClassView& file : class_files()) names.push_back(file.name);
+  for (const ClassView& file : kClassFiles) names.push_back(file.name);
   names.push_back(kStoreFolder);
   names.push_back(kOwnFilesList);
   return names;
@@ -140,7 +140,7 @@ class ClassRun {
     result.isolation = here_;
     result.interrupted = control.interrupted();
     if (!writes()) return result;
-    for (const ClassView& file : class_files()) own_->write(file.name, file.render(result));
+    for (const ClassView& file : kClassFiles) own_->write(file.name, file.render(result));
     return result;
   }
 
@@ -149,7 +149,7 @@ class ClassRun {
 
   /// Checks before grading that no foreign file is where results may be written.
   void require_place() const {
-    for (const ClassView& file : class_files()) own_->require_own(file.name);
+    for (const ClassView& file : kClassFiles) own_->require_own(file.name);
     std::vector<std::string> names = names_for_student(rubric_);
     names.emplace_back(kRecordFile);
     if (options_.results != nullptr) names.emplace_back(kResultsFile);

@@ -13,7 +13,7 @@
 
 #include "properties/run_control.h"
 #include "tools/external/sandbox/launch.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"

@@ -44,23 +44,14 @@ std::string secret_of(const std::string& path) {
 
 /// Prints the class in a format, or in the first if that is only a format of results.json.
 std::string printed(const ClassGrade& graded, const std::string& format) {
-  for (const ClassView& view : printed_views()) {
+  for (const ClassView& view : kPrintedViews) {
     if (view.name == format) return view.render(graded);
   }
-  return printed_views().front().render(graded);
-}
-
-/// Rejects an option for submissions if there are none.
-void require_no(const char* option, const std::string& value) {
-  if (value.empty()) return;
-  throw std::invalid_argument(
-      fmt::format("{} {}: is for submissions, and none are given", option, value));
+  return kPrintedViews[0].render(graded);
 }
 
 /// Without submissions the rubric itself is tried, on raycheck's own methods.
 int try_own_methods(const GradeArguments& arguments) {
-  require_no("--out", arguments.options.out);
-  require_no("--secret-file", arguments.secret_file);
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric, arguments.options.dialect);
   tried.submissions = try_rubric(tried.rubric, arguments.options.seed, run_control("rubric"));
@@ -83,17 +74,6 @@ int try_own_methods(const GradeArguments& arguments) {
 
 /// Only the dry run.
 int run_probe(const GradeArguments& arguments) {
-  if (arguments.options.submissions.empty()) {
-    throw std::invalid_argument("--probe: give the submissions that are to be tried");
-  }
-  if (!arguments.package.empty()) {
-    throw std::invalid_argument("--probe: tries submissions; leave out --package");
-  }
-  // --out is allowed: the command is the later grading's, tried beforehand.
-  if (!arguments.secret_file.empty()) {
-    throw std::invalid_argument("--secret-file " + arguments.secret_file +
-                                ": --probe judges nothing, so leave it out");
-  }
   if (std::none_of(std::begin(kProbeViews), std::end(kProbeViews),
                    [&](const auto& view) { return view.name == arguments.format; })) {
     throw std::invalid_argument("--format " + arguments.format + ": --probe has text and json");
@@ -109,17 +89,6 @@ int run_grade(const GradeArguments& arguments) {
   if (arguments.probe) return run_probe(arguments);
   GradeOptions options = arguments.options;
   if (!arguments.package.empty()) {
-    if (!options.submissions.empty()) {
-      throw std::invalid_argument("--package: grades nothing; leave out the submissions");
-    }
-    require_no("--out", options.out);
-    if (!arguments.secret_file.empty()) {
-      throw std::invalid_argument(
-          "--secret-file: every submission to a package has one name; give a --seed");
-    }
-    if (!options.dialect.empty()) {
-      throw std::invalid_argument("--dialect: a package has its rubric's; write it to [driver]");
-    }
     write_package(load_rubric(options.rubric), options.seed, arguments.package);
     print_report("wrote " + arguments.package + "\n");
     return kExitNothingFound;
@@ -128,7 +97,7 @@ int run_grade(const GradeArguments& arguments) {
   if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
   if (!arguments.secret_file.empty()) options.secret = secret_of(arguments.secret_file);
   options.sandbox = sandbox_of(arguments.sandbox);
-  for (const ResultsFormat& format : results_formats()) {
+  for (const ResultsFormat& format : kResultsFormats) {
     if (format.name == arguments.format) options.results = &format;
   }
   const ClassGrade graded = grade(options, run_control("submissions", arguments.jobs));
@@ -145,23 +114,35 @@ CommandRun add_grade(CLI::App& command) {
       .add_option("RUBRIC", arguments.options.rubric,
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
       ->required();
-  command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
-  command.add_option("--out", arguments.options.out, "the folder that takes the results");
+  CLI::Option* const submissions =
+      command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
+  command.add_option("--out", arguments.options.out, "the folder that takes the results")
+      ->needs(submissions);
   command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
       ->check(whole_number(1, 1024));
-  command.add_flag("--probe", arguments.probe,
-                   "only build and try the submissions, judge none: what each reads, writes and "
-                   "shows, and a [driver] and [[form]]s that say so");
+  // With --out, too: the command is the later grading's, tried beforehand.
+  CLI::Option* const probe =
+      command
+          .add_flag("--probe", arguments.probe,
+                    "only build and try the submissions, judge none: what each reads, writes and "
+                    "shows, and a [driver] and [[form]]s that say so")
+          ->needs(submissions);
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
-  command.add_option("--secret-file", arguments.secret_file,
-                     "a secret file: it and a submission's name make its seed");
+  command
+      .add_option("--secret-file", arguments.secret_file,
+                  "a secret file: it and a submission's name make its seed")
+      ->needs(submissions)
+      ->excludes(probe);
   add_sandbox(command, arguments.sandbox);
-  command.add_option("--package", arguments.package,
-                     "write the zip file that Gradescope takes as an autograder");
+  command
+      .add_option("--package", arguments.package,
+                  "write the zip file that Gradescope takes as an autograder")
+      ->excludes(submissions)
+      ->excludes(command.get_option("--dialect"));
   std::vector<std::string> formats;
-  for (const ClassView& view : printed_views()) formats.emplace_back(view.name);
-  for (const ResultsFormat& format : results_formats()) formats.emplace_back(format.name);
+  for (const ClassView& view : kPrintedViews) formats.emplace_back(view.name);
+  for (const ResultsFormat& format : kResultsFormats) formats.emplace_back(format.name);
   add_format(command, arguments.format, formats);
   return [given] { return run_grade(*given); };
 }

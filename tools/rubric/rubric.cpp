@@ -1,16 +1,18 @@
 #include "tools/rubric/rubric.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 
+#include "scene/files/file_text.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/grade/rubric/rubric_files.h"
 #include "tools/report/output_file.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -19,33 +21,29 @@ namespace fs = std::filesystem;
 
 fs::path path_of(const std::string& name) {
   if (const auto path = shipped_rubric(name)) return *path;
-  std::string known;
-  for (const std::string& one : shipped_rubrics()) known += (known.empty() ? "" : ", ") + one;
   throw std::invalid_argument(
-      fmt::format("rubric {}: none of that name comes with raycheck; there is {}", name, known));
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error(fmt::format("rubric: {} cannot be read", path.string()));
-  return text;
+      fmt::format("rubric {}: none of that name comes with raycheck; there is {}", name,
+                  fmt::join(shipped_rubrics(), ", ")));
 }
 
 }  // namespace
 
-std::vector<ShippedRubric> list_rubrics() {
-  std::vector<ShippedRubric> all;
-  for (const std::string& name : shipped_rubrics()) {
+std::string rubrics_text() {
+  const std::vector<std::string> names = shipped_rubrics();
+  std::size_t width = 0;
+  for (const std::string& name : names) width = std::max(width, name.size());
+  std::string text;
+  for (const std::string& name : names) {
     const Rubric rubric = load_rubric(path_of(name));
-    all.push_back({name, rubric.title, rubric.items.size()});
+    text += fmt::format("{:<{}}  {}, {}\n", name, width, rubric.title,
+                        count_text(rubric.items.size(), "item"));
   }
-  return all;
+  return text + "`raycheck rubric NAME` prints one, with --out FOLDER copies it with its scenes.\n";
 }
 
-std::string rubric_file(const std::string& name) { return text_of(path_of(name)); }
+std::string rubric_file(const std::string& name) { return scene::file_text(path_of(name)); }
 
-CopiedRubric copy_rubric(const std::string& name, const std::string& out) {
+std::string copy_rubric(const std::string& name, const std::string& out) {
   const fs::path from = path_of(name);
   const Rubric rubric = load_rubric(from);
   std::map<std::string, fs::path> files = rubric.scene_files;
@@ -61,9 +59,10 @@ CopiedRubric copy_rubric(const std::string& name, const std::string& out) {
     std::error_code error;
     fs::create_directories(to.parent_path(), error);
     if (error) throw std::invalid_argument(fmt::format("out {}: {}", out, error.message()));
-    OutputFile("out", to).write(text_of(source));
+    OutputFile("out", to).write(scene::file_text(source));
   }
-  return {(fs::path(out) / from.filename()).string(), rubric.scene_files.size()};
+  return fmt::format("wrote {} and {}\n", (fs::path(out) / from.filename()).string(),
+                     count_text(rubric.scene_files.size(), "scene"));
 }
 
 }  // namespace raycheck::tools

@@ -91,11 +91,8 @@ json failing(const Grading& grading, const std::string& mistake, const std::stri
 
 TEST(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
   std::set<std::string> colours;
-  const std::string is_expected = "yours is the expected picture";
-  for (const auto& [mistake, said] : {std::pair("mirrored", " mirrored left to right"),
-                                      {"upside_down", " upside down"},
-                                      {"first_sphere_wins", ""},
-                                      {"u_and_w_flipped", ""}}) {
+  for (const char* const mistake :
+       {"mirrored", "upside_down", "first_sphere_wins", "u_and_w_flipped"}) {
     const Grading grading;
     const json recorded = failing(grading, mistake)["pictures"];
     const json shown = pictures_of(grading, "mine");
@@ -127,9 +124,6 @@ TEST(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
         std::to_string(wrong) + " of " + std::to_string(width * height) + " pixels differ";
     EXPECT_EQ(shown[2]["alt"].get<std::string>().find(counted), 0u) << shown[2]["alt"];
     expect_parts(grading.file("mine", "results.json"), {"\\n" + counted});
-    const std::string page = grading.file("mine", "report.html");
-    EXPECT_EQ(has(page, is_expected), *said != '\0') << mistake;
-    EXPECT_TRUE(*said == '\0' || has(page, is_expected + said)) << mistake;
   }
   EXPECT_GE(colours.size(), 3u) << "black and two spheres";
 }

@@ -45,30 +45,14 @@ std::string without_magics(const std::string& cell) {
   return text;
 }
 
-/// The cells, not copied, since copying deeply nested JSON overflows the stack; notebooks before
-/// 2015 have them in worksheets, and their code in `input`.
-std::vector<const Json*> cells_of(const Json& notebook) {
-  std::vector<const Json*> cells;
-  const auto add = [&](const Json& sheet) {
-    for (const Json& cell : sheet.at("cells")) cells.push_back(&cell);
-  };
-  if (notebook.contains("cells")) {
-    add(notebook);
-  } else {
-    for (const Json& sheet : notebook.at("worksheets")) add(sheet);
-  }
-  return cells;
-}
-
 }  // namespace
 
 std::optional<std::string> notebook_module(std::string_view text) try {
   const Json notebook = Json::parse(text);
   std::string module;
-  for (const Json* const cell : cells_of(notebook)) {
-    if (cell->at("cell_type") != "code") continue;
-    const std::string code =
-        joined(cell->contains("source") ? cell->at("source") : cell->at("input"));
+  for (const Json& cell : notebook.at("cells")) {
+    if (cell.at("cell_type") != "code") continue;
+    const std::string code = joined(cell.at("source"));
     if (is_python_cell(code)) module += without_magics(code) + "\n";
   }
   return module;

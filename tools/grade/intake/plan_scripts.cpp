@@ -50,25 +50,6 @@ std::vector<std::string> several_note(const std::vector<std::string>& names) {
   return {fmt::format("{} of its files could be started; this is {}", names.size(), names.front())};
 }
 
-/// The words of Java: names with their dots, and every other character except spaces. A regular
-/// expression would recurse for each space of a file that has a million.
-std::vector<std::string_view> words_of_java(std::string_view text) {
-  const auto is_of_name = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
-  };
-  std::vector<std::string_view> words;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = at;
-    while (end < text.size() && is_of_name(text[end])) ++end;
-    if (end == at) ++end;
-    if (std::isspace(static_cast<unsigned char>(text[at])) == 0) {
-      words.push_back(text.substr(at, end - at));
-    }
-    at = end;
-  }
-  return words;
-}
-
 /// Whether there is a `public static void main(`.
 bool has_java_main(const std::vector<std::string_view>& words) {
   for (std::size_t k = 2; k + 1 < words.size(); ++k) {
@@ -107,7 +88,7 @@ std::vector<std::string> java_mains(const HandedInFiles& files) {
   std::vector<std::string> mains = with_ending(files, {".java"});
   std::erase_if(mains, [&](const std::string& name) {
     const std::string text = without_comments(files.at(name).text);
-    return !has_java_main(words_of_java(text));
+    return !has_java_main(words_of_code(text));
   });
   sort_by_likelihood(mains);
   return mains;
@@ -134,6 +115,13 @@ std::string of_package_json(const HandedInFiles& files) try {
   return "";
 }
 
+void plan_script(const std::string& interpreter, const std::vector<std::string>& mains,
+                 BuildPlan& plan) {
+  if (mains.empty()) return;
+  const std::string program = interpreter + " " + candidate_word("./" + mains.front());
+  plan.attempts.push_back({"its sources", interpreter, "", "", program, {}, several_note(mains)});
+}
+
 }  // namespace
 
 std::string java_words(const std::string& folder, const std::vector<std::string>& jars,
@@ -148,7 +136,7 @@ std::string java_main_class(const HandedInFiles& files) {
   const std::vector<std::string> mains = java_mains(files);
   if (mains.empty()) return "";
   const std::string text = without_comments(files.at(mains.front()).text);
-  return main_class(mains.front(), words_of_java(text));
+  return main_class(mains.front(), words_of_code(text));
 }
 
 void plan_java(const HandedInFiles& files, BuildPlan& plan) {
@@ -180,27 +168,14 @@ void plan_javascript(const HandedInFiles& files, BuildPlan& plan) {
       starting(files, with_ending(files, {".js", ".mjs", ".cjs"}), {"process.argv", "Deno.args"});
   const std::string packaged = of_package_json(files);
   if (!packaged.empty()) mains = {packaged};
-  if (mains.empty()) return;
-  plan.attempts.push_back({"its sources",
-                           "node",
-                           "",
-                           "",
-                           "node " + candidate_word("./" + mains.front()),
-                           {},
-                           several_note(mains)});
+  plan_script("node", mains, plan);
 }
 
 void plan_python(const HandedInFiles& files, BuildPlan& plan) {
-  const std::vector<std::string> mains = starting(
-      files, with_ending(files, {".py"}), {"__main__", "sys.argv", "argparse", "import argv"});
-  if (mains.empty()) return;
-  plan.attempts.push_back({"its sources",
-                           "python3",
-                           "",
-                           "",
-                           "python3 " + candidate_word("./" + mains.front()),
-                           {},
-                           several_note(mains)});
+  plan_script("python3",
+              starting(files, with_ending(files, {".py"}),
+                       {"__main__", "sys.argv", "argparse", "import argv"}),
+              plan);
 }
 
 }  // namespace raycheck::tools

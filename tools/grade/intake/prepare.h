@@ -10,7 +10,7 @@
 #include "properties/run_control.h"
 #include "tools/external/locate.h"
 #include "tools/external/pictures/dry_run.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/store/store.h"
 

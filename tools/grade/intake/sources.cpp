@@ -11,7 +11,7 @@ namespace raycheck::tools {
 namespace {
 
 template <std::size_t N>
-bool is_one_of(const std::array<std::string_view, N>& names, const std::string& name) {
+bool is_one_of(const std::array<std::string_view, N>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -28,8 +28,6 @@ std::vector<std::string> folders_of(const std::string& path) {
   }
   return parts;
 }
-
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 }  // namespace
 
@@ -103,18 +101,30 @@ std::string without_comments(std::string_view text) {
   return kept;
 }
 
+// A regular expression would recurse for each space of a file that has a million.
+std::vector<std::string_view> words_of_code(std::string_view text) {
+  const auto is_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+  };
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    if (end == at) ++end;
+    if (std::isspace(static_cast<unsigned char>(text[at])) == 0) {
+      words.push_back(text.substr(at, end - at));
+    }
+    at = end;
+  }
+  return words;
+}
+
 bool defines_main(std::string_view given) {
+  constexpr std::array<std::string_view, 4> kTypes = {"int", "void", "auto", "signed"};
   const std::string text = without_comments(given);
-  for (std::size_t at = 0; (at = text.find("main", at)) != std::string::npos; at += 4) {
-    if (at == 0 || std::isspace(static_cast<unsigned char>(text[at - 1])) == 0) continue;
-    const std::size_t after = text.find_first_not_of(" \t\r\n", at + 4);
-    if (after == std::string::npos || text[after] != '(') continue;
-    std::size_t before = text.find_last_not_of(" \t\r\n", at - 1);
-    if (before == std::string::npos) continue;
-    const std::size_t end = before + 1;
-    while (before > 0 && is_word(text[before - 1])) --before;
-    const std::string type = text.substr(before, end - before);
-    if (type == "int" || type == "void" || type == "auto" || type == "signed") return true;
+  const std::vector<std::string_view> words = words_of_code(text);
+  for (std::size_t k = 1; k + 1 < words.size(); ++k) {
+    if (words[k] == "main" && words[k + 1] == "(" && is_one_of(kTypes, words[k - 1])) return true;
   }
   return false;
 }

@@ -31,6 +31,9 @@ bool is_c_family(const std::string& path);
 /// A text without comments of C, C++, Java and JavaScript; keeps the line numbers.
 std::string without_comments(std::string_view text);
 
+/// The words of C, C++ or Java: names with their dots, and every other character except spaces.
+std::vector<std::string_view> words_of_code(std::string_view text);
+
 /// Whether C or C++ source contains `int main(`.
 bool defines_main(std::string_view text);
 
@@ -50,14 +53,21 @@ struct Vendored {
 };
 Vendored vendored_in(const HandedInFiles& files);
 
+/// Whether it lies in a folder of builds, tests or examples.
+bool is_aside(const std::string& path);
+
 /// The submission's own sources for which `holds`; those of tests, examples and builds only if
 /// there are no others.
 template <class Holds>
 std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored& vendored,
-                                     const Holds& holds);
-
-/// Whether it lies in a folder of builds, tests or examples.
-bool is_aside(const std::string& path);
+                                     const Holds& holds) {
+  std::vector<std::string> own, aside;
+  for (const auto& [name, file] : files) {
+    if (vendored.has(name) || !holds(name, file)) continue;
+    (is_aside(name) ? aside : own).push_back(name);
+  }
+  return own.empty() ? aside : own;
+}
 
 /// How likely a file of this name starts a renderer, 0 for rt and raytracer; lower is likelier.
 /// kHardlyARenderer for what is called test, backup, example and the like.
@@ -88,16 +98,5 @@ std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const st
 
 /// A shell command that makes them in a copy of the submission; empty if there are none.
 std::string repair_words(const std::vector<IncludeRepair>& repairs);
-
-template <class Holds>
-std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored& vendored,
-                                     const Holds& holds) {
-  std::vector<std::string> own, aside;
-  for (const auto& [name, file] : files) {
-    if (vendored.has(name) || !holds(name, file)) continue;
-    (is_aside(name) ? aside : own).push_back(name);
-  }
-  return own.empty() ? aside : own;
-}
 
 }  // namespace raycheck::tools

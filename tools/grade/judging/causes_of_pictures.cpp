@@ -18,13 +18,6 @@ using properties::ImageAnswer;
 using properties::Mistake;
 using properties::ShownPicture;
 
-ImageAnswer mask_of(ImageAnswer image) {
-  for (auto& sphere : image) {
-    if (sphere) sphere = properties::kSomeSphere;
-  }
-  return image;
-}
-
 bool shows_something(const ImageAnswer& image) {
   return std::any_of(image.begin(), image.end(), [](auto& sphere) { return sphere.has_value(); }) &&
          std::any_of(image.begin(), image.end(), [](auto& sphere) { return !sphere; });

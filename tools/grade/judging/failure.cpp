@@ -132,9 +132,7 @@ std::optional<ComparedPictures> compared_pictures(const Case& the_case, const Ex
   }
   pictures.exact = properties::exact_image(the_case.scene, conventions);
   if (pictures.got.size() != pictures.exact->size()) return {};
-  for (auto& sphere : *pictures.exact) {
-    if (sphere && who.masks_only) sphere = properties::kSomeSphere;
-  }
+  if (who.masks_only) pictures.exact = mask_of(*std::move(pictures.exact));
   return pictures;
 }
 

@@ -28,6 +28,14 @@ struct Examinee {
   properties::TrialOptions options() const { return {.max_error = tolerance.ulp}; }
 };
 
+/// A picture of which only the mask counts: whether a pixel shows a sphere, not which.
+inline properties::ImageAnswer mask_of(properties::ImageAnswer image) {
+  for (auto& sphere : image) {
+    if (sphere) sphere = properties::kSomeSphere;
+  }
+  return image;
+}
+
 /// A case that broke a law.
 struct FailedCase {
   ItemCase item_case;

@@ -16,16 +16,11 @@ namespace {
 using properties::Candidate;
 using properties::Fault;
 
-/// The candidate, with only the mask of its pictures counting: whether a pixel shows a sphere, not
-/// which.
+/// The candidate, with only the masks of its pictures counting.
 Candidate masked(Candidate candidate) {
   candidate.image = [image = candidate.image](const scene::Scene& scene,
                                               const scene::Conventions& conventions) {
-    properties::ImageAnswer answer = image(scene, conventions);
-    for (auto& sphere : answer) {
-      if (sphere) sphere = properties::kSomeSphere;
-    }
-    return answer;
+    return mask_of(image(scene, conventions));
   };
   return candidate;
 }
@@ -36,24 +31,20 @@ class Judge {
   Judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
         const properties::RunControl& control)
       : rubric_(rubric),
-        candidate_(std::move(judged.candidate)),
+        judged_(std::move(judged)),
         control_(control),
-        last_failure_(std::move(judged.last_failure)),
-        pictures_(judged.pictures),
-        form_known_(judged.form_known),
-        dialect_(judged.dialect),
         seed_(seed),
-        spent_(std::move(judged.spent)),
-        before_(spent_ ? spent_->seconds() : 0) {
-    candidate_.declared = rubric.conventions.over(candidate_.declared);
+        before_(judged_.spent ? judged_.spent->seconds() : 0) {
+    Candidate& candidate = judged_.candidate;
+    candidate.declared = rubric.conventions.over(candidate.declared);
     // Valid roots, or a domain, that a submission declares itself would excuse it from what the
     // rubric asks.
-    candidate_.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
-    candidate_.smallest_length = candidate_.smallest_camera_length =
-        std::min(candidate_.smallest_length, properties::kSmallestJudgedLength);
-    candidate_.largest_length = candidate_.largest_camera_length =
+    candidate.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
+    candidate.smallest_length = candidate.smallest_camera_length =
+        std::min(candidate.smallest_length, properties::kSmallestJudgedLength);
+    candidate.largest_length = candidate.largest_camera_length =
         std::numeric_limits<double>::infinity();
-    candidate_ = judged_in(rubric.precision, std::move(candidate_));
+    candidate = judged_in(rubric.precision, std::move(candidate));
   }
 
   std::vector<ItemGrade> judge() {
@@ -61,8 +52,9 @@ class Judge {
     for (std::size_t k = 0; k < rubric_.items.size(); ++k) trials.push_back(try_item_at(k));
     std::vector<ItemCause> causes(trials.size());
     try {
-      causes = pictures_ ? causes_of_pictures(rubric_, form_known_, dialect_, trials)
-                         : causes_of_functions(rubric_, candidate_, trials);
+      causes = judged_.pictures
+                   ? causes_of_pictures(rubric_, judged_.form_known, judged_.dialect, trials)
+                   : causes_of_functions(rubric_, judged_.candidate, trials);
     } catch (const scene::Interrupted&) {
       // Then they are unknown.
     }
@@ -86,25 +78,25 @@ class Judge {
   /// Why to stop asking, if there is a reason.
   ItemReason reason_to_stop() const {
     if (control_.interrupted()) return {.kind = ItemReason::Kind::kInterrupted};
-    if (!spent_ || spent_->seconds() - before_ < rubric_.seconds) return {};
+    if (!judged_.spent || judged_.spent->seconds() - before_ < rubric_.seconds) return {};
     return {.kind = ItemReason::Kind::kTimeUp, .seconds = rubric_.seconds};
   }
 
   const std::optional<ItemTask>& task_of(const Item& item) const {
-    return pictures_ ? item.pictures : item.functions;
+    return judged_.pictures ? item.pictures : item.functions;
   }
 
   Examinee examinee(const Item& item) const {
     const ItemTask& task = *task_of(item);
     Examinee who;
-    who.unmasked = tolerated(candidate_, item.tolerance);
+    who.unmasked = tolerated(judged_.candidate, item.tolerance);
     who.unmasked.excused_image_change =
         task.image_change.value_or(who.unmasked.excused_image_change);
     who.candidate = task.masks_only ? masked(who.unmasked) : who.unmasked;
     who.tolerance = item.tolerance;
-    who.pictures = pictures_;
+    who.pictures = judged_.pictures;
     who.masks_only = task.masks_only;
-    who.last_failure = last_failure_;
+    who.last_failure = judged_.last_failure;
     return who;
   }
 
@@ -114,11 +106,11 @@ class Judge {
     ItemGrade grade;
     grade.name = item.name;
     grade.bonus = item.bonus;
-    grade.pictures = pictures_;
+    grade.pictures = judged_.pictures;
     const auto& task = task_of(item);
     if (!task) {
       grade.state = ItemState::kNotAsked;
-      grade.reason.kind = pictures_ ? Kind::kNotInPictures : Kind::kOfRenderers;
+      grade.reason.kind = judged_.pictures ? Kind::kNotInPictures : Kind::kOfRenderers;
       ItemTrial trial;
       trial.grade = std::move(grade);
       return trial;
@@ -127,7 +119,7 @@ class Judge {
     properties::Random seeds(seed_);
     for (std::size_t k = 0; k < index; ++k) seeds.bits();
     const Examinee who = examinee(item);
-    const ItemCases cases(*task, pictures_, seeds.bits(), who.candidate.declared,
+    const ItemCases cases(*task, judged_.pictures, seeds.bits(), who.candidate.declared,
                           rubric_.precision);
     try {
       return try_item(
@@ -177,14 +169,9 @@ class Judge {
   }
 
   const Rubric& rubric_;
-  Candidate candidate_;
+  JudgedSubmission judged_;
   const properties::RunControl& control_;
-  LastFailure last_failure_;
-  bool pictures_;
-  FormKnown form_known_;
-  scene::Dialect dialect_;
   std::uint64_t seed_;
-  std::shared_ptr<const SpentTime> spent_;
   double before_;
 };
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <utility>
 
 #include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/views.h"
@@ -158,75 +156,6 @@ std::string not_judged(const ClassGrade& graded) {
   return html;
 }
 
-/// What several submissions have in common: items in which they give the same wrong answer to the
-/// same case.
-struct Alike {
-  Submissions members;
-  std::vector<std::pair<std::string, std::string>> wrong;  ///< Items, and what is wrong.
-};
-
-std::string first_wrong_text(const FirstWrongAnswer& first) {
-  const std::string text = origin_text(first.origin) + ": " + answer_text(first.answer);
-  return first.answer.got.empty() ? text : text + ", " + got_text(first.answer);
-}
-
-std::vector<Alike> find_alike(const ClassGrade& graded) {
-  std::vector<Alike> found;
-  for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
-    std::map<std::string, Submissions> by_answer;
-    for (const SubmissionGrade& grade : graded.submissions) {
-      const auto& wrong = grade.items[k].first_wrong;
-      if (wrong) by_answer[first_wrong_text(*wrong)].push_back(&grade);
-    }
-    for (const auto& [wrong, members] : by_answer) {
-      if (members.size() < 2) continue;
-      // clang 14 cannot capture a structured binding in a lambda.
-      auto known = std::find_if(found.begin(), found.end(), [&these = members](const Alike& one) {
-        return one.members == these;
-      });
-      if (known == found.end()) known = found.insert(found.end(), Alike{members, {}});
-      known->wrong.emplace_back(graded.rubric.items[k].name, wrong);
-    }
-  }
-  std::stable_sort(found.begin(), found.end(), [](const Alike& a, const Alike& b) {
-    return std::pair(a.members.size(), a.wrong.size()) >
-           std::pair(b.members.size(), b.wrong.size());
-  });
-  return found;
-}
-
-/// Empty if they differ.
-std::string mistake_of_all(const Submissions& members) {
-  const std::string mistake = mistake_text(*members.front());
-  const bool is_same = std::all_of(members.begin(), members.end(), [&](const auto* member) {
-    return mistake_text(*member) == mistake;
-  });
-  return is_same ? mistake : "";
-}
-
-std::string alike(const ClassGrade& graded) {
-  std::string html =
-      "<h2>Alike</h2>\n<p>The same wrong answers to the same cases. That proves no copying: "
-      "whoever makes the same mistake gives the same wrong answers, and classic mistakes "
-      "are made by many; so are those of a template or of a text that all were given. "
-      "Only the programs themselves can tell.</p>\n";
-  const std::vector<Alike> found = find_alike(graded);
-  if (found.empty()) return html + "<p>None.</p>\n";
-  for (const Alike& one : found) {
-    html += fmt::format(
-        "<details><summary><span class=\"name\">{} alike in {}</span><span>{}"
-        "</span></summary>\n",
-        one.members.size(), count_text(one.wrong.size(), "item"),
-        escaped(mistake_of_all(one.members)));
-    html += links(one.members) + "<dl>\n";
-    for (const auto& [item, wrong] : one.wrong) {
-      html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(item), escaped(wrong));
-    }
-    html += "</dl></details>\n";
-  }
-  return html;
-}
-
 std::string everyone(const ClassGrade& graded) {
   std::string html =
       "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<tr><th>submission</th><th "
@@ -305,11 +234,11 @@ std::string summary(const ClassGrade& graded) {
 }  // namespace
 
 /// A self-contained page for instructors: the scores, the items that fail most, the most frequent
-/// mistakes, the submissions that fail on the same case in the same way.
+/// mistakes.
 std::string class_page(const ClassGrade& graded) {
   return page(graded.rubric.title, summary(graded) + distribution(graded) + failing_items(graded) +
-                                       mistakes(graded) + alike(graded) + not_judged(graded) +
-                                       opaque(graded) + everyone(graded));
+                                       mistakes(graded) + not_judged(graded) + opaque(graded) +
+                                       everyone(graded));
 }
 
 }  // namespace raycheck::tools

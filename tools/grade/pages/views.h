@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,9 +15,15 @@ struct ClassView {
   std::string (*render)(const ClassGrade&);
 };
 
+std::string class_text(const ClassGrade& graded);
+std::string class_csv(const ClassGrade& graded);
+std::string class_json(const ClassGrade& graded);
+std::string class_page(const ClassGrade& graded);
+
 /// What the command can print; the first by default.
-std::span<const ClassView> printed_views();
-std::span<const ClassView> class_files();
+inline constexpr ClassView kPrintedViews[] = {
+    {"text", class_text}, {"json", class_json}, {"csv", class_csv}};
+inline constexpr ClassView kClassFiles[] = {{"grades.csv", class_csv}, {"index.html", class_page}};
 
 /// The file results.json of each submission for a course's system, with `--format NAME`.
 struct ResultsFormat {
@@ -26,7 +31,13 @@ struct ResultsFormat {
   HiddenBy hidden_by;
   std::string (*render)(const StudentGrade&);
 };
-std::span<const ResultsFormat> results_formats();
+
+std::string gradescope_results(const StudentGrade& grade);
+std::string prairielearn_results(const StudentGrade& grade);
+
+inline constexpr ResultsFormat kResultsFormats[] = {
+    {"gradescope", HiddenBy::kOtherSystem, gradescope_results},
+    {"prairielearn", HiddenBy::kUs, prairielearn_results}};
 
 /// The names of a student's pages.
 inline constexpr const char* kReportFile = "report.html";

@@ -93,8 +93,8 @@ std::string page(std::string_view title, std::string_view body);
 /// A link that saves a text as a file.
 std::string download(std::string_view file, std::string_view text);
 
-/// "12 of 441 pixels differ: yours is the expected picture mirrored left to right", `whose` being
-/// "yours"; empty if there are no pictures, or the exact one is withheld.
+/// "12 of 441 pixels differ: yours shows no sphere", `whose` being "yours"; empty if there are no
+/// pictures, or the exact one is withheld.
 std::string difference_text(const FailingCase& failing, std::string_view whose = "yours");
 
 /// The submission's picture, the expected one and their differences, side by side: spheres in

@@ -42,9 +42,7 @@ class RubricReader {
     Rubric rubric;
     rubric.path = path_.string();
     rubric.title = given_text(file, "title", path_.stem().string());
-    set_positive(file, "seconds", rubric.seconds, kMostSeconds);
-    set_positive(file, "reply_seconds", rubric.reply_seconds, kMostSeconds);
-    set_positive(file, "build_seconds", rubric.build_seconds, kMostSeconds);
+    read_seconds(file, rubric);
     if (const auto field = fields_.optional(file, "driver")) {
       rubric.driver = read_driver(fields_, fields_.table(*field));
     }
@@ -94,10 +92,14 @@ class RubricReader {
     if (!(value >= least && value <= most)) fields_.fail(field, what);
     return value;
   }
-  void set_positive(const Table& from, std::string_view key, double& value, double most) const {
-    if (const auto field = fields_.optional(from, key)) {
-      value = number_between(*field, 0, most, "must be above 0, and at most a day");
-      if (value == 0) fields_.fail(*field, "must be above 0");
+  void read_seconds(const Table& from, Rubric& rubric) const {
+    for (const auto& [key, value] :
+         {std::pair("seconds", &rubric.seconds), std::pair("reply_seconds", &rubric.reply_seconds),
+          std::pair("build_seconds", &rubric.build_seconds)}) {
+      const auto field = fields_.optional(from, key);
+      if (!field) continue;
+      *value = number_between(*field, 0, kMostSeconds, "must be above 0, and at most a day");
+      if (*value == 0) fields_.fail(*field, "must be above 0");
     }
   }
   void set_not_negative(const Table& from, std::string_view key, double& value) const {
@@ -110,21 +112,17 @@ class RubricReader {
     const Table from = fields_.table(field);
     fields_.require_known(from, {"ulp", "conditioning"});
     Tolerance result;
-    const auto set = [&](std::string_view key, std::optional<double>& value) {
-      if (const auto given = fields_.optional(from, key)) {
-        value = number_between(*given, 0, kLargest, "must be 0 or more, and finite");
-      }
-    };
-    set("ulp", result.ulp);
-    set("conditioning", result.conditioning);
-    if (result.ulp && result.conditioning) {
-      fields_.fail(field, "has both ulp and conditioning; give one");
-    }
-    for (const char* const key : {"ulp", "conditioning"}) {
+    for (const auto& [key, value] :
+         {std::pair("ulp", &result.ulp), std::pair("conditioning", &result.conditioning)}) {
       const auto given = fields_.optional(from, key);
-      if (given && fields_.number(*given) * unit_ >= 1) {
+      if (!given) continue;
+      *value = number_between(*given, 0, kLargest, "must be 0 or more, and finite");
+      if (**value * unit_ >= 1) {
         fields_.fail(*given, "allows every answer: it counts in units of the rubric's precision");
       }
+    }
+    if (result.ulp && result.conditioning) {
+      fields_.fail(field, "has both ulp and conditioning; give one");
     }
     return result;
   }
@@ -159,9 +157,7 @@ class RubricReader {
          {"processes", &limits.processes}}};
     fields_.require_known(from, {"seconds", "reply_seconds", "build_seconds", "submission_mib",
                                  "files", "file_mib", "disk_mib", "memory_mib", "processes"});
-    set_positive(from, "seconds", rubric.seconds, kMostSeconds);
-    set_positive(from, "reply_seconds", rubric.reply_seconds, kMostSeconds);
-    set_positive(from, "build_seconds", rubric.build_seconds, kMostSeconds);
+    read_seconds(from, rubric);
     for (const auto& [key, value] : whole) {
       const auto field = fields_.optional(from, key);
       if (!field) continue;

@@ -4,49 +4,46 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "tools/grade/rubric/rubric_files.h"
 #include "tools/grade/store/store.h"
+#include "tools/report/json.h"
 #include "tools/report/output_file.h"
 
 namespace raycheck::tools {
 namespace {
 
-constexpr std::string_view kFirstLine = "raycheck answers 2";
+constexpr std::string_view kFirstLine = "raycheck answers 3";
 constexpr int kQuickly = 1;  ///< zlib's level
 /// More than kMostKept bytes of answers with their headers.
 constexpr std::size_t kMostUnpacked = 2 * AnswerFile::kMostKept;
 /// The kind written for an answer that is not a failure.
 constexpr int kAnswered = -1;
 
-/// "DIGEST KIND SECONDS SIZE", the text.
+/// As CBOR: of each its request's digest, its kind, seconds and text.
 std::string text_of(const std::map<std::string, StoredAnswer>& answers) {
-  std::string text;
+  Json all = Json::array();
   for (const auto& [request, answer] : answers) {
     const int kind = answer.failure ? static_cast<int>(*answer.failure) : kAnswered;
-    text += fmt::format("{} {} {} {}\n", request, kind, answer.seconds, answer.text.size()) +
-            answer.text;
+    all.push_back({request, kind, answer.seconds, answer.text});
   }
+  std::string text;
+  Json::to_cbor(all, text);
   return text;
 }
 
 std::map<std::string, StoredAnswer> answers_of(const std::string& text) {
   std::map<std::string, StoredAnswer> answers;
-  std::istringstream stream(text);
-  std::string request;
-  int kind = 0;
-  double seconds = 0;
-  std::size_t size = 0;
-  while (stream >> request >> kind >> seconds >> size && stream.get() == '\n' &&
-         size <= text.size()) {
-    StoredAnswer& answer = answers[request];
+  if (text.empty()) return answers;
+  const Json all = Json::from_cbor(text);
+  for (const Json& kept : all) {
+    StoredAnswer& answer = answers[kept.at(0)];
+    const int kind = kept.at(1);
     if (kind != kAnswered) answer.failure = static_cast<FailureKind>(kind);
-    answer.seconds = seconds;
-    answer.text.resize(size);
-    stream.read(answer.text.data(), static_cast<std::streamsize>(size));
+    kept.at(2).get_to(answer.seconds);
+    kept.at(3).get_to(answer.text);
   }
   return answers;
 }

@@ -134,8 +134,6 @@ std::shared_ptr<AnswerStore> Store::answers(const std::string& key) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 /// Changes with the format of stored builds and answers.
 constexpr std::string_view kStoreShape = "store 2";
 
