@@ -147,6 +147,19 @@ Intersection hit_of(const SharedRay& of, const scene::Sphere& sphere,
   return intersection(of, sphere, of->ray.intersect(sphere, conventions), conventions.tangent);
 }
 
+/// Errors: std::invalid_argument where the pixel is outside the image.
+SharedRay shared(const reference::ExactCamera& camera, Pixel pixel) {
+  const scene::Camera& of = camera.camera();
+  if (pixel.i < 0 || pixel.i >= of.width || pixel.j < 0 || pixel.j >= of.height) {
+    throw std::invalid_argument(fmt::format("pixel ({}, {}): the image has {} x {} pixels", pixel.i,
+                                            pixel.j, of.width, of.height));
+  }
+  return std::make_shared<const Ray::Impl>(
+      Ray::Impl{reference::ExactRay(camera, library::pixel(pixel)),
+                reference::ClosedFormRay(of, camera.conventions(), library::pixel(pixel)),
+                camera.conventions().origin == scene::Origin::kPixel});
+}
+
 }  // namespace
 
 Ray::Ray(const raycheck::Ray& ray) : impl_(shared(ray)) {}
@@ -200,23 +213,6 @@ Axes Camera::axes() const {
           axis(&EnclosedFrame::V, &RoundedFrame::V, &ClosedFormFrame::V),
           axis(&EnclosedFrame::W, &RoundedFrame::W, &ClosedFormFrame::W)};
 }
-
-namespace {
-
-/// Errors: std::invalid_argument where the pixel is outside the image.
-SharedRay shared(const reference::ExactCamera& camera, Pixel pixel) {
-  const scene::Camera& of = camera.camera();
-  if (pixel.i < 0 || pixel.i >= of.width || pixel.j < 0 || pixel.j >= of.height) {
-    throw std::invalid_argument(fmt::format("pixel ({}, {}): the image has {} x {} pixels", pixel.i,
-                                            pixel.j, of.width, of.height));
-  }
-  return std::make_shared<const Ray::Impl>(
-      Ray::Impl{reference::ExactRay(camera, library::pixel(pixel)),
-                reference::ClosedFormRay(of, camera.conventions(), library::pixel(pixel)),
-                camera.conventions().origin == scene::Origin::kPixel});
-}
-
-}  // namespace
 
 Numbers Camera::pixel_point(Pixel pixel) const {
   const SharedRay of = shared(impl_->camera, pixel);

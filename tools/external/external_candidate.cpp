@@ -279,6 +279,24 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 
+/// What it declares, and the bounds to which it is held.
+Candidate introduced(const External& external) {
+  Candidate candidate;
+  candidate.name = external.name;
+  candidate.declared = external.introduction.declared;
+  candidate.refuses = false;
+  candidate.level = external.introduction.level.value_or(properties::Level::kOrdinary);
+  const Candidate bounds = candidate_of(external.bounds);
+  candidate.max_error = bounds.max_error;
+  candidate.max_error_end_to_end = bounds.max_error_end_to_end;
+  candidate.unit_roundoff = bounds.unit_roundoff;
+  candidate.smallest_length =
+      std::max(properties::kSmallestJudgedLength, external.introduction.smallest_length);
+  candidate.smallest_camera_length = candidate.smallest_length;
+  candidate.largest_length = external.introduction.largest_length;
+  return candidate;
+}
+
 }  // namespace
 
 External introduced(std::string name, const Confined& program,
@@ -323,28 +341,6 @@ External reading(const External& renderer, const DriverForm& driver) {
   external.pictures = std::make_shared<Pictures>(*external.renderer);
   return external;
 }
-
-namespace {
-
-/// What it declares, and the bounds to which it is held.
-Candidate introduced(const External& external) {
-  Candidate candidate;
-  candidate.name = external.name;
-  candidate.declared = external.introduction.declared;
-  candidate.refuses = false;
-  candidate.level = external.introduction.level.value_or(properties::Level::kOrdinary);
-  const Candidate bounds = candidate_of(external.bounds);
-  candidate.max_error = bounds.max_error;
-  candidate.max_error_end_to_end = bounds.max_error_end_to_end;
-  candidate.unit_roundoff = bounds.unit_roundoff;
-  candidate.smallest_length =
-      std::max(properties::kSmallestJudgedLength, external.introduction.smallest_length);
-  candidate.smallest_camera_length = candidate.smallest_length;
-  candidate.largest_length = external.introduction.largest_length;
-  return candidate;
-}
-
-}  // namespace
 
 Candidate external_candidate(const External& external, const LastFailure& last) {
   if (external.renderer) return rendering_candidate(external, last);

@@ -256,10 +256,6 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
   return renderer(spec, options);
 }
 
-}  // namespace
-
-namespace {
-
 template <class Find>
 External named_in_errors(const CandidateSpec& spec, const RunOptions& options, const Find& found) {
   try {

@@ -48,6 +48,17 @@ fs::path path_in(const fs::path& folder, const fs::path& file) {
   return error || inside.empty() || *inside.begin() == ".." ? fs::path() : inside;
 }
 
+/// The last complete line that begins with the word; empty if there is no such line.
+std::string_view frames_line(std::string_view text) {
+  std::string_view found;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    const std::string_view line = text.substr(0, end);
+    if (line.starts_with(kFramesWord)) found = line.substr(kFramesWord.size());
+    text.remove_prefix(end + 1);
+  }
+  return found;
+}
+
 }  // namespace
 
 SourceLines::SourceLines(const Confined& program, fs::path library, fs::path compiled,
@@ -106,21 +117,6 @@ std::optional<CodeLine> SourceLines::own_line(std::string_view place) const {
   if (line) line->file = (named_ / inside).lexically_normal().string();
   return line;
 }
-
-namespace {
-
-/// The last complete line that begins with the word; empty if there is no such line.
-std::string_view frames_line(std::string_view text) {
-  std::string_view found;
-  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
-    const std::string_view line = text.substr(0, end);
-    if (line.starts_with(kFramesWord)) found = line.substr(kFramesWord.size());
-    text.remove_prefix(end + 1);
-  }
-  return found;
-}
-
-}  // namespace
 
 std::vector<std::uint64_t> frames_in(std::string_view text) {
   std::string_view rest = frames_line(text);

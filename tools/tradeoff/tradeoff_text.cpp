@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "tools/report/table.h"
 #include "tools/report/words.h"
@@ -194,12 +195,14 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
   std::vector<Implementation> methods;
   std::string called_here;
   for (const auto* costs : {&report.rays, &report.intersections}) {
+    std::vector<std::string> names;
     for (const MethodCost& cost : *costs) {
       methods.push_back(cost.method);
-      if (!cost.is_called_here) continue;
-      called_here += fmt::format("{}{} ({})", called_here.empty() ? "" : ", ", cost.method.name,
-                                 name(cost.stage));
+      if (cost.is_called_here) names.push_back(cost.method.name);
     }
+    if (names.empty()) continue;
+    called_here += fmt::format("{}{} of {}", called_here.empty() ? "" : "; ",
+                               name(costs->front().stage), fmt::join(names, ", "));
   }
   const std::string others = isolation_text(methods);
   if (!others.empty()) text += "\n" + indented(others, item);

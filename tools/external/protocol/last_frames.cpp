@@ -25,11 +25,8 @@ constexpr std::size_t kMostWalked = 256;
 constexpr std::size_t kAlternateStack = std::size_t{1} << 16;
 constexpr std::array kDeadly = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
 
-/// Where the library's code is, and the base of its addresses.
-struct Code {
-  std::uintptr_t base = 0, begin = 0, end = 0;
-};
-Code code;
+/// The library that is followed.
+const link_map* followed = nullptr;
 int descriptor = -1;
 /// The signal it dies of; 0 while it lives.
 volatile std::sig_atomic_t deadly_signal = 0;
@@ -53,7 +50,11 @@ struct Frames {
     std::uintptr_t address = _Unwind_GetIPInfo(context, &is_at_fault);
     // The return address lies after the call and may belong to the next line.
     if (is_at_fault == 0) --address;
-    if (address >= code.begin && address < code.end) offsets[count++] = address - code.base;
+    dl_find_object found{};
+    if (followed != nullptr && _dl_find_object(reinterpret_cast<void*>(address), &found) == 0 &&
+        found.dlfo_link_map == followed) {
+      offsets[count++] = address - followed->l_addr;
+    }
     return ++walked < kMostWalked && count < offsets.size() ? _URC_NO_REASON : _URC_END_OF_STACK;
   }
 };
@@ -126,23 +127,7 @@ void report_deaths(int to) {
 
 void follow(void* library) {
   link_map* loaded = nullptr;
-  if (dlinfo(library, RTLD_DI_LINKMAP, static_cast<void*>(&loaded)) != 0) return;
-  Code found{loaded->l_addr, UINTPTR_MAX, 0};
-  dl_iterate_phdr(
-      [](dl_phdr_info* info, std::size_t, void* data) {
-        Code& sought = *static_cast<Code*>(data);
-        if (info->dlpi_addr != sought.base) return 0;
-        for (int k = 0; k < info->dlpi_phnum; ++k) {
-          const auto& part = info->dlpi_phdr[k];
-          if (part.p_type != PT_LOAD || (part.p_flags & PF_X) == 0) continue;
-          const std::uintptr_t begin = sought.base + part.p_vaddr;
-          sought.begin = std::min(sought.begin, begin);
-          sought.end = std::max<std::uintptr_t>(sought.end, begin + part.p_memsz);
-        }
-        return 1;
-      },
-      &found);
-  code = found;
+  if (dlinfo(library, RTLD_DI_LINKMAP, static_cast<void*>(&loaded)) == 0) followed = loaded;
 }
 
 std::string frames_of_throw(const std::exception& error) {

@@ -26,6 +26,21 @@ constexpr const char* kPrefix = "raycheck-run-";
 /// file.
 constexpr const char* kHeldBy = "held-by-raycheck";
 
+constexpr mode_t kFolderMode = 0755, kFileMode = 0644, kProgramMode = 0755;
+
+void require(bool holds, const std::string& name) {
+  if (!holds) throw std::system_error(errno, std::generic_category(), name);
+}
+
+bool write_all(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t count = write(file, text.data(), text.size());
+    if (count < 0 && errno != EINTR) return false;
+    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
 }  // namespace
 
 bool others_may_enter(fs::path folder) {
@@ -154,25 +169,6 @@ std::string without_private_folders(const std::string& text) {
 }
 
 PrivateFolder::~PrivateFolder() { remove_tree(path_); }
-
-namespace {
-
-constexpr mode_t kFolderMode = 0755, kFileMode = 0644, kProgramMode = 0755;
-
-void require(bool holds, const std::string& name) {
-  if (!holds) throw std::system_error(errno, std::generic_category(), name);
-}
-
-bool write_all(int file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = write(file, text.data(), text.size());
-    if (count < 0 && errno != EINTR) return false;
-    if (count > 0) text.remove_prefix(static_cast<std::size_t>(count));
-  }
-  return true;
-}
-
-}  // namespace
 
 void lay_out(const StartingFolder& start, const std::filesystem::path& folder, std::uint64_t user) {
   const auto id = static_cast<uid_t>(user);

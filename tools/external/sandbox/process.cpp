@@ -54,6 +54,11 @@ std::string words_left() {
                      kMostEnding.count());
 }
 
+std::string file_limit_text(const Limits& limits) {
+  return fmt::format("a file may have at most {} MiB{}", limits.file >> 20,
+                     called(limits.names.file));
+}
+
 std::string reason_ended(int status, const Limits& limits) {
   const int signal = signal_of(status);
   // raycheck-jail itself, which otherwise ends by exit codes only.
@@ -64,10 +69,7 @@ std::string reason_ended(int status, const Limits& limits) {
   }
   if (signal == 0) return fmt::format("exited with {}", WEXITSTATUS(status));
   const std::string killed = fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
-  if (signal == SIGXFSZ) {
-    return fmt::format("{}: a file may have at most {} MiB{}", killed, limits.file >> 20,
-                       called(limits.names.file));
-  }
+  if (signal == SIGXFSZ) return killed + ": " + file_limit_text(limits);
   if (signal == SIGXCPU) {
     return fmt::format("{}: it may compute for at most {} s", killed, limits.cpu_seconds);
   }
@@ -88,24 +90,21 @@ std::string last_line_text(const KeptText& said) {
 }
 
 std::string limit_text(const KeptText& said, const Limits& limits) {
+  using Signs = std::vector<std::string_view>;
+  const std::pair<std::string, Signs> rows[] = {
+      {fmt::format("it may use at most {} MiB{}", limits.memory >> 20, called(limits.names.memory)),
+       {"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory", "out of memory"}},
+      {fmt::format("it may have at most {} processes and threads{}", limits.processes,
+                   called(limits.names.processes)),
+       {"can't start new thread", "unable to create native thread",
+        "Resource temporarily unavailable"}},
+      {file_limit_text(limits), {"File too large"}}};
   const std::string text = said.text();
-  const auto says_any = [&](std::initializer_list<const char*> signs) {
-    return std::any_of(signs.begin(), signs.end(),
-                       [&](const char* sign) { return text.find(sign) != std::string::npos; });
-  };
-  if (says_any({"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory",
-                "out of memory"})) {
-    return fmt::format("; it may use at most {} MiB{}", limits.memory >> 20,
-                       called(limits.names.memory));
-  }
-  if (says_any({"can't start new thread", "unable to create native thread",
-                "Resource temporarily unavailable"})) {
-    return fmt::format("; it may have at most {} processes and threads{}", limits.processes,
-                       called(limits.names.processes));
-  }
-  if (says_any({"File too large"})) {
-    return fmt::format("; a file may have at most {} MiB{}", limits.file >> 20,
-                       called(limits.names.file));
+  for (const auto& [limit, signs] : rows) {
+    if (std::any_of(signs.begin(), signs.end(),
+                    [&](std::string_view sign) { return text.find(sign) != std::string::npos; })) {
+      return "; " + limit;
+    }
   }
   return "";
 }
