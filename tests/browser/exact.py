@@ -1,8 +1,7 @@
-"""An evaluator of the Sage input that a page offers, for sessions without Sage: in decimals of so many digits that every
-double is exact and nothing that matters cancels."""
+"""The steps from a camera or a ray to its hit, in decimals of so many digits that every double is exact and nothing that
+matters cancels."""
 import decimal
 import math
-import re
 from decimal import Decimal
 
 DIGITS = 2600  # squares of lengths from 2^-1074 to 2^1023 in one sum
@@ -43,10 +42,31 @@ def ulp_of(value):
     return Decimal(math.nextafter(abs(value), math.inf)) - Decimal(abs(value))
 
 
-def evaluated_sage(text):
-    """The values that Sage input shows, a list, each a Decimal or a Vector."""
-    python = re.sub(r"\b\d+\b", lambda match: f"Decimal({match[0]})", text.replace("^", "**"))
-    shown = []
-    names = {"vector": Vector, "Decimal": Decimal, "sqrt": lambda x: x.sqrt(), "show": shown.extend, "__builtins__": {}}
-    exec(python, names)  # of raycheck's own making, and without any builtin
-    return shown
+def unit(vector):
+    return vector / vector.norm()
+
+
+def ray_of(camera, i, j):
+    """P of a pixel, and the direction to it: rows from the bottom, samples at the edges, rays from the image plane."""
+    eye, look_at, up = (Vector(camera[name]) for name in ("eye", "look_at", "up"))
+    W = unit(eye - look_at)
+    U = unit(up.cross_product(W))
+    near, left, right, bottom, top = (Decimal(camera[name]) for name in ("near", "left", "right", "bottom", "top"))
+    alpha = left + (right - left) * i / (camera["width"] - 1)
+    beta = bottom + (top - bottom) * j / (camera["height"] - 1)
+    P = eye + near * W + alpha * U + beta * W.cross_product(U)
+    return P, unit(P - eye)
+
+
+def derivation(origin, direction, sphere, is_hit):
+    """The steps of docs/problem.md by their symbols: each a Decimal or a Vector. The first s >= 0 is the answer."""
+    centre, radius = Vector(sphere[0]), Decimal(sphere[1])
+    D = unit(direction)
+    T = centre - origin
+    v = T.dot_product(D)
+    steps = {"D": D, "T": T, "v": v, "d^2": radius * radius - (T.dot_product(T) - v * v)}
+    if is_hit:
+        d = max(steps["d^2"], Decimal(0)).sqrt()
+        along = v - d if v - d >= 0 else v + d
+        steps |= {"s": along / direction.norm(), "Q": origin + along * D}
+    return steps

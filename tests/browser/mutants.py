@@ -29,7 +29,7 @@ MUTANTS = {
     "text with a space more": ("explain", 'tabindex: "0" }, text)', 'tabindex: "0" }, text + " ")'),
     "another command": ("explain", '"Copy as command", command', '"Copy as command", command + " --format json"'),
     "another scene": ("explain", "takeAway(told, store.scene().toml)", "takeAway(told, store.document.title)"),
-    "LaTeX for Sage": ("explain", '"Copy as Sage", sage', '"Copy as Sage", latex'),
+    "the scene for the command": ("explain", '"Copy as command", command)', '"Copy as command", toml)'),
     "picture upside down": ("use", "pictureRow(row, camera)] } }", "row] } }"),
     "arrow keys upside down": ("use", 'camera.rows === "top-first" ? -up : up', "up"),
     "figure's clicks mirrored": ("use", "x0 + (x / width) * (x1 - x0)", "x1 + (x / width) * (x0 - x1)"),

@@ -188,7 +188,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"worst --family distance --method cross --candidate a:b", "excludes"},
     {"stress --family distance --candidate 'renderer:sh {scene} {image}'",
      "it draws pictures; this command asks for single answers"},
-    {"image FAR --what depth OUT --candidate a:b", "only --what error shows an implementation"},
+    {"image FAR OUT --candidate a:b", "only --what error shows an implementation"},
     {"check FAR --candidate mine", "candidate mine: give library:PATH.so, source:PATH, command:"},
     {"check FAR --candidate elsewhere:mine", "candidate elsewhere:mine: there is no elsewhere:"},
     {"check FAR --candidate library:", "give library:PATH.so"},

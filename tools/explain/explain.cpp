@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "properties/rounded_case.h"
+#include "reference/account/condition.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
 #include "tools/explain/explain_methods.h"
@@ -25,6 +26,13 @@ using reference::Enclosure3;
 using reference::ExactRay;
 
 std::vector<ClosedForm> coordinates(const ClosedForm3& form) { return {form.begin(), form.end()}; }
+
+/// The explained ray in exact and symbolic form.
+struct Subject {
+  ExactRay exact;
+  reference::ClosedFormRay symbolic;
+  bool from_camera;
+};
 
 /// The double nearest to a number that can be enclosed at any precision; 0 if its closed form is 0,
 /// which no enclosure can show.
@@ -67,12 +75,14 @@ void derive_camera(const reference::ExactCamera& camera, const Subject& subject,
                    const scene::Pixel& pixel, std::vector<Step>& steps) {
   const auto axes = reference::closed_form_frame(camera.camera());
   const auto frame = camera.rounded_frame();
+  const double condition = reference::condition_of_frame(camera);
+  const auto alone = reference::stage_conditions(subject.exact);
   const bool top_first = camera.conventions().rows == scene::Rows::kTopFirst;
   const bool centres = camera.conventions().samples == scene::Samples::kCentres;
   steps.push_back({"E", "the eye", {}, numbers(camera.camera().eye)});
-  steps.push_back({"W", "(E - A)/|E - A|", coordinates(axes.W), numbers(frame.W)});
-  steps.push_back({"U", "(up x W)/|up x W|", coordinates(axes.U), numbers(frame.U)});
-  steps.push_back({"V", "W x U", coordinates(axes.V), numbers(frame.V)});
+  steps.push_back({"W", "(E - A)/|E - A|", coordinates(axes.W), numbers(frame.W), condition});
+  steps.push_back({"U", "(up x W)/|up x W|", coordinates(axes.U), numbers(frame.U), condition});
+  steps.push_back({"V", "W x U", coordinates(axes.V), numbers(frame.V), condition});
   const auto& closed = subject.symbolic;
   steps.push_back(scalar_step(
       "alpha", centres ? "left + (i + 1/2)/w (right - left)" : "left + i/(w - 1) (right - left)",
@@ -84,48 +94,59 @@ void derive_camera(const reference::ExactCamera& camera, const Subject& subject,
   steps.push_back(scalar_step("beta", beta, closed.beta(),
                               [&](int bits) { return camera.plane_position(pixel, bits).y; }));
   steps.push_back({"P", "E + n W + alpha U + beta V", coordinates(closed.pixel_point()),
-                   numbers(subject.exact.rounded_pixel_point())});
+                   numbers(subject.exact.rounded_pixel_point()),
+                   reference::condition_of_pixel_point(subject.exact), alone.pixel_point});
   steps.push_back({"D", "(P - E)/|P - E|", coordinates(closed.direction()),
-                   numbers(subject.exact.rounded_direction())});
+                   numbers(subject.exact.rounded_direction()),
+                   reference::condition_of_direction(subject.exact), alone.direction});
 }
 
 void derive_given(const Subject& subject, const scene::Ray& ray, std::vector<Step>& steps) {
   steps.push_back({"L", "the ray's origin", {}, numbers(ray.origin)});
   steps.push_back({"direction", "as given", {}, numbers(ray.direction)});
   steps.push_back({"D", "direction/|direction|", coordinates(subject.symbolic.direction()),
-                   numbers(subject.exact.rounded_direction())});
+                   numbers(subject.exact.rounded_direction()),
+                   reference::condition_of_direction(subject.exact),
+                   reference::stage_conditions(subject.exact).direction});
 }
 
 void derive_sphere(const Subject& subject, const scene::Sphere& sphere, const SphereReport& report,
                    std::vector<Step>& steps) {
   const auto& closed = subject.symbolic;
+  const ExactRay& ray = subject.exact;
+  const reference::Intersection& at = report.intersection;
+  const auto alone = reference::stage_conditions(ray, sphere, at);
+  const auto add = [&](Step step, std::optional<double> condition,
+                       std::optional<double> condition_alone) {
+    step.condition = condition;
+    step.condition_alone = condition_alone;
+    steps.push_back(std::move(step));
+  };
   steps.push_back(vector_step("T", "C - L", closed.to_centre(sphere),
                               [&](int bits) { return to_centre(subject, sphere, bits); }));
-  steps.push_back(scalar_step("v", "T . D", closed.axial_distance(sphere), [&](int bits) {
-    return subject.exact.enclose(bits).axial_distance(sphere);
-  }));
-  steps.push_back(
-      scalar_step("d^2", "r^2 - (|T|^2 - v^2)", closed.half_chord_sq(sphere),
-                  [&](int bits) { return subject.exact.enclose(bits).half_chord_sq(sphere); }));
+  add(scalar_step("v", "T . D", closed.axial_distance(sphere),
+                  [&](int bits) { return ray.enclose(bits).axial_distance(sphere); }),
+      reference::condition_of_axial_distance(ray, sphere), alone.axial_distance);
+  add(scalar_step("d^2", "r^2 - (|T|^2 - v^2)", closed.half_chord_sq(sphere),
+                  [&](int bits) { return ray.enclose(bits).half_chord_sq(sphere); }),
+      reference::condition_of_half_chord_sq(ray, sphere), alone.half_chord_sq);
   if (!report.parameter) return;
-  const bool smaller = report.intersection.root == reference::WhichRoot::kSmaller;
-  const char* const root = smaller ? "v - d" : "v + d";
-  if (subject.from_camera) {
-    steps.push_back({"s", root, {*report.closed_form_parameter}, {*report.parameter}});
-  } else {
+  const bool smaller = at.root == reference::WhichRoot::kSmaller;
+  const char* formula = smaller ? "v - d" : "v + d";
+  if (!subject.from_camera) {
     // The lecture's s, for the unit direction; the given direction need not be unit.
-    steps.push_back(scalar_step("s |direction|", root, closed.distance(sphere, report.intersection),
-                                [&](int bits) {
-                                  const auto ray = subject.exact.enclose(bits);
-                                  return ray.parameter(sphere, report.intersection) * ray.length();
-                                }));
-    steps.push_back({"s",
-                     smaller ? "(v - d)/|direction|" : "(v + d)/|direction|",
-                     {*report.closed_form_parameter},
-                     {*report.parameter}});
+    steps.push_back(
+        scalar_step("s |direction|", formula, closed.distance(sphere, at), [&](int bits) {
+          const auto enclosed = ray.enclose(bits);
+          return enclosed.parameter(sphere, at) * enclosed.length();
+        }));
+    formula = smaller ? "(v - d)/|direction|" : "(v + d)/|direction|";
   }
-  steps.push_back({"Q", subject.from_camera ? "L + s D" : "L + s direction",
-                   report.closed_form_point, report.point});
+  add({"s", formula, {*report.closed_form_parameter}, {*report.parameter}},
+      reference::condition_of_parameter(ray, sphere, at), alone.root);
+  add({"Q", subject.from_camera ? "L + s D" : "L + s direction", report.closed_form_point,
+       report.point},
+      reference::condition_of_point(ray, sphere, at), alone.point);
 }
 
 /// The roots >= 0 that do not count, before the one that does, `taken`.
@@ -263,7 +284,6 @@ ExplainReport explain(const ExplainOptions& options) {
   } else {
     derive_given(subject, report.ray, report.steps);
   }
-  add_ray_conditions(subject, camera ? &*camera : nullptr, report.steps);
 
   for (const scene::Sphere& sphere : scene.spheres) {
     scene::poll();
@@ -285,7 +305,6 @@ ExplainReport explain(const ExplainOptions& options) {
   const SphereReport& exact = report.spheres[*report.sphere];
   scene::poll();
   derive_sphere(subject, sphere, exact, report.steps);
-  add_sphere_conditions(subject, sphere, exact.intersection, report.steps);
   const scene::Conventions own =
       candidate_of(kDefaultMethods).declared.over(scene.conventions);  // those of each of them
   if (own != scene.conventions) report.by_every_root = report_sphere(subject, sphere, own);

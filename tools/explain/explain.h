@@ -50,6 +50,7 @@ struct MethodStep {
 struct MethodReport {
   std::string name;
   std::vector<MethodStep> steps;
+  bool is_other = false;            ///< Not one of raycheck's own.
   bool intersects = false;          ///< An intersection method; only then are the next four valid.
   bool makes_ray = false;           ///< The ray of a pixel, which it is otherwise given.
   std::optional<double> parameter;  ///< Empty: a miss.
@@ -65,6 +66,7 @@ struct MethodReport {
                                       wrong->wrong == properties::Wrong::kRefused);
     return has_failed ? wrong->what : "";
   }
+  bool goes_wrong() const { return !goes_wrong_at.empty() || !failure().empty(); }
   bool is_excluded() const { return wrong && wrong->excluded_by; }
 };
 
@@ -113,8 +115,16 @@ ExplainReport explain(const ExplainOptions& options);
 std::string explain_text(const ExplainReport& report, const ViewOptions& options);
 std::string explain_json(const ExplainReport& report, const ViewOptions& options);
 
+/// 17 significant digits; several numbers in parentheses.
+std::string digits_text(double value);
+std::string numbers_text(const std::vector<double>& values);
+/// "off by 3 ulp (0.5 alone)"; empty without an error.
+std::string off_text(const MethodStep& step);
+/// "condition number 4.2, of this step alone 1"; empty without one.
+std::string condition_text(const Step& step);
 /// What the text says of one method: "s = 6 (0x1.8p+2), off by 0.2 ulp".
-std::string method_verdict(const MethodReport& method, const ExplainReport& report);
+std::string method_verdict(const MethodReport& method, const ExplainReport& report,
+                           bool colours = false);
 /// The part of it after the answer, ", off by 0.2 ulp, a false hit (excused)"; all of it for a
 /// method that makes rays. Domain: it did not fail.
 std::string answer_remarks(const MethodReport& method);

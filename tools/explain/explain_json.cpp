@@ -8,16 +8,11 @@ namespace raycheck::tools {
 namespace {
 
 Json form_or_null(const std::optional<reference::ClosedForm>& form) {
-  return form ? Json(form->text()) : Json(nullptr);
+  return or_null(form, [](const reference::ClosedForm& one) { return one.text(); });
 }
 
-Json left_out_json(const std::vector<RootLeftOut>& roots) {
-  Json json = Json::array();
-  for (const RootLeftOut& root : roots) {
-    json.push_back(
-        {{"root", name(root.root)}, {"s", scene::hexfloat(root.s)}, {"why", name(root.why)}});
-  }
-  return json;
+Json left_out_json(const RootLeftOut& root) {
+  return {{"root", name(root.root)}, {"s", scene::hexfloat(root.s)}, {"why", name(root.why)}};
 }
 
 Json sphere_json(const SphereReport& sphere) {
@@ -26,7 +21,7 @@ Json sphere_json(const SphereReport& sphere) {
   json["class"] = name(sphere.intersection.hit_class);
   json["root"] = miss ? Json(nullptr) : Json(name(sphere.intersection.root));
   json["s"] = hexfloat_or_null(sphere.parameter);
-  json["left_out"] = left_out_json(sphere.left_out);
+  json["left_out"] = list_json(sphere.left_out, left_out_json);
   json["point"] = miss ? Json(nullptr) : hexfloats(sphere.point);
   json["closed_form"] = {
       {"s", form_or_null(sphere.closed_form_parameter)},
@@ -56,17 +51,12 @@ Json method_json(const MethodReport& method) {
   return json;
 }
 
-void add_steps(const MethodReport& method, Json& json) {
-  json["goes_wrong_at"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(method.goes_wrong_at);
-  json["failed"] = method.failure().empty() ? Json(nullptr) : Json(method.failure());
-  json["steps"] = Json::array();
-  for (const MethodStep& step : method.steps) {
-    json["steps"].push_back({{"symbol", step.symbol},
-                             {"value", hexfloats(step.value)},
-                             {"error", error_json(step.error)},
-                             {"error_alone", error_json(step.error_alone)},
-                             {"unit", step.unit}});
-  }
+Json method_step_json(const MethodStep& step) {
+  return {{"symbol", step.symbol},
+          {"value", hexfloats(step.value)},
+          {"error", error_json(step.error)},
+          {"error_alone", error_json(step.error_alone)},
+          {"unit", step.unit}};
 }
 
 Json exact_pixel_json(const ExplainReport& report) {
@@ -83,9 +73,8 @@ Json exact_pixel_json(const ExplainReport& report) {
   add("V", "V");
   add("W", "W");
   json["closed_form"] = std::move(closed_form);
-  json["spheres"] = Json::array();
-  for (const SphereReport& sphere : report.spheres) json["spheres"].push_back(sphere_json(sphere));
-  json["nearest"] = report.nearest ? Json(*report.nearest) : Json(nullptr);
+  json["spheres"] = list_json(report.spheres, sphere_json);
+  json["nearest"] = or_null(report.nearest);
   return json;
 }
 
@@ -94,7 +83,7 @@ Json exact_ray_json(const ExplainReport& report) {
   Json json;
   json["class"] = name(sphere.intersection.hit_class);
   json["s"] = hexfloat_or_null(sphere.parameter);
-  json["left_out"] = left_out_json(sphere.left_out);
+  json["left_out"] = list_json(sphere.left_out, left_out_json);
   json["closed_form"] = form_or_null(sphere.closed_form_parameter);
   json["point"] = sphere.parameter ? hexfloats(sphere.point) : Json(nullptr);
   json["closed_form_point"] =
@@ -111,17 +100,17 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& /*optio
   json["bounds_of"] = report.other ? text_or_null(report.other->bounds_of) : Json(nullptr);
   json["rounded_numbers"] = report.rounded_numbers;
   if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};
-  json["sphere"] = report.sphere ? Json(*report.sphere) : Json(nullptr);
+  json["sphere"] = or_null(report.sphere);
   json["exact"] = report.pixel ? exact_pixel_json(report) : exact_ray_json(report);
-  json["exact"]["by_every_root"] =
-      report.by_every_root ? sphere_json(*report.by_every_root) : Json(nullptr);
-  json["exact"]["steps"] = Json::array();
-  for (const Step& step : report.steps) json["exact"]["steps"].push_back(step_json(step));
+  json["exact"]["by_every_root"] = or_null(report.by_every_root, sphere_json);
+  json["exact"]["steps"] = list_json(report.steps, step_json);
   json["methods"] = Json::array();
   json["ray_methods"] = Json::array();
   for (const MethodReport& method : report.methods) {
     Json entry = method.intersects ? method_json(method) : Json{{"name", method.name}};
-    add_steps(method, entry);
+    entry["goes_wrong_at"] = text_or_null(method.goes_wrong_at);
+    entry["failed"] = text_or_null(method.failure());
+    entry["steps"] = list_json(method.steps, method_step_json);
     json[method.intersects ? "methods" : "ray_methods"].push_back(std::move(entry));
   }
   return json_text(json);

@@ -221,7 +221,8 @@ std::string wrong_step(const MethodReport& report) {
 MethodReport report_rays(const Candidate& candidate, const Case& the_case,
                          std::shared_ptr<Truth> truth, const fast::PixelRayMethod* own) {
   MethodReport report;
-  report.name = own != nullptr ? std::string(own->name) : candidate.name;
+  report.is_other = own == nullptr;
+  report.name = report.is_other ? candidate.name : std::string(own->name);
   report.precision = candidate.precision;
   Trials trials(the_case, candidate, {.truth = std::move(truth)});
   report.wrong = found_wrong(trials, is_of_made_rays);
@@ -239,7 +240,8 @@ MethodReport report_rays(const Candidate& candidate, const Case& the_case,
 MethodReport report_intersection(const Candidate& candidate, const Case& the_case,
                                  std::shared_ptr<Truth> truth, const fast::IntersectMethod* own) {
   MethodReport report;
-  report.name = own != nullptr ? std::string(own->name) : candidate.name;
+  report.is_other = own == nullptr;
+  report.name = report.is_other ? candidate.name : std::string(own->name);
   report.intersects = true;
   report.precision = candidate.precision;
   Trials trials(the_case, candidate, {.truth = std::move(truth)});

@@ -8,8 +8,6 @@
 #include "properties/candidate.h"
 #include "properties/case.h"
 #include "properties/truth.h"
-#include "reference/account/closed_form.h"
-#include "reference/exact_ray.h"
 #include "tools/explain/explain.h"
 
 namespace raycheck::tools {
@@ -19,20 +17,6 @@ template <class Triple>
 std::vector<double> numbers(const Triple& value) {
   return {value.x, value.y, value.z};
 }
-
-/// The explained ray in exact and symbolic form.
-struct Subject {
-  reference::ExactRay exact;
-  reference::ClosedFormRay symbolic;
-  bool from_camera;
-};
-
-/// Sets the condition numbers of the steps of a ray (`camera` null for a given one) and of a
-/// sphere.
-void add_ray_conditions(const Subject& subject, const reference::ExactCamera* camera,
-                        std::vector<Step>& steps);
-void add_sphere_conditions(const Subject& subject, const scene::Sphere& sphere,
-                           const reference::Intersection& intersection, std::vector<Step>& steps);
 
 /// What an implementation answers about the one ray of a case, as far as it goes, and what the laws
 /// say of that: of the ray that it makes at the case's pixel, or of the ray's intersection with the

@@ -26,15 +26,6 @@ std::string listed(const std::vector<std::string>& parts) {
   return text + ")";
 }
 
-std::string decimals(const std::vector<double>& values) {
-  if (values.empty()) return "-";
-  std::vector<std::string> parts;
-  for (const double x : values) {
-    parts.push_back(std::isnan(x) ? "nan" : fmt::format("{:.17g}", x));
-  }
-  return listed(parts);
-}
-
 /// "s = 0.001 lies before t_min = 0.01"
 std::string left_out_text(const RootLeftOut& root, const scene::ValidRoots& valid) {
   using reference::RootCounts;
@@ -76,43 +67,44 @@ void append_steps(const ExplainReport& report, std::string& text) {
     if (!step.closed_form.empty()) {
       text += fmt::format("  {:<{}} = {}\n", "", width, listed(reference::texts(step.closed_form)));
     }
-    text += fmt::format("  {:<{}} = {}\n", "", width, decimals(step.rounded));
-    if (step.condition) {
-      text +=
-          fmt::format("  {:<{}}   condition number {}{}\n", "", width, error_text(step.condition),
-                      step.condition_alone
-                          ? fmt::format(", of this step alone {}", error_text(step.condition_alone))
-                          : "");
-    }
+    text += fmt::format("  {:<{}} = {}\n", "", width, numbers_text(step.rounded));
+    if (step.condition) text += fmt::format("  {:<{}}   {}\n", "", width, condition_text(step));
     for (const MethodReport& method : report.methods) {
       for (const MethodStep& mine : method.steps) {
         if (mine.symbol != step.symbol) continue;
-        text += fmt::format(
-            "  {:<{}}   {:<17} {}{}{}{}\n", "", width, method.name,
-            mine.value.empty() ? "miss" : decimals(mine.value),
-            mine.error ? fmt::format("  off by {} {}", error_text(mine.error), mine.unit) : "",
-            mine.error_alone ? fmt::format(" ({} alone)", error_text(mine.error_alone)) : "",
-            method.goes_wrong_at == step.symbol ? "  <- goes wrong here" : "");
+        text += fmt::format("  {:<{}}   {:<17} {}{}{}{}\n", "", width, method.name,
+                            mine.value.empty() ? "miss" : numbers_text(mine.value),
+                            mine.error ? "  " : "", off_text(mine),
+                            method.goes_wrong_at == step.symbol ? "  <- goes wrong here" : "");
       }
     }
   }
 }
 
-std::string verdict_of(const MethodReport& method, const ExplainReport& report, bool colours) {
-  if (!method.failure().empty()) return red("failed: " + method.failure(), colours);
-  std::string text;
-  if (method.intersects) {
-    text = method.parameter ? fmt::format("s = {}", scene::digits_and_hexfloat(*method.parameter))
-                            : "miss";
-  }
-  text += answer_remarks(method);
-  if (method.goes_wrong_at.empty()) return text;
-  return red(fmt::format("{}; goes wrong at {}{}", text, method.goes_wrong_at,
-                         wrong_step_remark(method, report)),
-             colours);
+}  // namespace
+
+std::string digits_text(double value) {
+  return std::isnan(value) ? "nan" : fmt::format("{:.17g}", value);
 }
 
-}  // namespace
+std::string numbers_text(const std::vector<double>& values) {
+  std::vector<std::string> parts;
+  for (const double x : values) parts.push_back(digits_text(x));
+  return listed(parts);
+}
+
+std::string off_text(const MethodStep& step) {
+  return (step.error ? fmt::format("off by {} {}", error_text(step.error), step.unit) : "") +
+         (step.error_alone ? fmt::format(" ({} alone)", error_text(step.error_alone)) : "");
+}
+
+std::string condition_text(const Step& step) {
+  if (!step.condition) return {};
+  return fmt::format("condition number {}{}", error_text(step.condition),
+                     step.condition_alone
+                         ? fmt::format(", of this step alone {}", error_text(step.condition_alone))
+                         : "");
+}
 
 std::string answer_remarks(const MethodReport& method) {
   if (!method.intersects) {
@@ -141,12 +133,22 @@ std::string answer_remarks(const MethodReport& method) {
 
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report) {
   if (method.goes_wrong_at != "D" || !method.intersects) return {};
-  if (report.other && method.name == report.other->name) return " (its own ray)";
+  if (method.is_other) return " (its own ray)";
   return " (the rounding of the ray by `" + report.rays_method + "`)";
 }
 
-std::string method_verdict(const MethodReport& method, const ExplainReport& report) {
-  return verdict_of(method, report, false);
+std::string method_verdict(const MethodReport& method, const ExplainReport& report, bool colours) {
+  if (!method.failure().empty()) return red("failed: " + method.failure(), colours);
+  std::string text;
+  if (method.intersects) {
+    text = method.parameter ? fmt::format("s = {}", scene::digits_and_hexfloat(*method.parameter))
+                            : "miss";
+  }
+  text += answer_remarks(method);
+  if (method.goes_wrong_at.empty()) return text;
+  return red(fmt::format("{}; goes wrong at {}{}", text, method.goes_wrong_at,
+                         wrong_step_remark(method, report)),
+             colours);
 }
 
 std::string explain_text(const ExplainReport& report, const ViewOptions& options) {
@@ -167,7 +169,7 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, each judged by that ray)\n",
                         report.rays_method);
     const MethodReport& last = report.methods.back();
-    if (report.other && last.intersects && last.name == report.other->name) {
+    if (last.is_other && last.intersects) {
       text += fmt::format("({}: for the {})\n", last.name,
                           last.makes_ray ? "ray that it makes itself"
                                          : "exact ray, correctly rounded, which it is given");
@@ -176,8 +178,8 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
   if (report.sphere) {
     const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
     text += fmt::format("sphere {}: C = {}, r = {}\n", *report.sphere,
-                        decimals({sphere.centre.x, sphere.centre.y, sphere.centre.z}),
-                        decimals({sphere.radius}));
+                        numbers_text({sphere.centre.x, sphere.centre.y, sphere.centre.z}),
+                        digits_text(sphere.radius));
   }
   text += "\n";
   append_steps(report, text);
@@ -200,7 +202,8 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
                         answer_of(*report.by_every_root));
   }
   for (const MethodReport& method : report.methods) {
-    text += fmt::format("  {:<17} {}\n", method.name, verdict_of(method, report, options.colours));
+    text +=
+        fmt::format("  {:<17} {}\n", method.name, method_verdict(method, report, options.colours));
   }
   return text;
 }

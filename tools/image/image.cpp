@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <memory>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -51,47 +50,17 @@ class Bands {
 };
 
 SeenBand seen_band(const Visibility& visibility, std::int64_t width,
-                   const std::pair<std::int64_t, std::int64_t>& rows, bool parameters,
-                   bool points) {
+                   const std::pair<std::int64_t, std::int64_t>& rows, bool points) {
   SeenBand band;
   std::tie(band.j_begin, band.j_end) = rows;
   const auto pixels = static_cast<std::size_t>((band.j_end - band.j_begin) * width);
   band.sphere.resize(pixels);
-  if (parameters) band.parameter.resize(pixels);
   if (points) {
     for (auto* coordinate : {&band.x, &band.y, &band.z}) coordinate->resize(pixels);
   }
-  band.decided_by = visibility.nearest(band.j_begin, band.j_end,
-                                       {band.sphere, band.parameter, band.x, band.y, band.z});
+  band.decided_by =
+      visibility.nearest(band.j_begin, band.j_end, {band.sphere, {}, band.x, band.y, band.z});
   return band;
-}
-
-/// Empty if nothing is seen.
-std::optional<DepthRange> depth_range(const Visibility& visibility, const scene::Camera& camera,
-                                      const Bands& bands, const properties::RunControl& control) {
-  using Range = std::optional<DepthRange>;
-  const auto include = [](Range& range, double nearest, double farthest) {
-    if (!range) range = DepthRange{nearest, farthest};
-    range->nearest = std::min(range->nearest, nearest);
-    range->farthest = std::max(range->farthest, farthest);
-  };
-  Range all;
-  std::int64_t done = 0;
-  in_order<Range>(
-      bands.count(), control,
-      [&](std::int64_t k) {
-        const SeenBand band = seen_band(visibility, camera.width, bands[k], true, false);
-        Range range;
-        for (std::size_t p = 0; p < band.sphere.size(); ++p) {
-          if (band.sphere[p] != kNoSphere) include(range, band.parameter[p], band.parameter[p]);
-        }
-        return range;
-      },
-      [&](const Range& range) {
-        if (range) include(all, range->nearest, range->farthest);
-        control.progress(fmt::format("range of s, {} of {} bands", ++done, bands.count()));
-      });
-  return all;
 }
 
 /// A band of the picture, top line first, and what was counted in it.
@@ -107,13 +76,8 @@ PaintedBand painted(const SeenBand& band, const Painter& painter, std::int64_t w
                     bool top_first) {
   PaintedBand result;
   result.pixels.resize(band.sphere.size());
-  painter.paint(band, result.pixels, result.errors);
-  if (!top_first) {
-    const auto line = [&](std::int64_t k) { return result.pixels.begin() + k * width; };
-    for (std::int64_t low = 0, high = band.j_end - band.j_begin - 1; low < high; ++low, --high) {
-      std::swap_ranges(line(low), line(low + 1), line(high));
-    }
-  }
+  painter(band, result.pixels, result.errors);
+  if (!top_first) flip_lines(result.pixels, width);
   for (const std::int32_t sphere : band.sphere) {
     if (sphere == kNoSphere) continue;
     ++result.pixels_that_see;
@@ -196,21 +160,6 @@ properties::Candidate completed(const Implementation& implementation, const Meth
     };
   }
   return candidate;
-}
-
-std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::Scene& scene,
-                                     const std::optional<DepthRange>& range) {
-  switch (options.what) {
-    case Picture::kClass:
-      return class_painter();
-    case Picture::kSphere:
-      return sphere_painter(scene);
-    case Picture::kDepth:
-      return depth_painter(range.value_or(DepthRange{}));
-    case Picture::kError:
-      return error_painter(scene, answering_candidate(options.implementation, options.methods));
-  }
-  throw std::logic_error("a picture of nothing that there is");
 }
 
 void resize(const scene::Pixel& size, scene::Scene& scene) {
@@ -299,18 +248,18 @@ ImageReport make_image(const ImageOptions& options, PictureFile& file,
   const Visibility visibility(
       scene, scene::plan_scene(scene, report.conventions, scene::Wanted::kNearest));
   const Bands bands(*scene.camera, report.conventions);
-  if (options.what == Picture::kDepth) {
-    report.depth = depth_range(visibility, *scene.camera, bands, control);
-  }
-  const auto painter = painter_for(options, scene, report.depth);
+  const bool is_of_spheres = options.what == Picture::kSphere;
+  const Painter painter =
+      is_of_spheres
+          ? sphere_painter(scene)
+          : error_painter(scene, answering_candidate(options.implementation, options.methods));
   std::vector<bool> seen(scene.spheres.size());
   std::int64_t done = 0;
   in_order<PaintedBand>(
       bands.count(), control,
       [&](std::int64_t k) {
-        return painted(seen_band(visibility, report.width, bands[k], painter->needs_parameters(),
-                                 painter->needs_points()),
-                       *painter, report.width, bands.top_first());
+        return painted(seen_band(visibility, report.width, bands[k], is_of_spheres), painter,
+                       report.width, bands.top_first());
       },
       [&](const PaintedBand& band) {
         file.add(band.pixels);

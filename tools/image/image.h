@@ -19,9 +19,8 @@
 namespace raycheck::tools {
 
 /// What a picture shows of a pixel.
-enum class Picture { kClass, kSphere, kDepth, kError };
-inline constexpr std::array<std::string_view, 4> kPictureNames = {"class", "sphere", "depth",
-                                                                  "error"};
+enum class Picture { kSphere, kError };
+inline constexpr std::array<std::string_view, 2> kPictureNames = {"sphere", "error"};
 constexpr std::string_view name(Picture picture) {
   return kPictureNames[static_cast<std::size_t>(picture)];
 }
@@ -33,11 +32,6 @@ struct ImageOptions {
   Implementation implementation = {};    ///< Whose error is shown.
   MethodPair methods = kDefaultMethods;  ///< What makes rays where it makes none.
   std::optional<scene::Pixel> size;      ///< Pixels across and down, instead of the scene's.
-};
-
-/// The smallest and the largest s seen by pixels.
-struct DepthRange {
-  double nearest = 0, farthest = 0;
 };
 
 /// The numbers behind a picture of errors: pixels by the error of s.
@@ -73,7 +67,6 @@ struct ImageReport {
   std::size_t spheres_seen = 0;
   std::uint64_t pixels_that_see = 0;
   reference::DecidedBy decided_by;
-  std::optional<DepthRange> depth;   ///< For Picture::kDepth if anything is seen.
   std::optional<ErrorCounts> error;  ///< For Picture::kError.
   int threads = 1;
   double seconds = 0;

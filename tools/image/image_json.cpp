@@ -42,10 +42,6 @@ std::string image_json(const ImageReport& report, const ViewOptions& /*options*/
   json["spheres_seen"] = report.spheres_seen;
   json["pixels_that_see"] = report.pixels_that_see;
   json["decided_by"] = decided_by_json(report.decided_by);
-  json["depth"] = or_null(report.depth, [](const auto& depth) {
-    return Json{{"nearest", hexfloat_or_null(depth.nearest)},
-                {"farthest", hexfloat_or_null(depth.farthest)}};
-  });
   json["error"] = or_null(report.error, error_counts_json);
   json["threads"] = report.threads;
   json["seconds"] = report.seconds;

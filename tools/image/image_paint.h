@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,32 +48,29 @@ std::string hex(const Colour& colour);
 /// that neighbours in the file, and any few spheres, differ.
 Colour sphere_colour(std::size_t sphere);
 
-/// What the pixels of whole rows see, row by row; arrays that the picture does not need are empty.
+/// Turns lines of this width upside down.
+void flip_lines(std::vector<Colour>& pixels, std::int64_t width);
+
+/// What the pixels of whole rows see, row by row.
 struct SeenBand {
   std::int64_t j_begin = 0, j_end = 0;
   std::vector<std::int32_t> sphere;
-  std::vector<double> parameter;
-  std::vector<double> x, y, z;  ///< The point Q.
+  std::vector<double> x, y, z;  ///< The point Q; empty if the picture does not need it.
   reference::DecidedBy decided_by;
 };
 
-/// Colours bands; bands may be painted by several threads at once.
-class Painter {
- public:
-  virtual ~Painter() = default;
-  virtual bool needs_parameters() const { return false; }
-  virtual bool needs_points() const { return false; }
-  /// Paints pixels in the band's order; adds counts to `errors`, if errors are shown.
-  virtual void paint(const SeenBand& band, std::span<Colour> pixels, ErrorCounts& errors) const = 0;
-};
+/// Pixels first to end - 1 of the rows from j on, row by row.
+std::vector<scene::Pixel> pixels_of_rows(const scene::Scene& scene, std::int64_t j,
+                                         std::size_t first, std::size_t end);
 
-std::unique_ptr<Painter> class_painter();
-/// The spheres' colours, darker where the surface turns away from the eye.
-std::unique_ptr<Painter> sphere_painter(const scene::Scene& scene);
-/// Near is bright and far is dark; hits are never as dark as the background.
-std::unique_ptr<Painter> depth_painter(const DepthRange& range);
-std::unique_ptr<Painter> error_painter(const scene::Scene& scene,
-                                       std::function<properties::Candidate()> candidate);
+/// Paints the pixels of bands, in their order; adds counts to `errors`, if errors are shown. Bands
+/// may be painted by several threads at once.
+using Painter =
+    std::function<void(const SeenBand& band, std::span<Colour> pixels, ErrorCounts& errors)>;
+
+/// The spheres' colours, darker where the surface turns away from the eye. Needs points.
+Painter sphere_painter(const scene::Scene& scene);
+Painter error_painter(const scene::Scene& scene, std::function<properties::Candidate()> candidate);
 
 /// A maker of candidates that answer whole pixels: where the implementation makes no rays, these
 /// methods do, and where it does not say which sphere is the nearest, its own hits tell.

@@ -48,10 +48,6 @@ std::string image_text(const ImageReport& report, const ViewOptions& /*options*/
                                      static_cast<std::uint64_t>(report.height),
                                  "pixel"));
   text += fmt::format("decided: {}\n", decided_by_text(report.decided_by));
-  if (report.depth) {
-    text += fmt::format("s from {:.6g} (white) to {:.6g} (dark)\n", report.depth->nearest,
-                        report.depth->farthest);
-  }
   if (report.error) text += error_table(*report.error) + "\n";
   return text + fmt::format("{} written to {} in {:.3g} s by {}\n", name(report.what), report.file,
                             report.seconds,

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <functional>
 #include <stdexcept>
+#include <utility>
 
 #include "scene/interruption.h"
 
@@ -25,120 +25,88 @@ std::string spheres_text(const std::vector<std::size_t>& spheres) {
                                  : fmt::format("{} and {} more", text, spheres.size() - shown);
 }
 
-/// Counts what the items of a plan leave out.
-class Accountant {
- public:
-  Accountant(const scene::Scene& scene, const scene::ScenePlan& plan)
-      : plan_(plan),
-        asked_(which([](const SpherePlan& sphere) { return !sphere.left_out; })),
-        pixels_(static_cast<std::uint64_t>(scene.camera->width) *
-                static_cast<std::uint64_t>(scene.camera->height)) {
-    for (const SpherePlan& sphere : plan.spheres) {
-      pairs_ += static_cast<std::uint64_t>(sphere.pixels.count());
-    }
+template <class Condition>
+std::vector<std::size_t> which(const scene::ScenePlan& plan, const Condition& has) {
+  std::vector<std::size_t> indices;
+  for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
+    if (has(plan.spheres[k])) indices.push_back(k);
   }
+  return indices;
+}
 
-  /// In the order of kPlanItems; the filter's count comes from deciding pixels.
-  std::vector<ItemReport> items() const {
-    return {spheres_left_out(scene::LeftOut::kOutsideView, "no ray of the image meets it"),
-            spheres_left_out(scene::LeftOut::kBehind, "all of it is behind where rays start"),
-            hidden(),
-            rectangles(),
-            constants(),
-            far_root(),
-            behind_test(),
-            scaling(),
-            {0, 0, plan_.wanted == scene::Wanted::kClass ? "classes" : "pixels", ""},
-            basis(),
-            quantities()};
+ItemReport left_out(const scene::ScenePlan& plan, scene::LeftOut how, const char* why) {
+  const auto found = which(plan, [how](const SpherePlan& s) { return s.left_out == how; });
+  return {found.size(), plan.spheres.size(), "spheres",
+          found.empty() ? "there is none" : spheres_text(found) + ": " + why};
+}
+
+ItemReport far_root(const scene::ScenePlan& plan, std::size_t asked) {
+  const auto inside =
+      which(plan, [](const SpherePlan& s) { return !s.left_out && s.origin_inside; });
+  return {asked - inside.size(), asked, "spheres",
+          plan.conventions.root == scene::Root::kSmaller ? "it never counts: root smaller"
+          : inside.empty()                               ? "no ray starts inside a sphere"
+                           : "rays may start inside " + spheres_text(inside)};
+}
+
+ItemReport behind_test(const scene::ScenePlan& plan, std::size_t asked) {
+  const auto behind =
+      which(plan, [](const SpherePlan& s) { return !s.left_out && s.reaches_behind; });
+  return {asked - behind.size(), asked, "spheres",
+          behind.empty() ? "every sphere lies in front of where rays start"
+                         : spheres_text(behind) + " may reach behind where rays start"};
+}
+
+ItemReport scaling(const scene::ScenePlan& plan) {
+  const scene::Scaling& scaling = plan.eye.scaling();
+  const bool is_plain = scaling == scene::Scaling{};
+  return {is_plain ? 1u : 0u, 1, "scene",
+          is_plain ? fmt::format("lengths are within 2^-{0} and 2^{0}, or the largest is about 1",
+                                 scene::kPlainExponent)
+                   : fmt::format("lengths are divided by 2^{}, the image plane's by 2^{}",
+                                 scaling.lengths, scaling.plane)};
+}
+
+ItemReport quantities(scene::Wanted wanted) {
+  constexpr std::array<std::pair<std::uint64_t, const char*>, 4> kLeftOut = {
+      {{3, "the class: no nearest sphere, s or Q"},
+       {1, "s: no Q"},
+       {0, "Q, and all that leads to it"},
+       {2, "the nearest sphere: no s or Q"}}};
+  const auto& [count, why] = kLeftOut[static_cast<std::size_t>(wanted)];
+  return {count, kLeftOut.size(), "quantities", why};
+}
+
+/// In the order of kPlanItems; the filter's count comes from deciding pixels.
+std::vector<ItemReport> items_of(const scene::Scene& scene, const scene::ScenePlan& plan) {
+  const std::size_t asked = which(plan, [](const SpherePlan& s) { return !s.left_out; }).size();
+  const auto all = asked * static_cast<std::uint64_t>(scene.camera->width) *
+                   static_cast<std::uint64_t>(scene.camera->height);
+  std::uint64_t pairs = 0;
+  for (const SpherePlan& sphere : plan.spheres) {
+    pairs += static_cast<std::uint64_t>(sphere.pixels.count());
   }
-
- private:
-  std::vector<std::size_t> which(const std::function<bool(const SpherePlan&)>& has) const {
-    std::vector<std::size_t> indices;
-    for (std::size_t k = 0; k < plan_.spheres.size(); ++k) {
-      if (has(plan_.spheres[k])) indices.push_back(k);
-    }
-    return indices;
+  ItemReport hidden =
+      left_out(plan, scene::LeftOut::kHidden, "a ray that meets it meets another no later");
+  if (plan.wanted != scene::Wanted::kNearest) {
+    hidden.why = "only where nothing but the nearest sphere is wanted";
   }
-
-  ItemReport spheres_left_out(scene::LeftOut how, const std::string& why) const {
-    const auto found = which([how](const SpherePlan& s) { return s.left_out == how; });
-    return {found.size(), plan_.spheres.size(), "spheres",
-            found.empty() ? "there is none" : spheres_text(found) + ": " + why};
-  }
-
-  ItemReport hidden() const {
-    ItemReport item =
-        spheres_left_out(scene::LeftOut::kHidden, "a ray that meets it meets another no later");
-    if (plan_.wanted != scene::Wanted::kNearest) {
-      item.why = "only where nothing but the nearest sphere is wanted";
-    }
-    return item;
-  }
-
-  ItemReport rectangles() const {
-    const std::uint64_t all = asked_.size() * pixels_;
-    return {all - pairs_, all, "pairs", "certain bounds of the spheres' outlines"};
-  }
-
-  ItemReport constants() const {
-    return {pairs_ - std::min<std::uint64_t>(pairs_, asked_.size()), pairs_, "pairs",
-            "C - E along the axes and |C - E|^2 - r^2, once a sphere"};
-  }
-
-  ItemReport far_root() const {
-    const auto inside = which([](const SpherePlan& s) { return !s.left_out && s.origin_inside; });
-    const std::string why = plan_.conventions.root == scene::Root::kSmaller
-                                ? "it never counts: root smaller"
-                            : inside.empty() ? "no ray starts inside a sphere"
-                                             : "rays may start inside " + spheres_text(inside);
-    return {asked_.size() - inside.size(), asked_.size(), "spheres", why};
-  }
-
-  ItemReport behind_test() const {
-    const auto behind = which([](const SpherePlan& s) { return !s.left_out && s.reaches_behind; });
-    return {asked_.size() - behind.size(), asked_.size(), "spheres",
-            behind.empty() ? "every sphere lies in front of where rays start"
-                           : spheres_text(behind) + " may reach behind where rays start"};
-  }
-
-  ItemReport scaling() const {
-    const scene::Scaling& scaling = plan_.eye.scaling();
-    if (scaling == scene::Scaling{}) {
-      return {1, 1, "scene",
-              fmt::format("lengths are within 2^-{0} and 2^{0}, or the largest is about 1",
-                          scene::kPlainExponent)};
-    }
-    return {0, 1, "scene",
-            fmt::format("lengths are divided by 2^{}, the image plane's by 2^{}", scaling.lengths,
-                        scaling.plane)};
-  }
-
-  ItemReport basis() const {
-    if (plan_.eye.axis_aligned()) return {1, 1, "camera", "U, V, W are axes of the world"};
-    return {0, 1, "camera", "U, V, W are not certainly axes of the world"};
-  }
-
-  ItemReport quantities() const {
-    switch (plan_.wanted) {
-      case scene::Wanted::kClass:
-        return {3, 4, "quantities", "the class: no nearest sphere, s or Q"};
-      case scene::Wanted::kNearest:
-        return {2, 4, "quantities", "the nearest sphere: no s or Q"};
-      case scene::Wanted::kParameter:
-        return {1, 4, "quantities", "s: no Q"};
-      case scene::Wanted::kPoint:
-        break;
-    }
-    return {0, 4, "quantities", "Q, and all that leads to it"};
-  }
-
-  const scene::ScenePlan& plan_;
-  std::vector<std::size_t> asked_;
-  std::uint64_t pixels_;
-  std::uint64_t pairs_ = 0;
-};
+  const bool is_aligned = plan.eye.axis_aligned();
+  return {left_out(plan, scene::LeftOut::kOutsideView, "no ray of the image meets it"),
+          left_out(plan, scene::LeftOut::kBehind, "all of it is behind where rays start"),
+          std::move(hidden),
+          {all - pairs, all, "pairs", "certain bounds of the spheres' outlines"},
+          {pairs - std::min<std::uint64_t>(pairs, asked), pairs, "pairs",
+           "C - E along the axes and |C - E|^2 - r^2, once a sphere"},
+          far_root(plan, asked),
+          behind_test(plan, asked),
+          scaling(plan),
+          {0, 0, plan.wanted == scene::Wanted::kClass ? "classes" : "pixels", ""},
+          {is_aligned ? 1u : 0u, 1, "camera",
+           is_aligned ? "U, V, W are axes of the world"
+                      : "U, V, W are not certainly axes of the world"},
+          quantities(plan.wanted)};
+}
 
 void count_filtered(const reference::DecidedBy& decided_by, ItemReport& item) {
   item.left_out = decided_by.filter;
@@ -166,7 +134,7 @@ PlanReport make_plan(const PlanOptions& options, const properties::RunControl& c
   report.plan = scene::plan_scene(report.scene, report.scene.conventions, options.wanted);
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  report.items = Accountant(report.scene, *report.plan).items();
+  report.items = items_of(report.scene, *report.plan);
   try {
     time_plan(report);
   } catch (const std::invalid_argument& error) {

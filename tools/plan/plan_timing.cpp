@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "scene/interruption.h"
@@ -25,12 +26,6 @@ constexpr double kMostPixelsAtATime = 1 << 22;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// The work that is timed: computing what is wanted of a scene's rows into arrays.
@@ -121,7 +116,7 @@ double time_rows(const Visibility& visibility, Workload& workload,
   return seconds_since(start) / repetitions;
 }
 
-/// Seconds of several visibilities, each the sum over the first bands of the image of medians of
+/// Seconds of several visibilities, each the sum over the first bands of the image of the least of
 /// several passes. They take turns, so that disturbances of the machine slow all of them. As many
 /// bands as fit into the time limit, at least one.
 struct PartTimes {
@@ -131,23 +126,21 @@ struct PartTimes {
 PartTimes time_parts(const std::vector<const Visibility*>& all, Workload& workload,
                      const Bands& bands) {
   const Clock::time_point start = Clock::now();
-  std::vector<std::vector<std::vector<double>>> passes(all.size());
-  for (auto& of : passes) of.resize(bands.count());
-  PartTimes times{std::vector<double>(all.size()), bands.count()};
+  std::vector<std::vector<double>> least(all.size(), std::vector<double>(bands.count(), HUGE_VAL));
+  PartTimes times{{}, bands.count()};
   for (int pass = 0; pass < kMostPasses; ++pass) {
     if (pass > 0 && seconds_since(start) > kItemSeconds) break;
     for (std::size_t part = 0; part < times.bands; ++part) {
       for (std::size_t k = 0; k < all.size(); ++k) {
-        passes[k][part].push_back(time_rows(*all[k], workload, bands[part]));
+        least[k][part] = std::min(least[k][part], time_rows(*all[k], workload, bands[part]));
       }
       // Half of the time for the first pass, to leave time for a second.
       if (pass == 0 && seconds_since(start) > kItemSeconds / 2) times.bands = part + 1;
     }
   }
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    for (std::size_t part = 0; part < times.bands; ++part) {
-      times.seconds[k] += median(passes[k][part]);
-    }
+  for (const auto& of : least) {
+    const auto end = of.begin() + static_cast<std::ptrdiff_t>(times.bands);
+    times.seconds.push_back(std::accumulate(of.begin(), end, 0.0));
   }
   return times;
 }

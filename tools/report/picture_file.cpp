@@ -114,15 +114,6 @@ PictureFile::PictureFile(std::string option, std::string path)
     : path_(path), file_(option, std::move(path)), encoder_(encoder_for(option, path_, file_)) {}
 
 void PictureFile::start(std::int64_t width, std::int64_t height) {
-  const auto require = [](const char* side, std::int64_t pixels) {
-    if (pixels <= kMostPictureSide) return;
-    throw std::invalid_argument(
-        fmt::format("camera.{}: {} pixels are more than a picture takes, "
-                    "which is {}",
-                    side, pixels, kMostPictureSide));
-  };
-  require("width", width);
-  require("height", height);
   width_ = static_cast<std::size_t>(width);
   encoder_->start(width, height);
 }

@@ -41,7 +41,7 @@ class PictureFile {
   PictureFile(std::string option, std::string path);
 
   const std::string& path() const { return path_; }
-  /// Throws std::invalid_argument naming the side that is more than kMostPictureSide.
+  /// Domain: no side above kMostPictureSide.
   void start(std::int64_t width, std::int64_t height);
   /// The next lines; all of them together are the picture.
   void add(std::span<const Colour> lines);

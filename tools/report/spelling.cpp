@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cstdint>
+#include <utility>
 
 #include "scene/number.h"
 #include "scene/text.h"
@@ -30,37 +32,20 @@ bool is_formula(std::string_view text) {
 
 std::string csv_cell(std::string_view text) {
   const bool is_defused = is_formula(text);
-  const std::string cell = (is_defused ? "'" : "") + scene::visible(text);
+  std::string cell = (is_defused ? "'" : "") + scene::visible(text);
   const bool is_plain = !is_defused && cell.find_first_of(",;\"\n\t") == std::string::npos &&
                         !cell.starts_with(' ') && !cell.ends_with(' ');
   if (is_plain) return cell;
-  std::string quoted = "\"";
-  for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+  boost::replace_all(cell, "\"", "\"\"");
+  return '"' + cell + '"';
 }
 
 std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : scene::visible(text)) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
-    }
+  std::string result = scene::visible(text);
+  for (const auto& [sign, name] :
+       {std::pair("&", "&amp;"), std::pair("<", "&lt;"), std::pair(">", "&gt;"),
+        std::pair("\"", "&quot;"), std::pair("'", "&#39;")}) {
+    boost::replace_all(result, sign, name);
   }
   return result;
 }

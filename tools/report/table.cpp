@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 
 
 namespace raycheck::tools {
@@ -52,9 +53,7 @@ std::string Table::markdown() const {
   });
   for (const auto& row : rows_) {
     result += line(row, "| ", " | ", " |\n", [](std::size_t, const std::string& cell) {
-      std::string escaped;
-      for (const char c : cell) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
-      return escaped;
+      return boost::replace_all_copy(cell, "|", "\\|");
     });
   }
   return result;

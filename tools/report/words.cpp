@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 
 #include "scene/number.h"
@@ -263,9 +264,7 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
 }
 
 std::string single_quoted(std::string_view word) {
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
+  return "'" + boost::replace_all_copy(std::string(word), "'", "'\\''") + "'";
 }
 
 std::string shell_word(const std::string& word) {

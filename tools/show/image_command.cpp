@@ -8,7 +8,6 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/image/image.h"
-#include "tools/image/image_paint.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
 
@@ -29,24 +28,6 @@ struct ImageArguments {
   ExternalArguments external;
 };
 
-/// The colours of the picture of errors, for --help.
-std::string legend() {
-  std::string text =
-      "error colours, on a log scale (rrggbb), by how many ulp s is off (of float, for who is "
-      "judged "
-      "in single precision):";
-  for (const ErrorStep& step : kErrorSteps) {
-    const bool last = &step == &kErrorSteps.back();
-    text += fmt::format("\n  {} {}", hex(step.colour),
-                        last ? "more" : fmt::format("up to {}", step.at_most));
-  }
-  text += "\nand where it is wrong: missed, a false hit, or not the nearest sphere:";
-  for (std::size_t k = 0; k < kWrongColours.size(); ++k) {
-    text += fmt::format("\n  {} {}", hex(kWrongColours[k]), properties::kStandingNames[k]);
-  }
-  return text;
-}
-
 scene::Pixel parse_size(const std::string& text) {
   const auto sides = parse_list("--size", text, 2, "pixels across and down: W,H");
   const std::string side = "--size " + text + ": side";
@@ -60,24 +41,19 @@ int run_image(const ImageArguments& arguments) {
   options.dialect = parse_dialect(arguments.dialect);
   options.what = arguments.what;
   if (!arguments.size.empty()) options.size = parse_size(arguments.size);
+  const std::vector<std::string>& candidates = arguments.external.candidates;
   for (const auto& [option, value] :
-       {std::pair("--rays", &arguments.rays), std::pair("--intersect", &arguments.intersect)}) {
-    if (options.what != Picture::kError && !value->empty()) {
-      throw std::invalid_argument(
-          fmt::format("{} {}: only --what error shows a method; the others show the exact answer",
-                      option, *value));
-    }
+       {std::pair("--rays", arguments.rays), std::pair("--intersect", arguments.intersect),
+        std::pair("--candidate", candidates.empty() ? "" : candidates.front())}) {
+    if (options.what == Picture::kError || value.empty()) continue;
+    throw std::invalid_argument(
+        fmt::format("{} {}: only --what error shows an implementation; the other shows the exact "
+                    "answer",
+                    option, value));
   }
   if (!arguments.rays.empty()) options.methods.rays = &find_rays(arguments.rays);
   if (!arguments.intersect.empty()) {
     options.methods.intersect = &find_intersect(arguments.intersect);
-  }
-  const std::vector<std::string>& candidates = arguments.external.candidates;
-  if (!candidates.empty() && options.what != Picture::kError) {
-    throw std::invalid_argument(
-        fmt::format("--candidate {}: only --what error shows an implementation; the others show "
-                    "the exact answer",
-                    candidates.front()));
   }
   if (candidates.size() > 1) {
     throw std::invalid_argument("--candidate: a picture shows one; give it once");
@@ -109,8 +85,7 @@ CommandRun add_image(CLI::App& command) {
       ->required()
       ->type_name("FILE");
   add_named(command, "--what", arguments.what, kPictureNames,
-            "class: hit or miss; sphere: the nearest one, shaded; depth: s, near is bright; error: "
-            "how far a method's s is off, see below");
+            "sphere: the nearest one, shaded; error: how far a method's s is off");
   command.add_option("--rays", arguments.rays,
                      "of error: the method that makes rays (default: direct)");
   command.add_option("--intersect", arguments.intersect,
@@ -125,7 +100,6 @@ CommandRun add_image(CLI::App& command) {
   add_external(command, arguments.external);
   command.get_option("--candidate")->excludes(command.get_option("--intersect"));
   add_format(command, arguments.format, kImageViews);
-  command.footer(legend());
   return [given] { return run_image(*given); };
 }
 

@@ -2,73 +2,17 @@
 
 // The data of a page. The page's script draws it and computes nothing that a claim depends on.
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "properties/excuse.h"
 #include "scene/scene.h"
-#include "tools/explain/explain.h"
-#include "tools/report/picture_file.h"
+#include "tools/report/json.h"
 #include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
-
-/// A position or a direction in a drawing.
-/// Units: (p - origin) * 2^scale_exponent of its figure; directions are unit.
-using Drawn = std::array<double, 3>;
-
-/// Named places: figure_parts.h says what is drawn between, at and beside them.
-using DrawnPlaces = std::vector<std::pair<std::string, Drawn>>;
-
-/// A camera in a drawing, with the eye as the origin.
-struct DrawnCamera {
-  Drawn U, V, W;
-  double near = 0, left = 0, right = 0, bottom = 0, top = 0;
-  Drawn first, column, row;  ///< P of pixel (0, 0), and the steps to the next column and row.
-  std::array<double, 4>
-      window{};  ///< Tangents: what the picture shows, from left, right to bottom, top.
-  std::array<std::int64_t, 2> pixel_steps{}, ray_steps{};  ///< Every how many columns and rows.
-  double counts_from = 0, counts_to = 0;                   ///< Range of s that counts,
-  bool in_radii = false;                                   ///< in radii of the sphere,
-  bool smaller_counts = true, larger_counts = true;        ///< and for which roots.
-};
-
-struct DrawnSphere {
-  Drawn centre;
-  double radius = 0;
-  Colour colour;
-  std::string label;  ///< "sphere 0: C = (5, 5, 5), r = 3"
-};
-
-/// A given ray in a drawing.
-struct DrawnRay {
-  Drawn origin, direction;
-  std::optional<Drawn> hit;
-};
-
-/// A scene in a drawing: every coordinate is computed exactly relative to the origin, scaled by a
-/// power of two and rounded once; the frustum's corners, of the rounded axes, within 8u of their
-/// distance.
-struct Figure {
-  scene::Point3 origin;  ///< The eye, or the origin of the first given ray, in the scene.
-  int scale_exponent = 0;
-  std::optional<DrawnCamera> camera;
-  std::vector<DrawnRay> rays;
-  std::vector<DrawnSphere> spheres;
-  std::size_t spheres_left_out = 0;
-  DrawnPlaces places;              ///< The camera's.
-  double size = 0;                 ///< The extent of the frustum, or of given rays and a sphere,
-  double reach = 0;                ///< and of a view of the whole.
-  std::vector<Drawn> whole;        ///< What it shows besides spheres,
-  std::vector<std::size_t> apart;  ///< and the spheres that it leaves out.
-  bool is_out_of_scale = false;    ///< It shows little: start with the view from the eye.
-  std::vector<std::string> notes;  ///< On what is not drawn exactly.
-};
 
 /// The selected ray of a scene, and the selected sphere.
 struct Selection {
@@ -77,76 +21,13 @@ struct Selection {
   std::optional<std::size_t> sphere;
   bool operator==(const Selection&) const = default;
 };
-
-/// A ray and the sphere that its panel is about.
-struct PanelDrawing {
-  Drawn direction;              ///< D
-  std::optional<Drawn> across;  ///< A unit vector at right angles to D, towards the centre.
-  double until = 0;             ///< How far from L the line is drawn.
-  DrawnPlaces places;           ///< L, P, the foot L + v D, the roots, points behind.
-  std::vector<std::pair<std::string, std::string>> names;  ///< Labels of places.
-};
-
-/// The position of a method's answer in the microscope.
-struct MicroscopeMark {
-  std::string method;
-  std::size_t number = 0;  ///< Determines shape and colour: its index among all methods.
-  bool is_point = false;   ///< Its hit point; else its s, on the exact ray.
-  double x = 0, y = 0;
-  bool is_wrong = false;
-  std::string text;
-  std::size_t window = 0;  ///< The narrowest zoom that shows it, else the widest.
-};
-
-/// The neighbourhood of the exact hit point, or of the ray's point nearest to the centre if the
-/// exact answer is a miss, in the plane through the ray and the centre.
-/// Units: ulp of that point's parameter; x along the ray, y from the ray towards the centre. Every
-///        coordinate is a difference, enclosed to a relative 2^-34.
-struct Microscope {
-  bool is_hit = false;
-  std::vector<std::string> sentences;  ///< What is shown, and what cannot be drawn.
-  double parameter = 0;                ///< s of the point, correctly rounded.
-  double ulp = 0;
-  struct Zoom {
-    double half_width = 0;
-    std::vector<std::array<double, 2>> curve;  ///< The exact circle.
-  };
-  std::vector<Zoom> zooms;
-  std::vector<double> grid;  ///< The numbers of the format around s.
-  std::optional<double>
-      region;  ///< How far a relative change u of inputs may move s; empty: no bound.
-  std::vector<MicroscopeMark> marks;
-};
+Json selection_json(const Selection& selection);
 
 /// Everything about one ray and one sphere.
 struct Panel {
   Selection selection;
-  std::string command;  ///< The command that prints `text`.
-  std::string text;     ///< The output of explain.
-  ExplainReport report;
-  PanelDrawing drawing;
-  std::optional<Microscope> microscope;
-  std::string sage, latex;
-};
-
-struct LegendEntry {
-  Colour colour;
-  std::string text;
-  std::optional<std::uint64_t> pixels;
-};
-
-enum class PictureKind { kCertified, kAnswered, kError };
-inline constexpr std::array<std::string_view, 3> kPictureKindNames = {"certified", "answered",
-                                                                      "error"};
-constexpr std::string_view name(PictureKind kind) {
-  return kPictureKindNames[static_cast<std::size_t>(kind)];
-}
-
-struct ScenePicture {
-  PictureKind kind = PictureKind::kCertified;
-  std::string candidate;  ///< For other people's.
-  std::string png;        ///< The bytes of the file.
-  std::vector<LegendEntry> legend;
+  std::vector<std::string> wrong;  ///< The methods that go wrong.
+  Json told;                       ///< As in the document.
 };
 
 /// A run of successive pixels, along the rows from row 0 on, that see the same.
@@ -159,8 +40,8 @@ struct SceneView {
   std::string name;
   std::string command;  ///< The command that makes a page of it, without pixels and spheres.
   scene::Scene scene;
-  Figure figure;
-  std::vector<ScenePicture> pictures;
+  Json figure;                    ///< As in the document,
+  Json pictures = Json::array();  ///< and its pictures.
   std::vector<SeenRun> seen;
   std::vector<Panel> panels;
   Selection start;  ///< The first selection.
@@ -198,8 +79,5 @@ struct ViewDocument {
 /// The JSON document of a page, on one line or several (docs/json.md).
 std::string document_json(const ViewDocument& document);
 std::string document_line(const ViewDocument& document);
-
-/// A panel as in the document.
-std::string panel_line(const Panel& panel);
 
 }  // namespace raycheck::tools

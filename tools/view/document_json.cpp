@@ -1,64 +1,10 @@
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
-#include "scene/number.h"
-#include "tools/explain/explain.h"
-#include "tools/image/image_paint.h"
-#include "tools/report/json.h"
-#include "tools/report/spelling.h"
-#include "tools/report/typeset.h"
 #include "tools/report/words.h"
-#include "tools/view/chart/chart.h"
 #include "tools/view/document.h"
 #include "tools/view/figure/figure.h"
-#include "tools/view/panel/panel.h"
 
 namespace raycheck::tools {
 namespace {
-
-Json selection_json(const Selection& selection) {
-  return {{"pixel", or_null(selection.pixel,
-                            [](const scene::Pixel& pixel) {
-                              return Json{pixel.i, pixel.j};
-                            })},
-          {"ray", or_null(selection.ray)},
-          {"sphere", or_null(selection.sphere)}};
-}
-
-/// "as direct/cross has it"
-std::string picture_name(const ScenePicture& picture) {
-  if (picture.kind == PictureKind::kCertified) return "certified";
-  if (picture.kind == PictureKind::kAnswered) return fmt::format("as {} has it", picture.candidate);
-  return "errors of " + picture.candidate;
-}
-
-Json entry_json(const LegendEntry& entry) {
-  return {
-      {"colour", "#" + hex(entry.colour)}, {"text", entry.text}, {"pixels", or_null(entry.pixels)}};
-}
-
-Json picture_json(const ScenePicture& picture) {
-  return {{"kind", name(picture.kind)},
-          {"name", picture_name(picture)},
-          {"png", data_address("image/png", picture.png)},
-          {"legend", list_json(picture.legend, entry_json)}};
-}
-
-Json panel_json(const Panel& panel) {
-  Json json = selection_json(panel.selection);
-  json["command"] = panel.command;
-  json["text"] = panel.text;
-  json.update(told_json(panel.report));
-  json["drawing"] = drawing_json(panel.drawing);
-  json["microscope"] = or_null(panel.microscope, microscope_json);
-  json["sage"] = panel.sage;
-  json["latex"] = panel.latex;
-  return json;
-}
 
 Json scene_json(const SceneView& view) {
   const auto run_json = [](const SeenRun& run) { return Json{run.pixels, run.sphere}; };
@@ -67,11 +13,11 @@ Json scene_json(const SceneView& view) {
           {"toml", scene::write_toml(view.scene)},
           {"conventions", conventions_json(view.scene.conventions)},
           {"conventions_text", conventions_text(view.scene.conventions)},
-          {"figure", figure_json(view)},
-          {"pictures", list_json(view.pictures, picture_json)},
+          {"figure", view.figure},
+          {"pictures", view.pictures},
           {"seen", view.seen.empty() ? Json(nullptr) : list_json(view.seen, run_json)},
           {"start", selection_json(view.start)},
-          {"panels", list_json(view.panels, panel_json)}};
+          {"panels", list_json(view.panels, [](const Panel& panel) { return panel.told; })}};
 }
 
 Json finding_json(const FindingView& finding) {
@@ -131,9 +77,16 @@ Json whole(const ViewDocument& document) {
 
 }  // namespace
 
+Json selection_json(const Selection& selection) {
+  return {{"pixel", or_null(selection.pixel,
+                            [](const scene::Pixel& pixel) {
+                              return Json{pixel.i, pixel.j};
+                            })},
+          {"ray", or_null(selection.ray)},
+          {"sphere", or_null(selection.sphere)}};
+}
+
 std::string document_json(const ViewDocument& document) { return json_text(whole(document)); }
 std::string document_line(const ViewDocument& document) { return json_line(whole(document)); }
-
-std::string panel_line(const Panel& panel) { return json_line(panel_json(panel)); }
 
 }  // namespace raycheck::tools

@@ -134,14 +134,6 @@ std::vector<Selection> candidates_for_panels(const scene::Scene& scene,
 void add_panels(const scene::Scene& scene, const SceneViewOptions& options, SceneView& view,
                 std::vector<std::string>& left_out, const properties::RunControl& control) {
   const DrawnFrame frame(scene);
-  PanelOptions panels;
-  if (!options.methods.empty()) panels.rays = options.methods.front().rays;
-  panels.other = options.other;
-  if (options.is_of_methods) panels.methods = options.methods;
-  // Pictures have no steps: panels show correct ones.
-  if (options.renderer) panels.methods = {kDefaultMethods};
-  panels.scene_argument = options.file;
-  if (options.other) panels.more_arguments = options.more_arguments;  // explain takes no renderers
   const std::vector<Selection> list = candidates_for_panels(scene, options);
   struct Made {
     Panel panel;
@@ -155,8 +147,8 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   in_order<Made>(
       static_cast<std::int64_t>(list.size()), until_full,
       [&](std::int64_t k) {
-        Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], panels), {}};
-        made.line = panel_line(made.panel);
+        Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], options), {}};
+        made.line = json_line(made.panel.told);
         return made;
       },
       [&](const Made& made) {
@@ -207,12 +199,12 @@ SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
   view.name = options.name;
   view.command = fmt::format("raycheck view {}{}", options.file, options.more_arguments);
   view.scene = shown_scene(scene, options);
-  view.figure = figure_of(view.scene, options.limits.spheres);
-  if (view.figure.spheres_left_out > 0) {
+  if (scene.spheres.size() > options.limits.spheres) {
     left_out.push_back(fmt::format("{}: the first {} of {} spheres are drawn", options.name,
-                                   view.figure.spheres.size(), scene.spheres.size()));
+                                   options.limits.spheres, scene.spheres.size()));
   }
   if (view.scene.camera) add_pictures(view.scene, options, view, left_out, control);
+  view.figure = figure_json(view.scene, options.limits.spheres, view.seen);
   if (!control.interrupted()) add_panels(view.scene, options, view, left_out, control);
   return view;
 }

@@ -2,10 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <functional>
-#include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace raycheck::tools {
@@ -14,21 +14,24 @@ namespace {
 using properties::Quantity;
 using properties::Stage;
 
-/// The quantity of this name that a stage measures, with hyphens for spaces.
-std::optional<Quantity> quantity_of(Stage stage, const std::string& chosen) {
+/// The quantities that a stage measures, by their names with hyphens for spaces.
+std::vector<std::pair<std::string, Quantity>> quantities_of(Stage stage) {
+  std::vector<std::pair<std::string, Quantity>> quantities;
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
     const auto quantity = static_cast<Quantity>(k);
     if (properties::law_of(stage, quantity) == nullptr) continue;
-    std::string name(info(quantity).name);
-    std::replace(name.begin(), name.end(), ' ', '-');
-    if (name == chosen) return quantity;
+    quantities.emplace_back(boost::replace_all_copy(std::string(info(quantity).name), " ", "-"),
+                            quantity);
   }
-  return std::nullopt;
+  return quantities;
 }
 
+/// The last stage of the method, unless an earlier one measures the quantity.
 Stage chosen_stage(const WorstOptions& options) {
   for (const Stage stage : options.method.stages) {
-    if (quantity_of(stage, options.quantity)) return stage;
+    for (const auto& [name, quantity] : quantities_of(stage)) {
+      if (name == options.quantity) return stage;
+    }
   }
   return options.method.stages.back();
 }
@@ -44,13 +47,9 @@ properties::ChosenSource chosen_family(const std::string& name) {
 
 Quantity chosen_quantity(const std::string& chosen, Stage stage) {
   if (chosen.empty()) return properties::main_quantity(stage);
-  if (const auto quantity = quantity_of(stage, chosen)) return *quantity;
   std::string known;
-  for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
-    const auto quantity = static_cast<Quantity>(k);
-    if (properties::law_of(stage, quantity) == nullptr) continue;
-    std::string name(info(quantity).name);
-    std::replace(name.begin(), name.end(), ' ', '-');
+  for (const auto& [name, quantity] : quantities_of(stage)) {
+    if (name == chosen) return quantity;
     known += (known.empty() ? "" : ", ") + name;
   }
   throw std::invalid_argument(
@@ -90,6 +89,7 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
   WorstReport report;
   report.method = options.method;
   report.stage = chosen_stage(options);
+  report.search = options.search;
   properties::SearchOptions& search = report.search;
   search.source = chosen_family(options.family);
   if (report.stage == Stage::kRays && !search.source.source->has_camera) {
@@ -97,10 +97,6 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
                                             options.family, report.method.name));
   }
   search.quantity = chosen_quantity(options.quantity, report.stage);
-  search.climb = options.climb;
-  search.cases = options.cases;
-  search.steps = options.steps;
-  search.seed = options.seed;
   report.worst = properties::find_worst_case(counted(report.method.make(), report), report.stage,
                                              search, control);
   report.interrupted = control.interrupted();

@@ -18,10 +18,7 @@ struct WorstOptions {
   Implementation method;
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
-  properties::Climb climb = properties::Climb::kError;
-  int cases = properties::SearchOptions{}.cases;
-  int steps = properties::SearchOptions{}.steps;
-  std::uint64_t seed = properties::SearchOptions{}.seed;
+  properties::SearchOptions search;  ///< Its source and its quantity follow from these.
 };
 
 struct WorstReport {

@@ -67,16 +67,16 @@ CommandRun add_worst(CLI::App& command) {
                      "direction or pixel-point; parameter, backward-error or hit-point (default: "
                      "direction or parameter)");
   add_named(
-      command, "--by", options.climb, properties::kClimbNames,
+      command, "--by", options.search.climb, properties::kClimbNames,
       "what to climb on: the error, the error over what the documented bound grows by, or the "
       "stability ratio rho");
-  command.add_option("--cases", options.cases, "random cases")
+  command.add_option("--cases", options.search.cases, "random cases")
       ->check(whole_number(1, kMostCases))
       ->capture_default_str();
-  command.add_option("--steps", options.steps, "changes tried after the random cases")
+  command.add_option("--steps", options.search.steps, "changes tried after the random cases")
       ->check(whole_number(0, kMostCases))
       ->capture_default_str();
-  add_seed(command, options.seed);
+  add_seed(command, options.search.seed);
   command.add_option("--save", given->save, "write the input to a TOML scene");
   add_view(command, given->view, "the input");
   add_external(command, given->external);

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include "properties/cases/case_text.h"
-#include "scene/number.h"
 #include "tools/report/words.h"
 #include "tools/worst/worst.h"
 
@@ -26,33 +25,6 @@ std::string failures_text(const WorstReport& report) {
                      report.first_failure);
 }
 
-/// The numbers of a case, to the bit.
-std::string in_hexfloat(const scene::Scene& scene) {
-  std::string text;
-  const auto add = [&](const char* name, std::initializer_list<double> numbers) {
-    text += fmt::format("  {:<9}", name);
-    for (const double x : numbers) text += " " + scene::hexfloat(x);
-    text += "\n";
-  };
-  if (scene.camera) {
-    const scene::Camera& c = *scene.camera;
-    add("eye", {c.eye.x, c.eye.y, c.eye.z});
-    add("look_at", {c.look_at.x, c.look_at.y, c.look_at.z});
-    add("up", {c.up.x, c.up.y, c.up.z});
-    add("near", {c.near});
-    add("bounds", {c.left, c.right, c.bottom, c.top});
-  }
-  for (const scene::Ray& ray : scene.rays) {
-    add("origin", {ray.origin.x, ray.origin.y, ray.origin.z});
-    add("direction", {ray.direction.x, ray.direction.y, ray.direction.z});
-  }
-  for (const scene::Sphere& sphere : scene.spheres) {
-    add("centre", {sphere.centre.x, sphere.centre.y, sphere.centre.z});
-    add("radius", {sphere.radius});
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/) {
@@ -68,7 +40,7 @@ std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/
                       error_text(worst.height_random), error_text(worst.height_climbed),
                       error_text(worst.height));
   text += fmt::format("  got   {}\n  exact {}\n\n", got_text(worst.shown), exact_text(worst.shown));
-  return text + in_hexfloat(worst.the_case.scene) + "\n" + properties::scene_text(worst.the_case);
+  return text + properties::scene_text(worst.the_case);
 }
 
 std::string worst_scene(const WorstReport& report) {

@@ -1,6 +1,6 @@
 """The values of typeset closed forms, worked out to as many digits as the argument says.
 
-Each line of standard input: MathML or LaTeX of a number or of three in parentheses. Each line of
+Each line of standard input: MathML of a number or of three in parentheses. Each line of
 output: the doubles nearest to the values, as hexfloats. What is not well-formed, or holds anything
 but numbers, roots, fractions, powers, products, sums and parentheses, ends the program with an error.
 """
@@ -34,24 +34,6 @@ def of_mathml(element):
     return f"({first}){ {'mfrac': '/', 'msup': '**'}[element.tag]}({second})"
 
 
-def of_latex(text):
-    # A space between a factor and a root or a parenthesis is a product.
-    text = re.sub(r"(?<=[0-9})]) (?=\\sqrt|\\left)", "*", text)
-    text = re.sub("[0-9]+", r"Decimal('\g<0>')", text)
-    for latex, python in {
-        "\\left(": "(", "\\right)": ")", "\\cdot": "*", "\\frac": "quotient", "\\sqrt": "Decimal.sqrt",
-        "^": "**", "{": "(", "}": ")",
-    }.items():  # fmt: skip
-        text = text.replace(latex, python)
-    return text
-
-
-def quotient(numerator):
-    return lambda denominator: numerator / denominator
-
-
 for line in sys.stdin:
-    is_mathml = line.startswith("<")
-    written = of_mathml(xml.etree.ElementTree.fromstring(line)) if is_mathml else of_latex(line.strip())
-    value = eval(written)
+    value = eval(of_mathml(xml.etree.ElementTree.fromstring(line)))
     print(*(float(x).hex() for x in (value if isinstance(value, tuple) else (value,))))

@@ -115,10 +115,8 @@ std::string sentence_of(const Item& item, const WrongAnswer& answer) {
 /// Whether a step of the first selection is wrong; relations of several answers show in no step.
 bool goes_wrong(const SceneView& shown) {
   if (shown.panels.empty()) return false;
-  const auto& methods = shown.panels.front().report.methods;
-  return std::any_of(methods.begin(), methods.end(), [](const MethodReport& method) {
-    return method.name == kYours && (!method.goes_wrong_at.empty() || !method.failure().empty());
-  });
+  const std::vector<std::string>& wrong = shown.panels.front().wrong;
+  return std::find(wrong.begin(), wrong.end(), kYours) != wrong.end();
 }
 
 void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -26,6 +27,7 @@ constexpr int kNotFound = 127;  ///< What a shell exits with where there is no s
 constexpr int kWide = 1000, kTall = 640;  ///< Of each plot, in pixels.
 constexpr int kPixelsPerInch = 100;       ///< In files that measure in inches.
 constexpr std::size_t kMostTicks = 16;
+constexpr double kMostPowers = 12;  ///< Of ten, beside an axis.
 /// Of ten; beyond, errors are drawn there: gnuplot has doubles.
 constexpr double kMostPower = 250;
 constexpr double kRow = 0.06;  ///< Of the axis, between the errors and 0 or infinity.
@@ -53,9 +55,7 @@ std::string_view terminal_of(const std::string& path) {
 
 /// A string of gnuplot's, in which nothing acts.
 std::string in_quotes(std::string_view text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("''") : std::string(1, c);
-  return result + "'";
+  return "'" + boost::replace_all_copy(std::string(text), "'", "''") + "'";
 }
 
 std::optional<double> error_of(const std::optional<ChartPoint>& point) {
@@ -98,10 +98,13 @@ struct ErrorAxis {
                                : std::clamp(error, std::pow(10, low), std::pow(10, high));
   }
   std::string text() const {
-    std::string told =
-        fmt::format("set yrange [{:g}:{:g}]\nset ytics autofreq format '10^{{%T}}'\n",
-                    has_zero ? zero() / 1.5 : std::pow(10, low),
-                    has_infinity ? infinity() * 1.5 : std::pow(10, high));
+    // No power of ten is written beside 0 or "infinite".
+    const double every = std::ceil((high - low) / kMostPowers);
+    std::string told = fmt::format(
+        "set yrange [{:g}:{:g}]\n{} mytics\nset ytics {:g},{:g},{:g} format '10^{{%T}}'\n",
+        has_zero ? zero() / 1.5 : std::pow(10, low),
+        has_infinity ? infinity() * 1.5 : std::pow(10, high), every > 1 ? "unset" : "set",
+        std::pow(10, every * std::ceil(low / every)), std::pow(10, every), std::pow(10, high));
     if (has_zero) told += fmt::format("set ytics add ('0' {:g})\n", zero());
     if (has_infinity) told += fmt::format("set ytics add ('infinite' {:g})\n", infinity());
     return told;
@@ -209,8 +212,9 @@ std::string plot_of(const ChartFacet& facet) {
   const bool is_timed = !facet.baseline.empty();
   std::string data = fmt::format("$grey << EOD\n{}EOD\n",
                                  is_timed ? front_data(facet, axis) : kappa_data(facet, axis));
-  std::string parts =
-      element("$grey", fmt::format("1:2 with {} {} 2", is_timed ? "steps" : "lines", kGreyLine));
+  std::string parts = element(
+      "$grey",
+      fmt::format("1:2 with {} {} 2", is_timed ? "steps" : "linespoints pt 7 ps 0.3", kGreyLine));
   std::string key = keyentry(fmt::format("with lines {} 2", kGreyLine),
                              is_timed ? "front without defects" : "kappa of the problem");
   key += keyentry("with points pt 7 lc rgb '#444444'", "decisions right");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "tools/view/figure/figure.h"
 
@@ -63,9 +64,17 @@ Drawn across(const Drawn& direction, const Drawn& foot, const Drawn& centre, con
           std::round(finest[2]) / kSteps};
 }
 
+/// A ray and a sphere.
+struct RayDrawing {
+  Drawn direction;              ///< D
+  double until = 0;             ///< How far from L the line is drawn.
+  DrawnPlaces places;           ///< L, P, the foot L + v D, the roots, points behind.
+  Json names = Json::object();  ///< Labels of places.
+};
+
 /// Adds the roots on a ray's line to its drawing.
 void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const scene::Sphere& sphere,
-               const scene::Conventions& conventions, PanelDrawing& drawing) {
+               const scene::Conventions& conventions, RayDrawing& drawing) {
   const auto line = class_of_line(ray, sphere);
   if (line == reference::HitClass::kMiss) return;
   const auto chosen = ray.intersect(sphere, conventions);
@@ -82,16 +91,16 @@ void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const sc
     const Drawn point = frame.point([&](int bits) { return ray.enclose(bits).point(sphere, at); });
     drawing.places.emplace_back(name, point);
     if (is_chosen) drawing.places.emplace_back("answer", point);
-    drawing.names.emplace_back(
-        name, fmt::format("{}, s = {}{}", name, told[k],
-                          is_chosen                                 ? ", the answer"
-                          : may_count(ray, sphere, at, conventions) ? ""
-                                                                    : ", does not count"));
+    drawing.names[name] =
+        fmt::format("{}, s = {}{}", name, told[k],
+                    is_chosen                                 ? ", the answer"
+                    : may_count(ray, sphere, at, conventions) ? ""
+                                                              : ", does not count");
   }
 }
 
 /// Sets the ends of the line through these places: a little beyond the last.
-void add_ends(PanelDrawing& drawing) {
+void add_ends(RayDrawing& drawing) {
   constexpr double kBeyond = 1.2;  // times the distance of the last
   const Drawn origin = drawing.places.front().second;
   double first = 0, last = 0;
@@ -108,16 +117,17 @@ void add_ends(PanelDrawing& drawing) {
 
 }  // namespace
 
-PanelDrawing drawing_of(const DrawnFrame& frame, const reference::ExactRay& ray,
-                        const scene::Sphere* sphere, const scene::Conventions& conventions) {
-  PanelDrawing drawing;
+Json drawing_json(const DrawnFrame& frame, const reference::ExactRay& ray,
+                  const scene::Sphere* sphere, const scene::Conventions& conventions) {
+  RayDrawing drawing;
+  Json across_ray = nullptr;
   drawing.direction = unit(ray.rounded_direction());
   const Drawn origin = frame.point([&](int bits) { return ray.enclose(bits).origin(); });
   drawing.places.emplace_back("L", origin);
   if (sphere != nullptr) {
     const Drawn foot = frame.point([&](int bits) { return foot_of(ray, *sphere, bits); });
     drawing.places.emplace_back("foot", foot);
-    drawing.across = across(drawing.direction, foot, frame.point(sphere->centre), origin);
+    across_ray = drawn(across(drawing.direction, foot, frame.point(sphere->centre), origin));
     add_roots(frame, ray, *sphere, conventions, drawing);
   }
   add_ends(drawing);
@@ -125,8 +135,11 @@ PanelDrawing drawing_of(const DrawnFrame& frame, const reference::ExactRay& ray,
     drawing.places.emplace_back(
         "P", frame.point([&](int bits) { return ray.enclose(bits).pixel_point(); }));
   }
-  std::erase_if(drawing.places, [](const auto& place) { return !is_finite(place.second); });
-  return drawing;
+  return {{"D", drawn(drawing.direction)},
+          {"across", std::move(across_ray)},
+          {"until", drawn(static_cast<float>(drawing.until))},
+          {"places", places_json(drawing.places)},
+          {"names", std::move(drawing.names)}};
 }
 
 }  // namespace raycheck::tools

@@ -94,4 +94,12 @@ Drawn DrawnFrame::point(const std::function<Enclosure3(int bits)>& enclose) cons
   }
 }
 
+Json places_json(const DrawnPlaces& places) {
+  Json json = Json::object();
+  for (const auto& [name, place] : places) {
+    if (is_finite(place)) json[name] = place;
+  }
+  return json;
+}
+
 }  // namespace raycheck::tools

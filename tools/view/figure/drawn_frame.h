@@ -1,12 +1,24 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "reference/enclosure.h"
-#include "tools/view/document.h"
+#include "scene/scene.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
+
+/// A position or a direction in a drawing.
+/// Units: (p - origin) * 2^exponent of its frame; directions are unit.
+using Drawn = std::array<double, 3>;
+
+/// Named places: figure_parts.cpp says what is drawn between, at and beside them.
+using DrawnPlaces = std::vector<std::pair<std::string, Drawn>>;
 
 /// The origin of drawn coordinates, and their scale: a power of two that makes the distance of the
 /// camera's image plane, or without one of the first sphere from the first ray's origin, about 1.
@@ -48,5 +60,11 @@ inline double length_of(const Drawn& a) { return std::hypot(a[0], a[1], a[2]); }
 inline bool is_finite(const Drawn& a) {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }
+
+/// A drawn number or place; null if it is not finite.
+inline Json drawn(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+inline Json drawn(const Drawn& place) { return is_finite(place) ? Json(place) : Json(nullptr); }
+/// The finite places by their names.
+Json places_json(const DrawnPlaces& places);
 
 }  // namespace raycheck::tools

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "reference/exact_camera.h"
 #include "scene/number.h"
@@ -21,45 +22,85 @@ constexpr double kMostMet = 1 << 22;
 /// Doubles near a centre are |C| 2^-52 apart: a sphere smaller than this times |C| cannot be drawn.
 constexpr double kLeastDrawn = 0x1p-40;
 
-DrawnCamera drawn_camera(const scene::Scene& scene, const DrawnFrame& frame) {
+/// What is gathered of a figure.
+struct Figure {
+  Json camera = nullptr, rays = nullptr, spheres;
+  DrawnPlaces places;              ///< The camera's.
+  double size = 0;                 ///< The extent of the frustum, or of given rays and a sphere,
+  double reach = 0;                ///< and of a view of the whole.
+  std::vector<Drawn> whole;        ///< What it shows besides spheres,
+  std::vector<std::size_t> apart;  ///< and the spheres that it leaves out.
+  bool is_out_of_scale = false;    ///< It shows little: start with the view from the eye.
+  std::vector<std::string> notes;  ///< On what is not drawn exactly.
+};
+
+/// A camera in a drawing, with the eye as the origin.
+struct DrawnCamera {
+  Drawn U, V, W;
+  double near, left, right, bottom, top;
+};
+
+DrawnCamera drawn_camera(const scene::Camera& camera, const reference::ExactCamera& exact,
+                         const DrawnFrame& frame) {
+  const auto axes = exact.rounded_frame();
+  return {unit(axes.U),
+          unit(axes.V),
+          unit(axes.W),
+          frame.length(camera.near),
+          frame.length(camera.left),
+          frame.length(camera.right),
+          frame.length(camera.bottom),
+          frame.length(camera.top)};
+}
+
+/// Every how many columns and rows something is drawn, at most so many of each.
+std::array<std::int64_t, 2> steps(const scene::Camera& camera, std::int64_t most) {
+  return {(camera.width + most - 1) / most, (camera.height + most - 1) / most};
+}
+
+/// Which s of a ray count.
+Json counts_json(const scene::Conventions& conventions, const DrawnFrame& frame) {
+  const scene::ValidRoots& valid = conventions.valid;
+  const bool in_radii = valid.unit == scene::TUnit::kRadius;
+  const auto end = [&](double t) { return drawn(in_radii ? t : frame.length(t)); };
+  return {{"from", end(valid.t_min)},
+          {"to", end(valid.t_max)},
+          {"in_radii", in_radii},
+          {"smaller", valid.culling != scene::Culling::kFrontFaces},
+          {"larger", valid.culling != scene::Culling::kBackFaces &&
+                         conventions.root != scene::Root::kSmaller}};
+}
+
+/// `first`: P of pixel (0, 0).
+Json camera_json(const scene::Scene& scene, const DrawnCamera& shown, const Drawn& first,
+                 const DrawnFrame& frame) {
   const scene::Camera& camera = *scene.camera;
-  const auto axes = reference::ExactCamera(camera, scene.conventions).rounded_frame();
-  DrawnCamera drawn;
-  drawn.U = unit(axes.U);
-  drawn.V = unit(axes.V);
-  drawn.W = unit(axes.W);
-  drawn.near = frame.length(camera.near);
-  drawn.left = frame.length(camera.left);
-  drawn.right = frame.length(camera.right);
-  drawn.bottom = frame.length(camera.bottom);
-  drawn.top = frame.length(camera.top);
-  const bool at_edges = scene.conventions.samples == scene::Samples::kEdges;
+  const scene::Conventions& conventions = scene.conventions;
+  const bool at_edges = conventions.samples == scene::Samples::kEdges;
   const double columns = static_cast<double>(camera.width - (at_edges ? 1 : 0));
   const double rows = static_cast<double>(camera.height - (at_edges ? 1 : 0));
-  const double across = (drawn.right - drawn.left) / columns,
-               up = (drawn.top - drawn.bottom) / rows;
-  const bool from_top = scene.conventions.rows == scene::Rows::kTopFirst;
-  const reference::ExactRay first(reference::ExactCamera(camera, scene.conventions), {0, 0});
-  drawn.first = frame.point([&](int bits) { return first.enclose(bits).pixel_point(); });
-  drawn.column = across * drawn.U;
-  drawn.row = (from_top ? -up : up) * drawn.V;
+  const double across = (shown.right - shown.left) / columns,
+               up = (shown.top - shown.bottom) / rows;
+  const bool from_top = conventions.rows == scene::Rows::kTopFirst;
   const double beside = at_edges ? 0.5 : 0;  // of a cell, so that each sample's cell is whole
-  drawn.window = {drawn.left - beside * across, drawn.right + beside * across,
-                  drawn.bottom - beside * up, drawn.top + beside * up};
-  for (double& side : drawn.window) side /= std::abs(drawn.near);
-  const auto steps = [&](std::int64_t most) {
-    return std::array{(camera.width + most - 1) / most, (camera.height + most - 1) / most};
-  };
-  drawn.pixel_steps = steps(kMostPixelsAcross);
-  drawn.ray_steps = steps(kMostRaysAcross);
-  const scene::ValidRoots& valid = scene.conventions.valid;
-  drawn.in_radii = valid.unit == scene::TUnit::kRadius;
-  drawn.counts_from = drawn.in_radii ? valid.t_min : frame.length(valid.t_min);
-  drawn.counts_to = drawn.in_radii ? valid.t_max : frame.length(valid.t_max);
-  drawn.smaller_counts = valid.culling != scene::Culling::kFrontFaces;
-  drawn.larger_counts = valid.culling != scene::Culling::kBackFaces &&
-                        scene.conventions.root != scene::Root::kSmaller;
-  return drawn;
+  std::array<double, 4> window = {shown.left - beside * across, shown.right + beside * across,
+                                  shown.bottom - beside * up, shown.top + beside * up};
+  for (double& side : window) side /= std::abs(shown.near);
+  return {{"U", drawn(shown.U)},
+          {"V", drawn(shown.V)},
+          {"W", drawn(shown.W)},
+          {"near", drawn(shown.near)},
+          {"first", drawn(first)},
+          {"column", drawn(across * shown.U)},
+          {"row", drawn((from_top ? -up : up) * shown.V)},
+          {"window", window},
+          {"width", camera.width},
+          {"height", camera.height},
+          {"rows", name(conventions.rows)},
+          {"origin", name(conventions.origin)},
+          {"pixel_steps", steps(camera, kMostPixelsAcross)},
+          {"ray_steps", steps(camera, kMostRaysAcross)},
+          {"counts", counts_json(conventions, frame)}};
 }
 
 /// The corners of the frustum at a depth, enlarged about its middle.
@@ -84,7 +125,11 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
   constexpr double kEnlarged = 1.5;                      // the view plane, partly drawn
   constexpr double kAxisLength = 0.4, kUpLength = 1.35;  // of the plane's distance; of an axis
   const scene::Camera& given = *scene.camera;
-  const DrawnCamera& camera = *(figure.camera = drawn_camera(scene, frame));
+  const reference::ExactCamera exact(given, scene.conventions);
+  const DrawnCamera camera = drawn_camera(given, exact, frame);
+  const reference::ExactRay ray(exact, {0, 0});
+  const Drawn first = frame.point([&](int bits) { return ray.enclose(bits).pixel_point(); });
+  figure.camera = camera_json(scene, camera, first, frame);
   const double axis = kAxisLength * std::abs(camera.near);
   figure.places = {{"E", {0, 0, 0}},       {"A", frame.point(given.look_at)},
                    {"U", axis * camera.U}, {"V", axis * camera.V},
@@ -93,7 +138,7 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
   add_corners(figure, "near", near);
   add_corners(figure, "plane", corners(camera, camera.near, kEnlarged));
   if (given.far) add_corners(figure, "far", corners(camera, frame.length(*given.far)));
-  figure.places.emplace_back("pixel (0, 0)", camera.first);
+  figure.places.emplace_back("pixel (0, 0)", first);
   std::erase_if(figure.places, [](const auto& place) { return !is_finite(place.second); });
   for (const auto& [name, place] : figure.places) {
     if (name.starts_with(given.far ? "far" : "near")) {
@@ -110,12 +155,13 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
         "From outside the image plane is next to a point, so narrow it is; the view from the eye "
         "shows it.");
   }
-  const auto& [across, down] = camera.pixel_steps;
+  const auto [across, down] = steps(given, kMostPixelsAcross);
+  const auto [ray_across, ray_down] = steps(given, kMostRaysAcross);
   if (std::max(across, down) > 1) {
     figure.notes.push_back(fmt::format(
         "Of {} columns of pixels one in {} is drawn, of {} rows one in {}; when all rays are, one "
         "in {} and one in {}.",
-        given.width, across, given.height, down, camera.ray_steps[0], camera.ray_steps[1]));
+        given.width, across, given.height, down, ray_across, ray_down));
   }
 }
 
@@ -124,18 +170,20 @@ void add_rays(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene
       static_cast<double>(scene.rays.size()) * static_cast<double>(scene.spheres.size());
   if (met > kMostMet) figure.notes.push_back("Rays are drawn without their hit points: too many.");
   for (const scene::Ray& ray : scene.rays) {
-    DrawnRay drawn = {frame.point(ray.origin), unit(ray.direction), {}};
+    const Drawn origin = frame.point(ray.origin);
+    Json hit = nullptr;
     const reference::ExactRay exact(ray);
     if (const auto nearest =
             met > kMostMet ? std::nullopt : exact.nearest(scene.spheres, scene.conventions)) {
-      drawn.hit = frame.point([&](int bits) {
+      hit = drawn(frame.point([&](int bits) {
         return exact.enclose(bits).point(scene.spheres[nearest->index], nearest->intersection);
-      });
+      }));
     }
-    figure.rays.push_back(drawn);
-    if (!is_finite(drawn.origin)) continue;
-    figure.whole.push_back(drawn.origin);
-    figure.size = std::max(figure.size, length_of(drawn.origin));
+    figure.rays.push_back(
+        {{"origin", drawn(origin)}, {"direction", drawn(unit(ray.direction))}, {"hit", hit}});
+    if (!is_finite(origin)) continue;
+    figure.whole.push_back(origin);
+    figure.size = std::max(figure.size, length_of(origin));
   }
 }
 
@@ -145,19 +193,36 @@ std::string counted(const std::vector<std::size_t>& spheres, const char* one, co
                              : fmt::format("{} spheres {}", spheres.size(), several);
 }
 
+/// How many pixels see each sphere; empty if unknown.
+std::vector<std::uint64_t> seen_by(const std::vector<SeenRun>& seen, std::size_t spheres) {
+  std::vector<std::uint64_t> pixels(seen.empty() ? 0 : spheres);
+  for (const SeenRun& run : seen) {
+    const auto sphere = static_cast<std::size_t>(run.sphere);
+    if (run.sphere >= 0 && sphere < pixels.size()) pixels[sphere] += run.pixels;
+  }
+  return pixels;
+}
+
 void add_spheres(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene,
-                 std::size_t drawn) {
+                 std::size_t shown, const std::vector<SeenRun>& seen) {
+  const std::vector<std::uint64_t> pixels = seen_by(seen, shown);
+  for (const char* array : {"centre", "radius", "colour", "label"}) {
+    figure.spheres[array] = Json::array();
+  }
   std::vector<std::size_t> far_off, around, small, nowhere;
-  for (std::size_t k = 0; k < drawn; ++k) {
+  for (std::size_t k = 0; k < shown; ++k) {
     const scene::Sphere& sphere = scene.spheres[k];
+    const auto& [x, y, z] = sphere.centre;
     const Drawn centre = frame.point(sphere.centre);
     const double radius = frame.length(sphere.radius), distance = length_of(centre);
-    figure.spheres.push_back(
-        {centre, radius, sphere_colour(k),
-         fmt::format("sphere {}: C = ({}, {}, {}), r = {}", k, scene::shortest(sphere.centre.x),
-                     scene::shortest(sphere.centre.y), scene::shortest(sphere.centre.z),
-                     scene::shortest(sphere.radius))});
-    if (!figure.camera && k == 0 && std::isfinite(distance + radius)) {
+    figure.spheres["centre"].push_back(drawn(centre));
+    figure.spheres["radius"].push_back(drawn(radius));
+    figure.spheres["colour"].push_back("#" + hex(sphere_colour(k)));
+    figure.spheres["label"].push_back(
+        fmt::format("sphere {}: C = ({}, {}, {}), r = {}{}", k, scene::shortest(x),
+                    scene::shortest(y), scene::shortest(z), scene::shortest(sphere.radius),
+                    pixels.empty() ? "" : fmt::format("; seen by {} pixels", pixels[k])));
+    if (figure.camera.is_null() && k == 0 && std::isfinite(distance + radius)) {
       figure.size = std::max({figure.size, distance, radius});
     }
     if (!std::isfinite(distance + radius)) {
@@ -173,7 +238,7 @@ void add_spheres(Figure& figure, const DrawnFrame& frame, const scene::Scene& sc
       figure.reach = std::max(figure.reach, distance + radius);
     }
   }
-  figure.is_out_of_scale |= drawn > 0 && far_off.size() + nowhere.size() == drawn;
+  figure.is_out_of_scale |= shown > 0 && far_off.size() + nowhere.size() == shown;
   const auto note = [&](const auto& spheres, const char* one, const char* several,
                         const char* what) {
     if (!spheres.empty()) figure.notes.push_back(counted(spheres, one, several) + what);
@@ -185,30 +250,40 @@ void add_spheres(Figure& figure, const DrawnFrame& frame, const scene::Scene& sc
   for (const auto& spheres : {far_off, around, nowhere}) {
     figure.apart.insert(figure.apart.end(), spheres.begin(), spheres.end());
   }
-  if (drawn < scene.spheres.size()) {
+  if (shown < scene.spheres.size()) {
     figure.notes.push_back(
-        fmt::format("{} more spheres are not in this page.", scene.spheres.size() - drawn));
+        fmt::format("{} more spheres are not in this page.", scene.spheres.size() - shown));
   }
 }
 
 }  // namespace
 
-Figure figure_of(const scene::Scene& scene, std::size_t most_spheres) {
+Json figure_json(const scene::Scene& scene, std::size_t most_spheres,
+                 const std::vector<SeenRun>& seen) {
   const DrawnFrame frame(scene);
+  const auto& [x, y, z] = frame.origin();
   Figure figure;
-  figure.origin = frame.origin();
-  figure.scale_exponent = frame.exponent();
   if (scene.camera) add_camera(figure, frame, scene);
   add_rays(figure, frame, scene);
-  const std::size_t drawn = std::min(scene.spheres.size(), most_spheres);
-  figure.spheres_left_out = scene.spheres.size() - drawn;
-  add_spheres(figure, frame, scene, drawn);
+  add_spheres(figure, frame, scene, std::min(scene.spheres.size(), most_spheres), seen);
   for (const Drawn& place : figure.whole) {
     figure.reach = std::max(figure.reach, length_of(place));
   }
   if (figure.size == 0) figure.size = 1;
   if (figure.reach == 0) figure.reach = figure.size;
-  return figure;
+  return {{"scale_exponent", frame.exponent()},
+          {"origin_text", fmt::format("{} = ({}, {}, {})", scene.camera ? "E" : "L",
+                                      scene::shortest(x), scene::shortest(y), scene::shortest(z))},
+          {"camera", std::move(figure.camera)},
+          {"rays", std::move(figure.rays)},
+          {"spheres", std::move(figure.spheres)},
+          {"places", places_json(figure.places)},
+          {"size", drawn(figure.size)},
+          {"reach", drawn(figure.reach)},
+          {"whole", list_json(figure.whole, [](const Drawn& place) { return drawn(place); })},
+          {"apart", figure.apart},
+          {"out_of_scale", figure.is_out_of_scale},
+          {"notes", figure.notes}};
 }
 
 }  // namespace raycheck::tools

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "reference/exact_ray.h"
@@ -10,49 +9,20 @@
 
 namespace raycheck::tools {
 
-/// The figure of a scene, with at most `most_spheres` of its spheres.
+/// The data from which a scene's figure is drawn, with at most `most_spheres` of its spheres:
+/// every coordinate is computed exactly relative to the eye, or to the first given ray's origin,
+/// scaled by a power of two and rounded once; the frustum's corners, of the rounded axes, within 8u
+/// of their distance. `seen`: what the pixels see, in order; empty if unknown.
 /// Domain: a valid scene.
-Figure figure_of(const scene::Scene& scene, std::size_t most_spheres);
+Json figure_json(const scene::Scene& scene, std::size_t most_spheres,
+                 const std::vector<SeenRun>& seen);
 
 /// The drawing of a ray and a sphere (null: none) under the scene's conventions.
-PanelDrawing drawing_of(const DrawnFrame& frame, const reference::ExactRay& ray,
-                        const scene::Sphere* sphere, const scene::Conventions& conventions);
+Json drawing_json(const DrawnFrame& frame, const reference::ExactRay& ray,
+                  const scene::Sphere* sphere, const scene::Conventions& conventions);
 
-/// What every figure draws between, at and beside named places.
+/// What every figure draws between, at and beside named places. A part is drawn if all its places
+/// exist, and its layer is switched on.
 Json parts_json();
-
-/// The data from which a scene's figure is drawn.
-Json figure_json(const SceneView& view);
-
-Json drawing_json(const PanelDrawing& drawing);
-
-// What figures draw between, at and beside named places: the same in every page. A part is drawn if
-// all its places exist, and its layer is switched on.
-
-/// From place to place.
-struct PartLine {
-  std::string_view layer;
-  std::vector<std::string_view> path;
-  std::string_view colour;
-  bool is_thick = false, is_dashed = false, has_arrow = false;
-};
-
-struct PartMark {
-  std::string_view layer, at, colour, shape;
-  double size = 0;  ///< Pixels.
-};
-
-/// A name beside a place, or beside the middle of two.
-struct PartName {
-  std::string_view layer;
-  std::vector<std::string_view> at;
-  std::string_view text;  ///< Unless the place has its own.
-  std::string_view colour;
-};
-
-const std::vector<PartLine>& part_lines();
-const std::vector<PartMark>& part_marks();
-/// The most important first: the last are dropped if there is no room.
-const std::vector<PartName>& part_names();
 
 }  // namespace raycheck::tools

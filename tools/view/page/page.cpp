@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 #include <openssl/evp.h>
+#include <zlib.h>
 
 #include <array>
 #include <stdexcept>
@@ -13,6 +14,23 @@
 
 namespace raycheck::tools {
 namespace {
+
+/// How far back zlib looks.
+constexpr std::size_t kWindow = 1 << 15;
+
+const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
+
+/// Compressed by zlib (RFC 1950) at its best level.
+std::string deflated(std::string_view text) {
+  uLongf size = compressBound(text.size());
+  std::string bytes(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, bytes_of(text), text.size(),
+                Z_BEST_COMPRESSION) != Z_OK) {
+    throw std::runtime_error("zlib: the page cannot be compressed");
+  }
+  bytes.resize(size);
+  return bytes;
+}
 
 /// How a content security policy names a script or a style of the page (CSP level 3, 2.3.1).
 std::string hash_source(std::string_view text) {
@@ -31,6 +49,24 @@ const std::string& three() {
 }
 
 }  // namespace
+
+std::size_t deflated_behind(std::string_view before, std::string_view text) {
+  z_stream stream{};
+  if (deflateInit(&stream, Z_BEST_COMPRESSION) != Z_OK) {
+    throw std::runtime_error("zlib: there is no room to compress in");
+  }
+  if (before.size() > kWindow) before.remove_prefix(before.size() - kWindow);
+  deflateSetDictionary(&stream, bytes_of(before), static_cast<uInt>(before.size()));
+  std::string bytes(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = const_cast<Bytef*>(bytes_of(text));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  deflate(&stream, Z_FINISH);
+  const std::size_t size = stream.total_out;
+  deflateEnd(&stream);
+  return size;
+}
 
 std::string page(const ViewDocument& document) {
   const std::string policy = fmt::format(

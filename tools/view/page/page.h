@@ -12,9 +12,6 @@ namespace raycheck::tools {
 /// and style by their hashes, and embedded pictures.
 std::string page(const ViewDocument& document);
 
-/// Compressed by zlib (RFC 1950) at its best level. Errors: std::runtime_error.
-std::string deflated(std::string_view text);
-
 /// About how many bytes a text adds after another in one compressed stream.
 std::size_t deflated_behind(std::string_view before, std::string_view text);
 

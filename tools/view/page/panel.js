@@ -136,10 +136,9 @@ function verdictList({ verdicts }, methodShown) {
     element("dd", { dir: "auto" }, spoken(same[0].said)))));
 }
 
-function takeAway({ command, latex, sage, text }, toml) {
+function takeAway({ command, text }, toml) {
   return [element("h3", { class: "screen" }, "Take it away"), element("div", { class: "fields screen" },
-    copyButton("copy-toml", "Copy as TOML scene", toml), copyButton("copy-command", "Copy as command", command),
-    copyButton("copy-latex", "Copy as LaTeX", latex), copyButton("copy-sage", "Copy as Sage", sage)),
+    copyButton("copy-toml", "Copy as TOML scene", toml), copyButton("copy-command", "Copy as command", command)),
   element("details", { id: "explain" },
     element("summary", {}, "What ", element("code", { dir: "auto" }, briefSentence(command)), " prints"),
     element("pre", { id: "explain-text", tabindex: "0" }, text))];

@@ -104,7 +104,9 @@ export function plot({ traces, severities, runTimes, errors, current, width, tal
 }
 
 function traceMarks({ number, methods, places, spread }, x, isSmall) {
-  const d = places.map((at, k) => (at.isThere ? `${places[k - 1]?.isThere ? "L" : "M"}${at.x} ${at.y}` : "")).join("");
+  const isAlone = (k) => !places[k - 1]?.isThere && !places[k + 1]?.isThere;
+  const d = places.map((at, k) => (!at.isThere ? "" : isAlone(k) ? `M${at.x - 4} ${at.y}h8`
+    : `${places[k - 1]?.isThere ? "L" : "M"}${at.x} ${at.y}`)).join("");
   if (number === null) return svg("path", { class: "condition", d });
   const every = Math.ceil(LEAST_APART / (x.step ?? LEAST_APART));
   const size = (isSmall ? 0.6 : 1) * (places.length > 1 ? 3.5 : 5.5);
@@ -112,7 +114,7 @@ function traceMarks({ number, methods, places, spread }, x, isSmall) {
     spread && !isSmall ? svg("path", { class: `spread line-${number % 7}`,
       d: `M${x.place(spread[0])} ${places[0].y}H${x.place(spread[1])}` }) : null,
     svg("path", { class: `curve line-${number % 7}`, "stroke-dasharray": DASHES[number % DASHES.length], d }),
-    places.filter((at, k) => at.isThere && k % every === 0).map((at) => [
+    places.filter((at, k) => at.isThere && (k % every === 0 || isAlone(k))).map((at) => [
       methodMark(number, at.standing, at.x, at.y, size),
       svg("circle", { class: "touch", cx: at.x, cy: at.y, r: 2 * size })]));
 }

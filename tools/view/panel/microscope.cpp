@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "scene/interruption.h"
 #include "tools/view/panel/panel.h"
@@ -32,6 +33,29 @@ constexpr int kCurveSteps = 8;  ///< For half a curve.
 /// Curves that bend less than this share of a window are drawn straight.
 constexpr double kStraight = 0x1p-10;
 constexpr int kGridSteps = 8;  ///< Doubles on each side of s.
+/// Lengths from 2^-1074 to 2^1024 in one scene need some 2,100 bits, and as many again cancel.
+constexpr int kMostMicroscopeBits = 6144;
+
+/// The position of a method's answer.
+struct MicroscopeMark {
+  std::string method;
+  std::size_t number = 0;  ///< Determines shape and colour: its index among all methods.
+  bool is_point = false;   ///< Its hit point; else its s, on the exact ray.
+  double x = 0, y = 0;
+  bool is_wrong = false;
+  std::string text;
+};
+
+/// What is seen, in ulp.
+struct Microscope {
+  scene::Precision precision = scene::Precision::kDouble;
+  bool is_hit = false;
+  double parameter = 0;  ///< s of the point, correctly rounded.
+  double ulp = 0;
+  double gap = 0;                ///< From the ray to the sphere, for a miss.
+  std::optional<double> region;  ///< How far a relative change u of inputs may move s; or no bound.
+  std::vector<MicroscopeMark> marks;
+};
 
 double middle(const Enclosure& value) {
   const double low = value.lower(), high = value.upper();
@@ -160,7 +184,7 @@ std::size_t number_of(const MethodReport& method) {
       all.begin());
 }
 
-void add_marks(const ExplainReport& report, const Plane& plane, double ulp, Microscope& scope) {
+void add_marks(const ExplainReport& report, const Plane& plane, Microscope& scope) {
   for (const MethodReport& method : report.methods) {
     if (!method.intersects || !method.parameter || !std::isfinite(*method.parameter)) continue;
     MicroscopeMark mark;
@@ -168,7 +192,7 @@ void add_marks(const ExplainReport& report, const Plane& plane, double ulp, Micr
     mark.number = number_of(method);
     mark.is_wrong = !method.goes_wrong_at.empty();
     mark.text = fmt::format("s = {:.17g}", *method.parameter);
-    mark.x = middle(plane.x_of(*method.parameter, ulp));
+    mark.x = middle(plane.x_of(*method.parameter, scope.ulp));
     mark.y = 0;
     scope.marks.push_back(mark);
     for (const MethodStep& step : method.steps) {
@@ -187,73 +211,151 @@ void add_marks(const ExplainReport& report, const Plane& plane, double ulp, Micr
   }
 }
 
-/// Adds the first window, and those of the wider ones that show something new.
-void add_zooms(const Plane& plane, Microscope& scope) {
-  std::vector<double> distances = {0};
+struct Zoom {
+  double half_width;
+  std::vector<std::array<double, 2>> curve;  ///< The exact circle.
+};
+
+/// The first window, and those of the wider ones that show something new.
+std::vector<Zoom> zooms_of(const Plane& plane, const Microscope& scope) {
+  std::vector<Zoom> zooms;
+  std::vector<double> distances = {0, std::abs(scope.gap)};
   for (const MicroscopeMark& mark : scope.marks) {
     distances.push_back(std::max(std::abs(mark.x), std::abs(mark.y)));
   }
-  if (!scope.is_hit) distances.push_back(std::abs(plane.gap()));
   double before = -1;
   for (double half = kFirstHalfWidth; half <= kLargestHalfWidth; half *= kZoomFactor) {
     const bool shows_more = std::any_of(distances.begin(), distances.end(), [&](double distance) {
       return distance > before && distance <= half * 0.9;
     });
     if (!shows_more) continue;
-    scope.zooms.push_back({half, plane.circle(half)});
+    zooms.push_back({half, plane.circle(half)});
     before = half * 0.9;
   }
+  return zooms;
 }
 
-/// A window is at least half as high as it is wide.
-std::size_t window_of(const MicroscopeMark& mark, const std::vector<Microscope::Zoom>& zooms) {
-  const auto found = std::find_if(zooms.begin(), zooms.end(), [&](const Microscope::Zoom& zoom) {
+/// The narrowest zoom that shows a mark, else the widest. A window is at least half as high as it
+/// is wide.
+std::size_t window_of(const MicroscopeMark& mark, const std::vector<Zoom>& zooms) {
+  const auto found = std::find_if(zooms.begin(), zooms.end(), [&](const Zoom& zoom) {
     return std::abs(mark.x) <= zoom.half_width && std::abs(mark.y) <= zoom.half_width / 2;
   });
   const auto index = static_cast<std::size_t>(found - zooms.begin());
   return zooms.empty() ? 0 : std::min(index, zooms.size() - 1);
 }
 
-Microscope look(const ExplainReport& report, const reference::ExactRay& ray,
-                const scene::Sphere& sphere, int bits) {
+/// Around which point, in what unit, how far answers to a miss are, and which methods cannot be
+/// drawn.
+std::vector<std::string> sentences_of(const Microscope& microscope, const ExplainReport& report) {
+  const bool is_single = microscope.precision == scene::Precision::kSingle;
+  std::vector<std::string> sentences = {
+      fmt::format("Around the {}, s = {:.17g}{}. 1 ulp = {:.3g}{}.",
+                  microscope.is_hit ? "exact hit point" : "ray's point nearest to the centre",
+                  microscope.parameter, direction_remark(report), microscope.ulp,
+                  is_single ? ", of a float: the candidate's format" : "")};
+  if (microscope.is_hit) {
+    sentences.push_back(
+        microscope.region ? fmt::format("Shaded: rounding the inputs moves s by up to {:.6g} ulp.",
+                                        *microscope.region)
+                          : "Shaded: rounding the inputs may move s anywhere.");
+  } else {
+    std::string text =
+        fmt::format("A miss has no hit point; here the ray is {:.3g} ulp from the sphere",
+                    std::abs(microscope.gap));
+    double nearest = HUGE_VAL;
+    for (const MicroscopeMark& mark : microscope.marks) {
+      nearest = std::min(nearest, std::max(std::abs(mark.x), std::abs(mark.y)));
+    }
+    if (nearest < HUGE_VAL) {
+      text += fmt::format(", and the nearest hit that a method claims is {:.3g} ulp away", nearest);
+    }
+    sentences.push_back(text + ".");
+  }
+  std::vector<std::pair<std::string, std::string>> absent;  // verdict, names
+  for (const MethodReport& method : report.methods) {
+    const bool is_drawn =
+        std::any_of(microscope.marks.begin(), microscope.marks.end(),
+                    [&](const MicroscopeMark& mark) { return mark.method == method.name; });
+    if (!method.intersects || is_drawn) continue;
+    const std::string verdict = method_verdict(method, report);
+    const auto same = std::find_if(absent.begin(), absent.end(),
+                                   [&](const auto& other) { return other.first == verdict; });
+    if (same == absent.end()) {
+      absent.emplace_back(verdict, method.name);
+    } else {
+      same->second += ", " + method.name;
+    }
+  }
+  for (const auto& [verdict, names] : absent) {
+    sentences.push_back(fmt::format("Nothing to draw of {}: {}.", names, verdict));
+  }
+  return sentences;
+}
+
+/// A number with six correct digits.
+std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
+
+Json zoom_json(const Zoom& zoom) {
+  const auto place_json = [](const std::array<double, 2>& place) {
+    return Json{six_digits(place[0]), six_digits(place[1])};
+  };
+  return {{"half", six_digits(zoom.half_width)}, {"curve", list_json(zoom.curve, place_json)}};
+}
+
+Json look(const ExplainReport& report, const reference::ExactRay& ray, const scene::Sphere& sphere,
+          int bits) {
   const SphereReport& exact = report.spheres[*report.sphere];
   const reference::Intersection& at = exact.intersection;
   Microscope scope;
+  if (report.other) scope.precision = report.other->precision;
   scope.is_hit = at.hit_class != reference::HitClass::kMiss;
   const Step* const v = report.find("v");
   const double length = ray.source().camera ? 1 : ray.enclose(bits).length().lower();
   scope.parameter = scope.is_hit ? *exact.parameter : v->rounded.front() / length;
   if (!std::isfinite(scope.parameter)) throw TooWide();
-  const scene::Precision precision = microscope_precision(report);
-  scope.ulp = ulp_at(scope.parameter, precision);
+  scope.ulp = ulp_at(scope.parameter, scope.precision);
   if (!std::isfinite(scope.ulp)) throw TooWide();
   const Plane plane(ray, sphere, at, scope.ulp, bits);
-  add_marks(report, plane, scope.ulp, scope);
-  add_zooms(plane, scope);
-  for (MicroscopeMark& mark : scope.marks) mark.window = window_of(mark, scope.zooms);
-  double neighbour = scope.parameter;
-  for (int k = 0; k < kGridSteps; ++k) neighbour = next_of(neighbour, -HUGE_VAL, precision);
-  for (int k = -kGridSteps; k <= kGridSteps && std::isfinite(neighbour); ++k) {
-    scope.grid.push_back(middle(plane.x_of(neighbour, scope.ulp)));
-    neighbour = next_of(neighbour, HUGE_VAL, precision);
-  }
+  if (!scope.is_hit) scope.gap = plane.gap();
+  add_marks(report, plane, scope);
   const Step* const s = scope.is_hit ? report.find("s") : nullptr;
   if (s != nullptr && s->condition && std::isfinite(*s->condition)) {
-    const double unit_roundoff = precision == scene::Precision::kDouble ? 0x1p-53 : 0x1p-24;
-    scope.region = *s->condition * unit_roundoff * std::abs(scope.parameter) / scope.ulp;
+    scope.region = *s->condition * scene::unit_roundoff(scope.precision) *
+                   std::abs(scope.parameter) / scope.ulp;
   }
-  scope.sentences = microscope_sentences(scope, report, scope.is_hit ? 0 : plane.gap());
-  return scope;
+  const std::vector<Zoom> zooms = zooms_of(plane, scope);
+  Json grid = Json::array();
+  double neighbour = scope.parameter;
+  for (int k = 0; k < kGridSteps; ++k) neighbour = next_of(neighbour, -HUGE_VAL, scope.precision);
+  for (int k = -kGridSteps; k <= kGridSteps && std::isfinite(neighbour); ++k) {
+    grid.push_back(six_digits(middle(plane.x_of(neighbour, scope.ulp))));
+    neighbour = next_of(neighbour, HUGE_VAL, scope.precision);
+  }
+  const auto mark_json = [&](const MicroscopeMark& mark) {
+    return Json{{"name", mark.method},
+                {"number", mark.number},
+                {"kind", mark.is_point ? "Q" : "s"},
+                {"x", six_digits(mark.x)},
+                {"y", six_digits(mark.y)},
+                {"wrong", mark.is_wrong},
+                {"text", mark.text},
+                {"window", window_of(mark, zooms)}};
+  };
+  return {{"hit", scope.is_hit},
+          {"sentences", sentences_of(scope, report)},
+          {"s", digits_text(scope.parameter)},
+          {"ulp", fmt::format("{:.3g}", scope.ulp)},
+          {"zooms", list_json(zooms, zoom_json)},
+          {"grid", std::move(grid)},
+          {"region", or_null(scope.region, six_digits)},
+          {"marks", list_json(scope.marks, mark_json)}};
 }
 
 }  // namespace
 
-scene::Precision microscope_precision(const ExplainReport& report) {
-  return report.other ? report.other->precision : scene::Precision::kDouble;
-}
-
-std::optional<Microscope> microscope_of(const ExplainReport& report, const reference::ExactRay& ray,
-                                        const scene::Sphere& sphere) {
+Json microscope_json(const ExplainReport& report, const reference::ExactRay& ray,
+                     const scene::Sphere& sphere) {
   constexpr int kFewestBits = 192;
   for (int bits = kFewestBits; bits <= kMostMicroscopeBits; bits *= 2) {
     scene::poll();
@@ -262,7 +364,7 @@ std::optional<Microscope> microscope_of(const ExplainReport& report, const refer
     } catch (const TooWide&) {
     }
   }
-  return std::nullopt;
+  return nullptr;
 }
 
 }  // namespace raycheck::tools

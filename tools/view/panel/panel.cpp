@@ -22,44 +22,17 @@ scene::Scene alone(const scene::Scene& scene, const Selection& selection) {
   return result;
 }
 
-std::string symbol_latex(const std::string& symbol) {
-  constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
-      {"alpha", "\\alpha"},
-      {"beta", "\\beta"},
-      {"direction", "\\mathit{direction}"},
-      {"s |direction|", "s\\,|\\mathit{direction}|"}};
-  for (const auto& [name, latex] : kOthers) {
-    if (symbol == name) return std::string(latex);
-  }
-  return symbol;
-}
-
-std::string rounded_latex(const std::vector<double>& values) {
-  std::string text;
-  for (const double x : values) text += fmt::format("{}{:.17g}", text.empty() ? "" : ", ", x);
-  return values.size() == 1 ? text : fmt::format("\\left({}\\right)", text);
-}
-
-/// The steps for a paper: the closed form of each, if short, and the rounded value.
-std::string latex_of(const ExplainReport& report) {
-  std::string text = "\\begin{align*}\n";
-  for (const Step& step : report.steps) {
-    text += symbol_latex(step.symbol);
-    if (is_typeset(step)) text += fmt::format(" &= {}", latex(step.closed_form));
-    text += fmt::format(" {} {} \\\\\n", is_typeset(step) ? "\\approx" : "&\\approx",
-                        rounded_latex(step.rounded));
-  }
-  return text + "\\end{align*}\n";
-}
-
-/// Of raycheck's methods, keeps those of the pairs.
-void keep_methods(const std::vector<MethodPair>& pairs, ExplainReport& report) {
+/// Of raycheck's methods, keeps those that are to be shown.
+void keep_methods(const SceneViewOptions& options, ExplainReport& report) {
+  std::vector<MethodPair> pairs;
+  if (options.is_of_methods) pairs = options.methods;
+  if (options.renderer) pairs = {kDefaultMethods};  // pictures have no steps: correct ones
   if (pairs.empty()) return;
   std::erase_if(report.methods, [&](const MethodReport& method) {
-    const bool is_other = report.other && method.name == report.other->name;
-    return !is_other && std::none_of(pairs.begin(), pairs.end(), [&](const MethodPair& pair) {
-      return method.name == (method.intersects ? pair.intersect->name : pair.rays->name);
-    });
+    return !method.is_other &&
+           std::none_of(pairs.begin(), pairs.end(), [&](const MethodPair& pair) {
+             return method.name == (method.intersects ? pair.intersect->name : pair.rays->name);
+           });
   });
 }
 
@@ -70,20 +43,20 @@ std::string listed(const auto& triple) {
 
 /// What explains the same ray and sphere at a desk.
 std::string explain_command(const ExplainReport& report, const Selection& asked,
-                            const PanelOptions& options) {
+                            const SceneViewOptions& options) {
+  const std::string candidate = options.other ? options.more_arguments : "";  // no renderers
   if (!report.pixel) {
     if (!report.sphere) return {};  // explain takes no ray without a sphere
     const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
     return fmt::format("raycheck explain --ray={},{} --sphere={},{}{}", listed(report.ray.origin),
                        listed(report.ray.direction), listed(sphere.centre),
-                       scene::shortest(sphere.radius), options.more_arguments);
+                       scene::shortest(sphere.radius), candidate);
   }
-  std::string command = fmt::format("raycheck explain {} --pixel {},{}", options.scene_argument,
+  std::string command = fmt::format("raycheck explain {} --pixel {},{}", options.file,
                                     report.pixel->i, report.pixel->j);
   if (asked.sphere) command += fmt::format(" --sphere {}", *asked.sphere);
-  if (options.rays != kDefaultMethods.rays)
-    command += fmt::format(" --rays {}", options.rays->name);
-  return command + options.more_arguments;
+  if (report.rays_method != kDefaultMethods.rays->name) command += " --rays " + report.rays_method;
+  return command + candidate;
 }
 
 }  // namespace
@@ -97,9 +70,9 @@ bool is_typeset(const Step& step) {
 }
 
 Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selection& selection,
-               const PanelOptions& options) {
+               const SceneViewOptions& options) {
   ExplainOptions explained;
-  explained.rays = options.rays;
+  if (!options.methods.empty()) explained.rays = options.methods.front().rays;
   explained.other = options.other;
   if (scene.camera) {
     explained.scene = scene;
@@ -108,20 +81,21 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
   } else {
     explained.scene = alone(scene, selection);
   }
+  ExplainReport report = explain(explained);
   Panel panel;
-  panel.report = explain(explained);
-  const ExplainReport& report = panel.report;
   panel.selection = selection;
   if (scene.camera) {
     panel.selection.sphere = report.sphere;
   } else if (report.sphere) {
     panel.selection.sphere = selection.sphere.value_or(0);
   }
-  panel.text = explain_text(report, {});
-  keep_methods(options.methods, panel.report);
-  panel.command = explain_command(report, selection, options);
-  panel.sage = sage_input(report);
-  panel.latex = latex_of(report);
+  panel.told = selection_json(panel.selection);
+  panel.told["command"] = explain_command(report, selection, options);
+  panel.told["text"] = explain_text(report, {});
+  keep_methods(options, report);
+  for (const MethodReport& method : report.methods) {
+    if (method.goes_wrong()) panel.wrong.push_back(method.name);
+  }
   const scene::Sphere* const sphere =
       report.sphere ? &report.scene.spheres[*report.sphere] : nullptr;
   const reference::ExactRay ray =
@@ -129,8 +103,10 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
                          reference::ExactCamera(*report.scene.camera, report.scene.conventions),
                          *report.pixel)
                    : reference::ExactRay(report.ray);
-  panel.drawing = drawing_of(frame, ray, sphere, report.scene.conventions);
-  if (sphere != nullptr) panel.microscope = microscope_of(report, ray, *sphere);
+  panel.told.update(told_json(report));
+  panel.told["drawing"] = drawing_json(frame, ray, sphere, report.scene.conventions);
+  panel.told["microscope"] =
+      sphere != nullptr ? microscope_json(report, ray, *sphere) : Json(nullptr);
   return panel;
 }
 

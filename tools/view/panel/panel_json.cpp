@@ -11,9 +11,6 @@
 namespace raycheck::tools {
 namespace {
 
-/// A number with six correct digits.
-std::string told(double value) { return fmt::format("{:.6g}", value); }
-
 constexpr int kDigits = 17;
 
 /// How many characters of a value's decimals are right: all if it is within an ulp of the correctly
@@ -53,13 +50,6 @@ void add_value(Json& said, double value, const std::optional<double>& exact) {
   add(said, "mark", text.substr(right));
 }
 
-std::string off_text(const MethodStep& step) {
-  std::string text =
-      step.error ? fmt::format("off by {} {}", error_text(step.error), step.unit) : "";
-  if (step.error_alone) text += fmt::format(" ({} alone)", error_text(step.error_alone));
-  return text;
-}
-
 /// A method's result at a step, without names, which agreeing methods share.
 Json answer_json(const MethodReport& method, const MethodStep& mine, const Step& step) {
   Json said = Json::array();
@@ -94,16 +84,13 @@ Json answers_json(const Step& step, const ExplainReport& report) {
   return answers;
 }
 
-std::string rounded_text(const std::vector<double>& values) {
-  std::string text;
-  for (const double x : values) text += (text.empty() ? "" : ", ") + digits_text(x);
-  return values.size() > 1 ? "(" + text + ")" : text;
-}
-
 /// How much larger the subtracted terms are than their difference, if that costs digits.
 std::string cancellation_text(const Step& step, const ExplainReport& report) {
   const Step* const to_centre = report.find("T");
-  if (step.symbol != "d^2" || to_centre == nullptr || to_centre->rounded.size() != 3) return {};
+  if (!step.condition || step.symbol != "d^2" || to_centre == nullptr ||
+      to_centre->rounded.size() != 3) {
+    return {};
+  }
   const auto& t = to_centre->rounded;
   // Without squares, which may overflow.
   const double distance = std::hypot(t[0], t[1], t[2]);
@@ -118,22 +105,13 @@ std::string cancellation_text(const Step& step, const ExplainReport& report) {
       std::floor(decades), left >= 1 ? fmt::format("{:.0f}", left) : "none");
 }
 
-std::string condition_text(const Step& step, const ExplainReport& report) {
-  if (!step.condition) return {};
-  std::string text = "condition number " + error_text(step.condition);
-  if (step.condition_alone) {
-    text += ", of this step alone " + error_text(step.condition_alone);
-  }
-  return text + cancellation_text(step, report);
-}
-
 Json step_json(const Step& step, const ExplainReport& report) {
   return {{"symbol", step.symbol},
           {"formula", step.formula},
           {"mathml", is_typeset(step) ? Json("<math>" + mathml(step.closed_form) + "</math>")
                                       : Json(nullptr)},
-          {"rounded", rounded_text(step.rounded)},
-          {"condition", condition_text(step, report)},
+          {"rounded", numbers_text(step.rounded)},
+          {"condition", condition_text(step) + cancellation_text(step, report)},
           {"answers", answers_json(step, report)}};
 }
 
@@ -157,9 +135,7 @@ Json verdict_json(const MethodReport& method, const ExplainReport& report) {
       add(said, "", wrong_step_remark(method, report));
     }
   }
-  return {{"name", method.name},
-          {"said", std::move(said)},
-          {"wrong", !method.goes_wrong_at.empty() || !method.failure().empty()}};
+  return {{"name", method.name}, {"said", std::move(said)}, {"wrong", method.goes_wrong()}};
 }
 
 Json exact_json(const ExplainReport& report) {
@@ -183,8 +159,12 @@ Json exact_json(const ExplainReport& report) {
 
 }  // namespace
 
-std::string digits_text(double value) {
-  return std::isnan(value) ? "nan" : fmt::format("{:.{}g}", value, kDigits);
+std::string direction_remark(const ExplainReport& report) {
+  if (report.pixel) return {};
+  const scene::Vector3& D = report.ray.direction;
+  const double length = std::hypot(D.x, D.y, D.z);
+  const std::string told = fmt::format("{:.6g}", length);
+  return told == "1" ? "" : fmt::format(" times the ray's direction, which is {} long", told);
 }
 
 Json told_json(const ExplainReport& report) {
@@ -193,28 +173,6 @@ Json told_json(const ExplainReport& report) {
   return {{"steps", list_json(report.steps, step)},
           {"verdicts", list_json(report.methods, verdict)},
           {"exact", exact_json(report)}};
-}
-
-Json microscope_json(const Microscope& microscope) {
-  const auto place_json = [](const std::array<double, 2>& place) {
-    return Json{told(place[0]), told(place[1])};
-  };
-  const auto zoom_json = [&](const Microscope::Zoom& zoom) {
-    return Json{{"half", told(zoom.half_width)}, {"curve", list_json(zoom.curve, place_json)}};
-  };
-  const auto mark_json = [](const MicroscopeMark& mark) {
-    return Json{{"name", mark.method}, {"number", mark.number}, {"kind", mark.is_point ? "Q" : "s"},
-                {"x", told(mark.x)},   {"y", told(mark.y)},     {"wrong", mark.is_wrong},
-                {"text", mark.text},   {"window", mark.window}};
-  };
-  return {{"hit", microscope.is_hit},
-          {"sentences", microscope.sentences},
-          {"s", digits_text(microscope.parameter)},
-          {"ulp", fmt::format("{:.3g}", microscope.ulp)},
-          {"zooms", list_json(microscope.zooms, zoom_json)},
-          {"grid", list_json(microscope.grid, told)},
-          {"region", or_null(microscope.region, told)},
-          {"marks", list_json(microscope.marks, mark_json)}};
 }
 
 }  // namespace raycheck::tools

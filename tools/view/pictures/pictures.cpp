@@ -7,16 +7,23 @@
 #include <map>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
+#include "properties/laws/law.h"
 #include "properties/trial.h"
 #include "reference/visibility/visibility.h"
 #include "tools/image/image_paint.h"
 #include "tools/report/picture_file.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {
 
 using reference::kNoSphere;
+
+/// What a pixel of a candidate's picture shows if it is neither a certain sphere nor nothing.
+constexpr std::int32_t kFailedPixel = -2;  ///< The candidate failed.
+constexpr std::int32_t kSomePixel = -3;    ///< A sphere; it cannot be told which.
 
 constexpr Colour kFailedColour = {128, 128, 128};
 
@@ -26,12 +33,7 @@ constexpr std::int64_t kRowsAtOnce = reference::Visibility::kBandRows;
 /// Top line first, whichever row is 0.
 std::string png_of(const scene::Scene& scene, std::vector<Colour> pixels) {
   const scene::Camera& camera = *scene.camera;
-  if (scene.conventions.rows != scene::Rows::kTopFirst) {
-    const auto line = [&](std::int64_t j) { return pixels.begin() + j * camera.width; };
-    for (std::int64_t low = 0, high = camera.height - 1; low < high; ++low, --high) {
-      std::swap_ranges(line(low), line(low + 1), line(high));
-    }
-  }
+  if (scene.conventions.rows != scene::Rows::kTopFirst) flip_lines(pixels, camera.width);
   return png_bytes(camera.width, camera.height, pixels);
 }
 
@@ -41,36 +43,111 @@ Colour pixel_colour(std::int32_t sphere) {
   return sphere == kNoSphere ? kBackground : sphere_colour(static_cast<std::size_t>(sphere));
 }
 
-/// How many pixels see each sphere, as a picture's legend.
-ScenePicture picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen,
-                        PictureKind kind, std::string candidate) {
+Json entry_json(const Colour& colour, const std::string& text, std::uint64_t pixels) {
+  return {{"colour", "#" + hex(colour)}, {"text", text}, {"pixels", pixels}};
+}
+
+Json picture_json(const char* kind, const std::string& name, const std::string& png, Json legend) {
+  return {{"kind", kind},
+          {"name", name},
+          {"png", data_address("image/png", png)},
+          {"legend", std::move(legend)}};
+}
+
+/// A picture of which pixel sees which sphere.
+Json picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen, const char* kind,
+                const std::string& name) {
   constexpr std::size_t kMostEntries = 24;
-  ScenePicture picture{kind, std::move(candidate), {}, {}};
   std::vector<Colour> pixels(seen.size());
   std::transform(seen.begin(), seen.end(), pixels.begin(), pixel_colour);
   std::map<std::int32_t, std::uint64_t> counts;
   for (const std::int32_t sphere : seen) ++counts[sphere];
+  Json legend = Json::array();
   for (const auto& [sphere, count] : counts) {
-    if (picture.legend.size() == kMostEntries) break;
-    picture.legend.push_back({pixel_colour(sphere),
-                              sphere == kFailedPixel ? "no answer"
-                              : sphere == kSomePixel ? "a sphere, not told which"
-                              : sphere == kNoSphere  ? "no sphere"
-                                                     : fmt::format("sphere {}", sphere),
-                              count});
+    if (legend.size() == kMostEntries) break;
+    legend.push_back(entry_json(pixel_colour(sphere),
+                                sphere == kFailedPixel ? "no answer"
+                                : sphere == kSomePixel ? "a sphere, not told which"
+                                : sphere == kNoSphere  ? "no sphere"
+                                                       : fmt::format("sphere {}", sphere),
+                                count));
   }
-  picture.png = png_of(scene, std::move(pixels));
+  return picture_json(kind, name, png_of(scene, std::move(pixels)), std::move(legend));
+}
+
+/// Pixels judged at a time: so few that a verdict keeps every discrepancy.
+constexpr std::size_t kPixelsAtOnce = 512;
+static_assert(kPixelsAtOnce <= properties::kKeptDiscrepancies);
+
+std::int32_t pixel_of(const std::optional<std::size_t>& pixel) {
+  return !pixel                              ? reference::kNoSphere
+         : *pixel == properties::kSomeSphere ? kSomePixel
+                                             : static_cast<std::int32_t>(*pixel);
+}
+
+void paint_chunk(const properties::Case& chunk, const properties::Candidate& candidate,
+                 std::span<Colour> pixels, ErrorCounts& errors) {
+  std::fill(pixels.begin(), pixels.end(), kErrorSteps.front().colour);
+  std::vector<bool> is_wrong(pixels.size());
+  const auto mark = [&](std::size_t k, properties::Standing standing) {
+    if (is_wrong[k]) return;
+    is_wrong[k] = true;
+    pixels[k] = kWrongColours[static_cast<std::size_t>(standing)];
+    ++errors.wrong[static_cast<std::size_t>(standing)];
+  };
+  properties::Trial trial(chunk, candidate);
+  for (const properties::Law* law : properties::laws_that(
+           [](const properties::Law& one) { return one.per == properties::Per::kImage; })) {
+    const properties::Verdict verdict = properties::apply(*law, trial);
+    for (const properties::Discrepancy& one : verdict.worst(kPixelsAtOnce)) {
+      if (one.wrong == properties::Wrong::kFailed) {
+        for (std::size_t k = 0; k < pixels.size(); ++k) mark(k, one.excuse.standing());
+        if (errors.failed == 0) errors.first_failure = one.what;
+        errors.failed += pixels.size();
+      } else {
+        mark(one.place.ray, one.excuse.standing());
+      }
+    }
+  }
+  errors.pixels.front() +=
+      static_cast<std::uint64_t>(std::count(is_wrong.begin(), is_wrong.end(), false));
+}
+
+/// What every pixel shows of a picture that a candidate draws as a whole, row j after row j: a
+/// sphere, kNoSphere, kSomePixel, or, if it fails, kFailedPixel everywhere.
+std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
+                                        const properties::Candidate& candidate) {
+  const auto count = static_cast<std::size_t>(scene.camera->width * scene.camera->height);
+  std::vector<std::int32_t> picture(count, kFailedPixel);
+  try {
+    const properties::ImageAnswer answer =
+        candidate.image(scene, candidate.declared.over(scene.conventions));
+    if (answer.size() == count) {
+      std::transform(answer.begin(), answer.end(), picture.begin(), pixel_of);
+    }
+  } catch (const std::runtime_error&) {  // the findings say how it failed
+  }
   return picture;
+}
+
+/// Paints pixels that laws about images find wrong by their standing, all others as right, and
+/// counts both; right ones count under the first error.
+Painter drawn_error_painter(const scene::Scene& scene, properties::Candidate candidate) {
+  return [&scene, judged = std::move(candidate)](const SeenBand& band, std::span<Colour> pixels,
+                                                 ErrorCounts& errors) {
+    errors.pixels.resize(kErrorSteps.size());
+    for (std::size_t first = 0; first < pixels.size(); first += kPixelsAtOnce) {
+      const std::size_t end = std::min(first + kPixelsAtOnce, pixels.size());
+      paint_chunk({scene, pixels_of_rows(scene, band.j_begin, first, end)}, judged,
+                  pixels.subspan(first, end - first), errors);
+    }
+  };
 }
 
 /// A candidate's answers for rows of pixels.
 void answer(const scene::Scene& scene, const properties::Candidate& candidate, std::int64_t j,
             std::span<std::int32_t> rows) {
-  properties::Case some = {scene, {}};
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const auto index = static_cast<std::int64_t>(k);
-    some.pixels.push_back({index % scene.camera->width, j + index / scene.camera->width});
-  }
+  const properties::Case some = {scene, pixels_of_rows(scene, j, 0, rows.size())};
   try {
     properties::Trial trial(some, candidate);
     const auto& nearest = trial.nearest();
@@ -83,28 +160,30 @@ void answer(const scene::Scene& scene, const properties::Candidate& candidate, s
 }
 
 /// For a picture that is drawn as a whole, s is unknown.
-std::vector<LegendEntry> error_legend(const ErrorCounts& counts, bool is_drawn,
-                                      std::uint64_t pixels) {
-  std::vector<LegendEntry> legend;
+Json error_legend(const ErrorCounts& counts, bool is_drawn, std::uint64_t pixels) {
+  Json legend = Json::array();
   for (const std::uint64_t some : counts.pixels) pixels -= some;
   for (const std::uint64_t some : counts.wrong) pixels -= some;
   if (is_drawn) {
-    legend.push_back({kErrorSteps.front().colour, "as it should be", counts.pixels.front()});
+    legend.push_back(
+        entry_json(kErrorSteps.front().colour, "as it should be", counts.pixels.front()));
   } else {
-    legend.push_back({kBackground, "rightly no sphere", pixels});
+    legend.push_back(entry_json(kBackground, "rightly no sphere", pixels));
   }
   for (std::size_t k = 0; k < kErrorSteps.size() && !is_drawn; ++k) {
     const bool is_last = k + 1 == kErrorSteps.size();
-    legend.push_back({kErrorSteps[k].colour,
-                      is_last ? fmt::format("s off by more than {} ulp", kErrorSteps[k - 1].at_most)
-                              : fmt::format("s off by up to {} ulp", kErrorSteps[k].at_most),
-                      k < counts.pixels.size() ? counts.pixels[k] : 0});
+    legend.push_back(
+        entry_json(kErrorSteps[k].colour,
+                   is_last ? fmt::format("s off by more than {} ulp", kErrorSteps[k - 1].at_most)
+                           : fmt::format("s off by up to {} ulp", kErrorSteps[k].at_most),
+                   k < counts.pixels.size() ? counts.pixels[k] : 0));
   }
   for (std::size_t k = 0; k < kWrongColours.size(); ++k) {
     const auto standing = static_cast<properties::Standing>(k);
     if (counts.wrong[k] == 0 && standing != properties::Standing::kDefect) continue;
-    legend.push_back({kWrongColours[k], fmt::format("wrong class or sphere: {}", name(standing)),
-                      counts.wrong[k]});
+    legend.push_back(entry_json(kWrongColours[k],
+                                fmt::format("wrong class or sphere: {}", name(standing)),
+                                counts.wrong[k]));
   }
   return legend;
 }
@@ -119,7 +198,7 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
       scene, scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest));
   struct Shown {
     properties::Candidate candidate;
-    std::unique_ptr<Painter> painter;
+    Painter painter;
     std::vector<std::int32_t> answered;
     std::vector<Colour> errors;
     ErrorCounts counts;
@@ -151,8 +230,7 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
       if (!one.candidate.image) {
         answer(scene, one.candidate, j, std::span(one.answered).subspan(first, band.sphere.size()));
       }
-      one.painter->paint(band, std::span(one.errors).subspan(first, band.sphere.size()),
-                         one.counts);
+      one.painter(band, std::span(one.errors).subspan(first, band.sphere.size()), one.counts);
     }
   }
   for (const std::int32_t sphere : seen) {
@@ -161,13 +239,14 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
     }
     ++images.seen.back().pixels;
   }
-  images.pictures.push_back(picture_of(scene, seen, PictureKind::kCertified, {}));
+  images.pictures.push_back(picture_of(scene, seen, "certified", "certified"));
   for (Shown& one : shown) {
+    const std::string& name = one.candidate.name;
     images.pictures.push_back(
-        picture_of(scene, one.answered, PictureKind::kAnswered, one.candidate.name));
-    images.pictures.push_back({PictureKind::kError, one.candidate.name,
-                               png_of(scene, std::move(one.errors)),
-                               error_legend(one.counts, one.candidate.image != nullptr, count)});
+        picture_of(scene, one.answered, "answered", fmt::format("as {} has it", name)));
+    images.pictures.push_back(
+        picture_json("error", "errors of " + name, png_of(scene, std::move(one.errors)),
+                     error_legend(one.counts, one.candidate.image != nullptr, count)));
   }
   return images;
 }
