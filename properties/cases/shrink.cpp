@@ -6,7 +6,7 @@
 #include <functional>
 #include <utility>
 
-#include "scene/scene_scalars.h"
+#include "scene/fields.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {

@@ -70,8 +70,7 @@ Timing time_methods(const MethodPair& methods, const scene::Scene& scene,
   const double elapsed = best_ns([&] {
     for (std::size_t k = 0; k < spheres; ++k) {
       scene::poll();
-      methods.intersect->intersect(rays, scene.spheres[k], conventions.root, conventions.tangent,
-                                   hits);
+      methods.intersect->intersect(rays, scene.spheres[k], conventions.hit_rule(), hits);
     }
   });
   timing.intersect =

@@ -35,12 +35,10 @@ ReadyCalls<properties::SphereHits> ready_calls(const fast::IntersectMethod& meth
     calls->push_back({call, properties::batch_of(call.rays)});
   }
   const auto one = [&method](const IntersectCall& asked) {
-    return method.intersect_one(asked.rays.front(), asked.sphere, asked.conventions.root,
-                                asked.conventions.tangent);
+    return method.intersect_one(asked.rays.front(), asked.sphere, asked.conventions.hit_rule());
   };
   const auto many = [&method](const Call& call, fast::Hits& hits) {
-    method.intersect(call.batch, call.asked.sphere, call.asked.conventions.root,
-                     call.asked.conventions.tangent, hits);
+    method.intersect(call.batch, call.asked.sphere, call.asked.conventions.hit_rule(), hits);
   };
   return {[=, hits = fast::Hits{}](std::size_t count) mutable {
             for (std::size_t k = 0; k < count; ++k) {

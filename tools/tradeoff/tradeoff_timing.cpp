@@ -333,8 +333,7 @@ std::vector<Duration> time_pixels(const Case& the_case, const std::vector<Method
                      (from_pixel ? pair.rays->pixel_rays : pair.rays->focal_rays)(
                          *the_case.scene.camera, conventions, pixels, rays);
                      for (const scene::Sphere& sphere : the_case.scene.spheres) {
-                       pair.intersect->intersect(rays, sphere, conventions.root,
-                                                 conventions.tangent, hits);
+                       pair.intersect->intersect(rays, sphere, conventions.hit_rule(), hits);
                        keep(hits);
                      }
                    },
