@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "scene/geometry.h"
+
 namespace raycheck::fast {
 
 /// Points or vectors, one array per coordinate.
@@ -16,6 +18,16 @@ struct Vectors {
     y.resize(count);
     z.resize(count);
   }
+  template <class Triple>
+  Triple at(std::size_t k) const {
+    return {x[k], y[k], z[k]};
+  }
+  template <class Triple>
+  void set(std::size_t k, const Triple& value) {
+    x[k] = value.x;
+    y[k] = value.y;
+    z[k] = value.z;
+  }
 };
 
 /// Rays origin + s direction.
@@ -27,19 +39,37 @@ struct Rays {
     origin.resize(count);
     direction.resize(count);
   }
+  scene::Ray at(std::size_t k) const {
+    return {origin.at<scene::Point3>(k), direction.at<scene::Vector3>(k)};
+  }
+  void set(std::size_t k, const scene::Ray& ray) {
+    origin.set(k, ray.origin);
+    direction.set(k, ray.direction);
+  }
+};
+
+/// Where a ray meets a sphere.
+struct Hit {
+  double parameter;     ///< s, in multiples of the ray's direction.
+  scene::Point3 point;  ///< Q = L + s D.
 };
 
 /// What each ray of a batch hits; parameter and point are valid only where hit is 1.
 struct Hits {
   std::vector<std::uint8_t> hit;
-  std::vector<double> parameter;  ///< s, in multiples of the ray's direction.
-  Vectors point;                  ///< Q = L + s D.
+  std::vector<double> parameter;
+  Vectors point;
 
   std::size_t size() const { return hit.size(); }
   void resize(std::size_t count) {
     hit.resize(count);
     parameter.resize(count);
     point.resize(count);
+  }
+  void set(std::size_t k, bool is_hit, const Hit& at) {
+    hit[k] = is_hit ? 1 : 0;
+    parameter[k] = at.parameter;
+    point.set(k, at.point);
   }
 };
 

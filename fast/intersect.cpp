@@ -43,9 +43,7 @@ void require_valid(const Rays& rays, const scene::Sphere& sphere) {
   if (all_finite(rays.origin) && all_finite(rays.direction) && all_nonzero(rays.direction)) return;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     try {
-      scene::require_valid(
-          scene::Ray{{rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},
-                     {rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]}});
+      scene::require_valid(rays.at(k));
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument("ray " + std::to_string(k) + " of the batch: " + error.what());
     }
@@ -53,7 +51,7 @@ void require_valid(const Rays& rays, const scene::Sphere& sphere) {
 }
 
 void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,
-                  scene::Root root, scene::Tangent tangent, Hits& hits) {
+                  scene::HitRule rule, Hits& hits) {
   scene::require_valid(sphere);
   hits.resize(rays.size());
   const auto& [origin, direction] = rays;
@@ -61,29 +59,26 @@ void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sph
                             {{origin.x.data(), origin.y.data(), origin.z.data()},
                              {direction.x.data(), direction.y.data(), direction.z.data()}},
                             sphere,
-                            root,
-                            tangent};
+                            rule};
   const HitArrays answers = {hits.hit.data(),
                              hits.parameter.data(),
                              {hits.point.x.data(), hits.point.y.data(), hits.point.z.data()}};
   if (!kernel(input, answers)) require_valid(rays, sphere);
 }
 
-std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& method,
-                                                        const Rays& rays,
-                                                        std::span<const scene::Sphere> spheres,
-                                                        scene::Root root, scene::Tangent tangent) {
-  std::vector<std::optional<std::size_t>> nearest(rays.size());
-  std::vector<double> parameter(rays.size());
+std::vector<std::optional<FirstHit>> nearest_spheres(const IntersectMethod& method,
+                                                     const Rays& rays,
+                                                     std::span<const scene::Sphere> spheres,
+                                                     scene::HitRule rule) {
+  std::vector<std::optional<FirstHit>> nearest(rays.size());
   Hits hits;
   for (std::size_t index = 0; index < spheres.size(); ++index) {
     scene::poll();
-    method.intersect(rays, spheres[index], root, tangent, hits);
+    method.intersect(rays, spheres[index], rule, hits);
     for (std::size_t k = 0; k < rays.size(); ++k) {
       if (!hits.hit[k]) continue;
-      if (nearest[k] && parameter[k] <= hits.parameter[k]) continue;
-      nearest[k] = index;
-      parameter[k] = hits.parameter[k];
+      if (nearest[k] && nearest[k]->parameter <= hits.parameter[k]) continue;
+      nearest[k] = {index, hits.parameter[k]};
     }
   }
   return nearest;

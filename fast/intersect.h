@@ -22,12 +22,6 @@ struct Roots {
   double larger;          ///< only where half_chord_sq >= 0.
 };
 
-/// Where a ray meets a sphere.
-struct Hit {
-  double parameter;     ///< s, in multiples of the ray's direction.
-  scene::Point3 point;  ///< Q = L + s D.
-};
-
 /// A way to intersect rays with a sphere. All methods share one contract:
 /// Shape:  N rays, one sphere -> N hits; the output is resized to N.
 /// Units:  scene lengths; s in multiples of the ray's direction, which need not be unit.
@@ -43,10 +37,9 @@ struct Hit {
 struct IntersectMethod {
   std::string_view name;
   std::string_view sentence;
-  void (*intersect)(const Rays&, const scene::Sphere&, scene::Root, scene::Tangent, Hits&);
+  void (*intersect)(const Rays&, const scene::Sphere&, scene::HitRule, Hits&);
   /// The same answer for one ray, to the bit; validity is not checked.
-  std::optional<Hit> (*intersect_one)(const scene::Ray&, const scene::Sphere&, scene::Root,
-                                      scene::Tangent);
+  std::optional<Hit> (*intersect_one)(const scene::Ray&, const scene::Sphere&, scene::HitRule);
   /// The values an answer is chosen from, for one ray, unchecked; null if a method has none.
   Roots (*roots)(const scene::Ray&, const scene::Sphere&) = nullptr;
   // The bounds; audited by the tests of fast/ and the campaigns of `raycheck properties`.
@@ -65,11 +58,17 @@ RAYCHECK_INTERSECT_METHODS(RAYCHECK_DECLARE)
 /// Every method, in the order of reports.
 std::span<const IntersectMethod* const> intersect_methods();
 
-/// The first sphere that each ray meets; among equals the earlier in the file.
-/// Shape: N rays, M spheres -> N indices, empty where every sphere is missed.
-std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& method,
-                                                        const Rays& rays,
-                                                        std::span<const scene::Sphere> spheres,
-                                                        scene::Root root, scene::Tangent tangent);
+/// What a ray meets first: the sphere's index, and s.
+struct FirstHit {
+  std::size_t sphere;
+  double parameter;
+};
+
+/// The first sphere that each ray meets; among equals the earlier in the list.
+/// Shape: N rays, M spheres -> N answers, empty where every sphere is missed.
+std::vector<std::optional<FirstHit>> nearest_spheres(const IntersectMethod& method,
+                                                     const Rays& rays,
+                                                     std::span<const scene::Sphere> spheres,
+                                                     scene::HitRule rule);
 
 }  // namespace raycheck::fast

@@ -2,7 +2,7 @@
 
 // Turns a method that answers one ray at a time into an IntersectMethod, in whatever number type it
 // computes. Such a Method is made from a sphere, `Method{sphere}`, and then answers rays:
-// std::optional<Hit> answer(const scene::Ray&, scene::Root, scene::Tangent) const.
+// std::optional<Hit> answer(const scene::Ray&, scene::HitRule) const.
 
 #include <cstddef>
 #include <optional>
@@ -14,11 +14,6 @@ namespace raycheck::fast {
 /// Throws std::invalid_argument naming the first field that makes the input invalid.
 void require_valid(const Rays& rays, const scene::Sphere& sphere);
 
-inline scene::Ray ray_at(const Rays& rays, std::size_t k) {
-  return {{rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},
-          {rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]}};
-}
-
 /// The hit at parameter s: Q = L + s D in doubles.
 inline Hit hit_at(const scene::Ray& ray, double s) {
   return {s,
@@ -28,27 +23,22 @@ inline Hit hit_at(const scene::Ray& ray, double s) {
 
 /// IntersectMethod::intersect
 template <class Method>
-void intersect_ray_by_ray(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-                          scene::Tangent tangent, Hits& hits) {
+void intersect_ray_by_ray(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule,
+                          Hits& hits) {
   require_valid(rays, sphere);
   const Method method{sphere};
   hits.resize(rays.size());
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    const std::optional<Hit> hit = method.answer(ray_at(rays, k), root, tangent);
-    const Hit at = hit.value_or(Hit{});
-    hits.hit[k] = hit ? 1 : 0;
-    hits.parameter[k] = at.parameter;
-    hits.point.x[k] = at.point.x;
-    hits.point.y[k] = at.point.y;
-    hits.point.z[k] = at.point.z;
+    const std::optional<Hit> hit = method.answer(rays.at(k), rule);
+    hits.set(k, hit.has_value(), hit.value_or(Hit{}));
   }
 }
 
 /// IntersectMethod::intersect_one
 template <class Method>
 std::optional<Hit> intersect_one_ray(const scene::Ray& ray, const scene::Sphere& sphere,
-                                     scene::Root root, scene::Tangent tangent) {
-  return Method{sphere}.answer(ray, root, tangent);
+                                     scene::HitRule rule) {
+  return Method{sphere}.answer(ray, rule);
 }
 
 }  // namespace raycheck::fast

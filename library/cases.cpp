@@ -9,8 +9,8 @@
 #include "properties/cases/case_text.h"
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
+#include "scene/fields.h"
 #include "scene/files/scene_file.h"
-#include "scene/scene_scalars.h"
 #include "scene/validate.h"
 
 namespace raycheck {
@@ -90,7 +90,7 @@ std::optional<Case> case_of_bytes(const std::uint8_t* bytes, std::size_t count) 
   const int severity = source.dial ? from.one() % (source.dial->highest + 1) : 0;
   properties::Case made = raycheck::made(source, from.value<std::uint64_t>(), 0, severity);
   std::vector<double*> numbers;
-  properties::for_each_number(made.scene, [&](double& number) { numbers.push_back(&number); });
+  scene::for_each_number(made.scene, [&](double& number) { numbers.push_back(&number); });
   while (!from.is_empty() && !numbers.empty()) {
     double& number = *numbers[from.one() % numbers.size()];
     number = from.value<double>();

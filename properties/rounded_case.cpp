@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/fields.h"
 #include "scene/number.h"
-#include "scene/scene_scalars.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {

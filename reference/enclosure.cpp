@@ -100,46 +100,37 @@ Enclosure& Enclosure::operator=(const Enclosure& other) {
   return *this;
 }
 
-Enclosure& Enclosure::operator+=(const Enclosure& other) {
+template <auto kOperation>
+Enclosure& Enclosure::apply(const Enclosure& other) {
   bits_ = std::max(bits_, other.bits_);
-  arb_add(ball_, ball_, other.ball_, bits_);
-  return *this;
-}
-Enclosure& Enclosure::operator-=(const Enclosure& other) {
-  bits_ = std::max(bits_, other.bits_);
-  arb_sub(ball_, ball_, other.ball_, bits_);
-  return *this;
-}
-Enclosure& Enclosure::operator*=(const Enclosure& other) {
-  bits_ = std::max(bits_, other.bits_);
-  arb_mul(ball_, ball_, other.ball_, bits_);
-  return *this;
-}
-Enclosure& Enclosure::operator/=(const Enclosure& other) {
-  bits_ = std::max(bits_, other.bits_);
-  arb_div(ball_, ball_, other.ball_, bits_);
+  kOperation(ball_, ball_, other.ball_, bits_);
   return *this;
 }
 
-Enclosure operator+(const Enclosure& a, const Enclosure& b) {
-  Enclosure result(a, b);
-  arb_add(result.ball_, a.ball_, b.ball_, result.bits_);
+template <auto kOperation>
+Enclosure Enclosure::result_of(const Enclosure& a, const Enclosure& b) {
+  Enclosure result;
+  result.bits_ = std::max(a.bits_, b.bits_);
+  kOperation(result.ball_, a.ball_, b.ball_, result.bits_);
   return result;
+}
+
+Enclosure& Enclosure::operator+=(const Enclosure& other) { return apply<arb_add>(other); }
+Enclosure& Enclosure::operator-=(const Enclosure& other) { return apply<arb_sub>(other); }
+Enclosure& Enclosure::operator*=(const Enclosure& other) { return apply<arb_mul>(other); }
+Enclosure& Enclosure::operator/=(const Enclosure& other) { return apply<arb_div>(other); }
+
+Enclosure operator+(const Enclosure& a, const Enclosure& b) {
+  return Enclosure::result_of<arb_add>(a, b);
 }
 Enclosure operator-(const Enclosure& a, const Enclosure& b) {
-  Enclosure result(a, b);
-  arb_sub(result.ball_, a.ball_, b.ball_, result.bits_);
-  return result;
+  return Enclosure::result_of<arb_sub>(a, b);
 }
 Enclosure operator*(const Enclosure& a, const Enclosure& b) {
-  Enclosure result(a, b);
-  arb_mul(result.ball_, a.ball_, b.ball_, result.bits_);
-  return result;
+  return Enclosure::result_of<arb_mul>(a, b);
 }
 Enclosure operator/(const Enclosure& a, const Enclosure& b) {
-  Enclosure result(a, b);
-  arb_div(result.ball_, a.ball_, b.ball_, result.bits_);
-  return result;
+  return Enclosure::result_of<arb_div>(a, b);
 }
 
 Enclosure Enclosure::operator-() const {

@@ -77,10 +77,10 @@ class Enclosure {
     bits_ = other.bits_;
     other.bits_ = bits;
   }
-  /// Zero, at the precision of a result computed from two numbers.
-  Enclosure(const Enclosure& a, const Enclosure& b) : Enclosure() {
-    bits_ = a.bits_ > b.bits_ ? a.bits_ : b.bits_;
-  }
+  template <auto kOperation>
+  Enclosure& apply(const Enclosure& other);
+  template <auto kOperation>
+  static Enclosure result_of(const Enclosure& a, const Enclosure& b);
   friend Enclosure operator+(const Enclosure& a, const Enclosure& b);
   friend Enclosure operator-(const Enclosure& a, const Enclosure& b);
   friend Enclosure operator*(const Enclosure& a, const Enclosure& b);

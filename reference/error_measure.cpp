@@ -11,13 +11,7 @@ namespace raycheck::reference {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kBits = 192;
 static_assert(2 * kErrorWidth <= kUnitDefectWidth);
-
-template <class Triple>
-Enclosure3 lifted(const Triple& value) {
-  return {Enclosure(value.x, kBits), Enclosure(value.y, kBits), Enclosure(value.z, kBits)};
-}
 
 template <class Triple>
 bool is_finite(const Triple& value) {
@@ -27,7 +21,7 @@ bool is_finite(const Triple& value) {
 template <class Triple>
 double relative_error_of(const Triple& given, const Enclosure3& exact) {
   if (!is_finite(given)) return kInfinity;
-  const Enclosure3 answer = lifted(given);
+  const Enclosure3 answer = enclose_exactly(given);
   if (norm(answer - exact).certain_sign() == 0) return 0;
   return norm(exact).contains_zero() ? kInfinity : in_units_of_u(relative_distance(answer, exact));
 }
@@ -70,7 +64,7 @@ double relative_error(const scene::UnitVector3& given, const Enclosure3& exact) 
 
 double angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
   if (!is_finite(given)) return kInfinity;
-  const Enclosure3 direction = lifted(given);
+  const Enclosure3 direction = enclose_exactly(given);
   const Enclosure cosine = dot(direction, exact);
   if (cosine.certain_sign() != 1) return kInfinity;
   return in_units_of_u(tangent(direction, exact, cosine));
@@ -79,7 +73,7 @@ double angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
 double unit_defect(const scene::UnitVector3& given) {
   if (!is_finite(given)) return kInfinity;
   if (const auto defect = unit_defect_by_double_doubles(given)) return *defect;
-  return in_units_of_u(distance_from_unit(lifted(given)));
+  return in_units_of_u(distance_from_unit(enclose_exactly(given)));
 }
 
 double backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double parameter) {
@@ -87,7 +81,7 @@ double backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double
   scene::require_valid(sphere);
   if (!std::isfinite(parameter)) return kInfinity;
   // Doubles span 2098 bits, q at most 4200 and p 8500, where the balls are exact and the loop ends.
-  for (int bits = 2 * kBits;; bits *= 2) {
+  for (int bits = 384;; bits *= 2) {
     const Enclosure s(parameter, bits);
     const Enclosure r_sq = Enclosure(sphere.radius, bits) * Enclosure(sphere.radius, bits);
     Enclosure p = -r_sq;
@@ -110,10 +104,6 @@ double backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double
     return std::min(error.upper(), kMostBackwardError);
   }
 }
-
-Enclosure3 enclose_exactly(const scene::Point3& given) { return lifted(given); }
-Enclosure3 enclose_exactly(const scene::Vector3& given) { return lifted(given); }
-Enclosure3 enclose_exactly(const scene::UnitVector3& given) { return lifted(given); }
 
 double in_units_of_u(const Enclosure& x) {
   Enclosure scaled = abs(x);

@@ -42,9 +42,11 @@ inline constexpr double kBackwardErrorWidth = 0x1p-29;
 inline constexpr double kMostBackwardError = 0x1p52;
 
 /// An enclosure of the given doubles themselves, at a precision that keeps short products exact.
-Enclosure3 enclose_exactly(const scene::Point3& given);
-Enclosure3 enclose_exactly(const scene::Vector3& given);
-Enclosure3 enclose_exactly(const scene::UnitVector3& given);
+template <class Given>
+Enclosure3 enclose_exactly(const Given& given) {
+  constexpr int kBits = 192;
+  return {Enclosure(given.x, kBits), Enclosure(given.y, kBits), Enclosure(given.z, kBits)};
+}
 
 /// An upper bound of |x| in units of u = 2^-53; infinite when it is not finite.
 double in_units_of_u(const Enclosure& x);

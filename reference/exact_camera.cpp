@@ -41,21 +41,19 @@ void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel) {
 ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
     : camera(validated(its_camera, its_conventions)),
       conventions(its_conventions),
-      first_bits(camera_numbers<EnclosureKernel>(EnclosureLift{kFirstBits}, camera)),
-      middle_bits(camera_numbers<EnclosureKernel>(EnclosureLift{kMiddleBits}, camera)),
-      intervals{lift_camera<IntervalKernel>(IntervalLift{}, camera),
+      first_bits(camera_numbers(EnclosureLift{kFirstBits}, camera)),
+      middle_bits(camera_numbers(EnclosureLift{kMiddleBits}, camera)),
+      intervals{lift_camera(IntervalLift{}, camera),
                 converted<IntervalKernel>(middle_bits.axes, bounds)},
-      double_doubles{lift_camera<DoubleDoubleKernel>(DoubleDoubleLift{}, camera),
+      double_doubles{lift_camera(DoubleDoubleLift{}, camera),
                      converted<DoubleDoubleKernel>(
                          middle_bits.axes, [](const Enclosure& x) { return DoubleDouble(x); })},
-      exact(camera_numbers<ExactKernel>(ExactLift{}, camera)) {}
+      exact(camera_numbers(ExactLift{}, camera)) {}
 
-const CameraNumbers<EnclosureKernel>& ExactCamera::Impl::enclosed(
-    const EnclosureLift& lift, std::optional<CameraNumbers<EnclosureKernel>>& scratch) const {
+CameraNumbers<EnclosureKernel> ExactCamera::Impl::enclosed(const EnclosureLift& lift) const {
   if (lift.relative_change == 0 && lift.bits == kFirstBits) return first_bits;
   if (lift.relative_change == 0 && lift.bits == kMiddleBits) return middle_bits;
-  scratch = camera_numbers<EnclosureKernel>(lift, camera);
-  return *scratch;
+  return camera_numbers(lift, camera);
 }
 
 ExactCamera::ExactCamera(const scene::Camera& camera, const scene::Conventions& conventions)
@@ -66,62 +64,40 @@ const scene::Conventions& ExactCamera::conventions() const { return impl_->conve
 
 namespace {
 
-using AxisOf = EnclosureKernel::Vector_3 Axes<EnclosureKernel>::*;
-using ExactAxisOf = ExactKernel::Vector_3 Axes<ExactKernel>::*;
-
-/// Applies narrow() or round_to_nearest() to one coordinate of one axis.
-template <class Result, class Finish>
-Result finish_axis(const ExactCamera::Impl& impl, AxisOf axis, ExactAxisOf exact_axis,
-                   Finish finish) {
-  const auto coordinate = [&](int k) {
-    return finish(
-        (impl.first_bits.axes.*axis)[k],
-        [&, k](int bits) {
-          std::optional<CameraNumbers<EnclosureKernel>> scratch;
-          return (impl.enclosed(EnclosureLift{bits}, scratch).axes.*axis)[k];
-        },
-        [&, k](const Rational& m) {
-          return *certain_sign((impl.exact.axes.*exact_axis)[k] - ExactNumber(FirstExtension(m)));
-        });
+/// Narrows or rounds every coordinate of the axes.
+template <class Frame, class Finish>
+Frame finish_frame(const ExactCamera::Impl& impl, Finish finish) {
+  const auto axis = [&](auto of, auto exact_of) -> decltype(Frame::U) {
+    const auto coordinate = [&](int k) {
+      return finish(
+          (impl.first_bits.axes.*of)[k],
+          [&, k](int bits) { return (impl.enclosed(EnclosureLift{bits}).axes.*of)[k]; },
+          [&, k](const Rational& m) {
+            return *certain_sign((impl.exact.axes.*exact_of)[k] - ExactNumber(FirstExtension(m)));
+          });
+    };
+    return {coordinate(0), coordinate(1), coordinate(2)};
   };
-  return {coordinate(0), coordinate(1), coordinate(2)};
+  return {axis(&Axes<EnclosureKernel>::U, &Axes<ExactKernel>::U),
+          axis(&Axes<EnclosureKernel>::V, &Axes<ExactKernel>::V),
+          axis(&Axes<EnclosureKernel>::W, &Axes<ExactKernel>::W)};
 }
 
 }  // namespace
 
 EnclosedFrame ExactCamera::frame(int relative_bits) const {
-  const auto finish = [relative_bits](Enclosure first, auto enclose, auto compare) {
-    return narrow(std::move(first), relative_bits, enclose, compare);
-  };
-  return {
-      finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::U, &Axes<ExactKernel>::U, finish),
-      finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::V, &Axes<ExactKernel>::V, finish),
-      finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::W, &Axes<ExactKernel>::W, finish)};
+  return finish_frame<EnclosedFrame>(*impl_, Narrow{relative_bits});
 }
 
 RoundedFrame ExactCamera::rounded_frame(scene::Precision precision) const {
-  const auto finish = [precision](Enclosure first, auto enclose, auto compare) {
-    const double nearest = round_to_nearest(std::move(first), enclose, compare);
-    return precision == scene::Precision::kDouble ? nearest : round_to_single(nearest, compare);
-  };
-  using Unit = scene::UnitVector3;
-  return {finish_axis<Unit>(*impl_, &Axes<EnclosureKernel>::U, &Axes<ExactKernel>::U, finish),
-          finish_axis<Unit>(*impl_, &Axes<EnclosureKernel>::V, &Axes<ExactKernel>::V, finish),
-          finish_axis<Unit>(*impl_, &Axes<EnclosureKernel>::W, &Axes<ExactKernel>::W, finish)};
-}
-
-EnclosedFrame ExactCamera::frame_within(double relative_change, int bits) const {
-  std::optional<CameraNumbers<EnclosureKernel>> scratch;
-  const auto& axes = impl_->enclosed(EnclosureLift{bits, relative_change}, scratch).axes;
-  return {coordinates(axes.U), coordinates(axes.V), coordinates(axes.W)};
+  return finish_frame<RoundedFrame>(*impl_, Round{precision});
 }
 
 Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) const {
   require_pixel_of(impl_->camera, pixel);
   const EnclosureLift lift{bits};
-  const auto inputs = lift_camera<EnclosureKernel>(lift, impl_->camera);
-  auto position = reference::plane_position<EnclosureKernel>(lift, inputs, impl_->camera,
-                                                             impl_->conventions, pixel);
+  const auto inputs = lift_camera(lift, impl_->camera);
+  auto position = reference::plane_position(lift, inputs, impl_->camera, impl_->conventions, pixel);
   return {std::move(position.alpha), std::move(position.beta), inputs.near};
 }
 

@@ -35,8 +35,6 @@ class ExactCamera {
   /// Axes of relative width 2^-relative_bits per coordinate; exact where a coordinate is 0.
   EnclosedFrame frame(int relative_bits = 70) const;
   RoundedFrame rounded_frame(scene::Precision precision = scene::Precision::kDouble) const;
-  /// Axes when every input is known only up to a relative change, at one working precision.
-  EnclosedFrame frame_within(double relative_change, int bits = 256) const;
   /// alpha(i) and beta(j) of a pixel, with `near` as the third coordinate.
   Enclosure3 plane_position(const scene::Pixel& pixel, int bits = 256) const;
 

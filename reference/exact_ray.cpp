@@ -21,8 +21,8 @@ namespace {
   return {{line.g.x(), line.g.y(), line.g.z()}, line.a};
 }
 
-void raise(Rung* highest, Rung rung) {
-  if (highest != nullptr) *highest = std::max(*highest, rung);
+void raise(Rungs by, Rung rung) {
+  if (by.highest != nullptr) *by.highest = std::max(*by.highest, rung);
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ ExactRay::Direction ExactRay::direction_in_double_doubles() const {
 /// The first rung; while it lives doubles round upward, and the ray's line is in intervals.
 struct ExactRay::Filter {
   explicit Filter(const ExactRay& ray)
-      : line{lift_vector<IntervalKernel>(IntervalLift{}, base_of(ray.source_)),
+      : line{lift_vector(IntervalLift{}, base_of(ray.source_)),
              {Interval(ray.bounds_[0], ray.bounds_[1]), Interval(ray.bounds_[2], ray.bounds_[3]),
               Interval(ray.bounds_[4], ray.bounds_[5])},
              Interval(ray.bounds_[6], ray.bounds_[7]),
@@ -75,17 +75,17 @@ template <class SignUnder>
 /// The ladder: `sign` of the ray and two spheres under intervals, double-doubles, balls, the exact
 /// field, until one is certain; the last always is.
 template <class F>
-int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine,
-                     Rung* highest, F sign) const {
-  const auto take = [highest](Rung rung, int answer) {
-    raise(highest, rung);
+int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Rungs by,
+                     F sign) const {
+  const auto take = [by](Rung rung, int answer) {
+    raise(by, rung);
     return answer;
   };
-  const auto sign_under = [&]<class K>(const auto& lift, const Line<K>& line) {
-    return sign(line_and_sphere(line, lift_sphere<K>(lift, first)),
-                line_and_sphere(line, lift_sphere<K>(lift, second)));
+  const auto sign_under = [&](const auto& lift, const auto& line) {
+    return sign(line_and_sphere(line, lift_sphere(lift, first)),
+                line_and_sphere(line, lift_sphere(lift, second)));
   };
-  if (engine == Engine::kFiltered) {
+  if (by.engine == Engine::kFiltered) {
     {
       const Filter filter(*this);
       if (const auto answer = sign_under(IntervalLift{}, filter.line)) {
@@ -104,56 +104,55 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, En
   return take(Rung::kField, *sign_under(lift, line_of(lift, source_)));
 }
 
-Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, Engine engine,
-                                 Rung* highest) const {
+Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, Rungs by) const {
   scene::require_valid(sphere);
-  if (engine == Engine::kFiltered) {  // All coefficients at once: intervals nearly always decide.
+  if (by.engine ==
+      Engine::kFiltered) {  // All coefficients at once: intervals nearly always decide.
     const Filter filter(*this);
-    const auto pair =
-        line_and_sphere(filter.line, lift_sphere<IntervalKernel>(IntervalLift{}, sphere));
+    const auto pair = line_and_sphere(filter.line, lift_sphere(IntervalLift{}, sphere));
     const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
     if (const auto certain = classify(sign, root)) {
-      raise(highest, Rung::kIntervals);
+      raise(by, Rung::kIntervals);
       return *certain;
     }
   }
   return *classify(
       [&](Coefficient coefficient) -> std::optional<int> {
-        return decide(
-            sphere, sphere, engine, highest,
-            [coefficient](const auto& pair, const auto&) { return sign_of(coefficient, pair); });
+        return decide(sphere, sphere, by, [coefficient](const auto& pair, const auto&) {
+          return sign_of(coefficient, pair);
+        });
       },
       root);
 }
 
 Intersection ExactRay::intersect(const scene::Sphere& sphere, const scene::Conventions& conventions,
-                                 Engine engine, Rung* highest) const {
+                                 Rungs by) const {
   const scene::ValidRoots& valid = conventions.valid;
-  if (valid.is_usual()) return intersect(sphere, conventions.root, engine, highest);
+  if (valid.is_usual()) return intersect(sphere, conventions.root, by);
   scene::require_valid(sphere);
-  const int line_class = decide(sphere, sphere, engine, highest, [](const auto& pair, const auto&) {
+  const int line_class = decide(sphere, sphere, by, [](const auto& pair, const auto&) {
     return sign_of(Coefficient::kDiscriminant, pair);
   });
   if (line_class < 0) return {};
   const HitClass hit = line_class == 0 ? HitClass::kTangent : HitClass::kHit;
   for (const WhichRoot root : {WhichRoot::kSmaller, WhichRoot::kLarger}) {
     const Intersection at{hit, root};
-    if (counts(sphere, at, valid, engine, highest) == RootCounts::kYes) return at;
+    if (counts(sphere, at, valid, by) == RootCounts::kYes) return at;
     if (conventions.root == scene::Root::kSmaller) break;
   }
   return {};
 }
 
 RootCounts ExactRay::counts(const scene::Sphere& sphere, const Intersection& at,
-                            const scene::ValidRoots& valid, Engine engine, Rung* highest) const {
+                            const scene::ValidRoots& valid, Rungs by) const {
   const auto culled =
       at.root == WhichRoot::kSmaller ? scene::Culling::kFrontFaces : scene::Culling::kBackFaces;
   if (valid.culling == culled) return RootCounts::kCulled;
-  const int above = compare_parameter(sphere, at, valid.t_min, valid.unit, engine, highest);
+  const int above = compare_parameter(sphere, at, valid.t_min, valid.unit, by);
   if (above < 0) return RootCounts::kBeforeMin;
   if (above == 0 && !valid.includes_min()) return RootCounts::kOnOpenMin;
   if (std::isinf(valid.t_max)) return RootCounts::kYes;
-  const int beyond = compare_parameter(sphere, at, valid.t_max, valid.unit, engine, highest);
+  const int beyond = compare_parameter(sphere, at, valid.t_max, valid.unit, by);
   if (beyond > 0) return RootCounts::kBeyondMax;
   return beyond == 0 && !valid.includes_max() ? RootCounts::kOnOpenMax : RootCounts::kYes;
 }
@@ -175,10 +174,10 @@ Number exactly(double value) {
 }  // namespace
 
 int ExactRay::compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
-                                scene::TUnit unit, Engine engine, Rung* highest) const {
+                                scene::TUnit unit, Rungs by) const {
   scene::require_valid(sphere);
   // s = (b + sign sqrt(disc)) / a, of a unit direction over sqrt(a).
-  return decide(sphere, sphere, engine, highest, [&]<class Pair>(const Pair& pair, const Pair&) {
+  return decide(sphere, sphere, by, [&]<class Pair>(const Pair& pair, const Pair&) {
     using Number = std::decay_t<decltype(pair.radius)>;
     const Number end = unit == scene::TUnit::kRadius ? Number(exactly<Number>(t) * pair.radius)
                                                      : exactly<Number>(t);
@@ -193,11 +192,10 @@ int ExactRay::compare_parameter(const scene::Sphere& sphere, const Intersection&
 }
 
 int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
-                      const scene::Sphere& second, const Intersection& at_second, Engine engine,
-                      Rung* highest) const {
+                      const scene::Sphere& second, const Intersection& at_second, Rungs by) const {
   scene::require_valid(first);
   scene::require_valid(second);
-  return decide(first, second, engine, highest, [&](const auto& one, const auto& other) {
+  return decide(first, second, by, [&](const auto& one, const auto& other) {
     const auto difference = linear_coefficient(one) - linear_coefficient(other);
     using Number = std::decay_t<decltype(difference)>;
     return sign_of_radical_sum(difference, Number(root_sign(at_first)), Number(discriminant(one)),
@@ -207,27 +205,25 @@ int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
 
 void ExactRay::keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
                             const Intersection& at, std::optional<NearestSphere>& best,
-                            Rung* highest) const {
-  const int order = best ? compare(spheres[index], at, spheres[best->index], best->intersection,
-                                   Engine::kFiltered, highest)
-                         : -1;
+                            Rungs by) const {
+  const int order =
+      best ? compare(spheres[index], at, spheres[best->index], best->intersection, by) : -1;
   if (order < 0) best = NearestSphere{index, at, {}};
   if (order <= 0) best->ties.push_back(index);
 }
 
 std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> spheres,
                                                const scene::Conventions& conventions,
-                                               Rung* highest) const {
+                                               Rungs by) const {
   constexpr std::size_t kBetweenPolls = 256;
   std::optional<NearestSphere> best;
   const bool is_usual = conventions.valid.is_usual();
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     if (k % kBetweenPolls == 0) scene::poll();
-    const Intersection here =
-        is_usual ? intersect(spheres[k], conventions.root, Engine::kFiltered, highest)
-                 : intersect(spheres[k], conventions, Engine::kFiltered, highest);
+    const Intersection here = is_usual ? intersect(spheres[k], conventions.root, by)
+                                       : intersect(spheres[k], conventions, by);
     if (!counts_as_hit(here.hit_class, conventions.tangent)) continue;
-    keep_nearest(spheres, k, here, best, highest);
+    keep_nearest(spheres, k, here, best, by);
   }
   return best;
 }

@@ -19,15 +19,7 @@
 namespace raycheck::reference {
 
 enum class HitClass { kMiss, kHit, kTangent };
-inline constexpr std::array<std::string_view, 3> kHitClassNames = {"miss", "hit", "tangent"};
-constexpr std::string_view name(HitClass hit_class) {
-  return kHitClassNames[static_cast<std::size_t>(hit_class)];
-}
 enum class WhichRoot { kSmaller, kLarger };  ///< v - d, v + d
-inline constexpr std::array<std::string_view, 2> kWhichRootNames = {"smaller", "larger"};
-constexpr std::string_view name(WhichRoot value) {
-  return kWhichRootNames[static_cast<std::size_t>(value)];
-}
 
 /// How a ray meets a sphere; `root` is valid only for hits and tangents.
 struct Intersection {
@@ -48,6 +40,12 @@ enum class Engine { kFiltered, kFieldOnly };
 
 /// The rungs of Engine::kFiltered, the cheapest first; a decision takes the first that is certain.
 enum class Rung { kIntervals, kDoubleDoubles, kBalls, kField };
+
+/// What decides; `highest`, if given, is raised to the highest rung that a decision needed.
+struct Rungs {
+  Engine engine = Engine::kFiltered;
+  Rung* highest = nullptr;
+};
 
 /// The sphere that a ray meets first.
 struct NearestSphere {
@@ -78,11 +76,14 @@ class EnclosedRay {
 /// Whether a root is valid (scene::ValidRoots), and if not, why.
 enum class RootCounts { kYes, kCulled, kBeforeMin, kOnOpenMin, kOnOpenMax, kBeyondMax };
 
+inline constexpr std::array<std::string_view, 3> kHitClassNames = {"miss", "hit", "tangent"};
+inline constexpr std::array<std::string_view, 2> kWhichRootNames = {"smaller", "larger"};
 inline constexpr std::array<std::string_view, 6> kRootCountsNames = {
     "yes", "culled", "before t_min", "on an open t_min", "on an open t_max", "beyond t_max"};
-constexpr std::string_view name(RootCounts value) {
-  return kRootCountsNames[static_cast<std::size_t>(value)];
-}
+constexpr auto& names_of(HitClass /*of*/) { return kHitClassNames; }
+constexpr auto& names_of(WhichRoot /*of*/) { return kWhichRootNames; }
+constexpr auto& names_of(RootCounts /*of*/) { return kRootCountsNames; }
+using scene::name;
 
 /// One ray, known exactly: through a camera's pixel, or given by doubles.
 /// Units:  scene lengths; the parameter s of a camera's ray is a length (its direction is unit),
@@ -115,35 +116,30 @@ class ExactRay {
   };
   Direction direction_in_double_doubles() const;
 
-  /// Hit, miss or tangent, and at which root, under a `root` convention. `highest`, if given, is
-  /// raised to the highest rung that a decision needed.
+  /// Hit, miss or tangent, and at which root, under a `root` convention.
   Intersection intersect(const scene::Sphere& sphere, scene::Root root = scene::Root::kNearest,
-                         Engine engine = Engine::kFiltered, Rung* highest = nullptr) const;
+                         Rungs by = {}) const;
   /// The same under all conventions about roots: which are valid, and which of these is taken.
   Intersection intersect(const scene::Sphere& sphere, const scene::Conventions& conventions,
-                         Engine engine = Engine::kFiltered, Rung* highest = nullptr) const;
+                         Rungs by = {}) const;
   /// Whether a root of a hit or a tangent counts.
   RootCounts counts(const scene::Sphere& sphere, const Intersection& at,
-                    const scene::ValidRoots& valid, Engine engine = Engine::kFiltered,
-                    Rung* highest = nullptr) const;
+                    const scene::ValidRoots& valid, Rungs by = {}) const;
   /// The sign of s - t for a hit or a tangent; if t is in radii of the sphere, t r is exact.
   /// Domain: t is finite.
   int compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
-                        scene::TUnit unit, Engine engine = Engine::kFiltered,
-                        Rung* highest = nullptr) const;
+                        scene::TUnit unit, Rungs by = {}) const;
   /// The sign of s(first) - s(second), both of which must be hits.
   int compare(const scene::Sphere& first, const Intersection& at_first, const scene::Sphere& second,
-              const Intersection& at_second, Engine engine = Engine::kFiltered,
-              Rung* highest = nullptr) const;
+              const Intersection& at_second, Rungs by = {}) const;
   /// Makes sphere `index`, which is hit, the nearest when it is nearer than `best`, or one of its
   /// ties.
   void keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
                     const Intersection& at, std::optional<NearestSphere>& best,
-                    Rung* highest = nullptr) const;
+                    Rungs by = {}) const;
   /// The sphere met first, ties included; empty when none is.
   std::optional<NearestSphere> nearest(std::span<const scene::Sphere> spheres,
-                                       const scene::Conventions& conventions,
-                                       Rung* highest = nullptr) const;
+                                       const scene::Conventions& conventions, Rungs by = {}) const;
 
   /// Enclosures of relative width 2^-relative_bits per coordinate; exact where the value is 0.
   Enclosure3 pixel_point(int relative_bits = kValueBits) const;
@@ -173,8 +169,7 @@ class ExactRay {
  private:
   struct Filter;
   template <class F>
-  int decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine, Rung* highest,
-             F sign) const;
+  int decide(const scene::Sphere& first, const scene::Sphere& second, Rungs by, F sign) const;
 
   Source source_;
   std::array<double, 8> bounds_;  ///< Lower and upper bounds of g and |g|^2: the filter's line.

@@ -26,8 +26,7 @@ template <class Measure>
 auto by_double_doubles(const ExactRay& ray, const scene::Sphere& sphere, const Measure& measure) {
   scene::require_valid(sphere);
   return by_double_doubles(ray, [&](const Line<DoubleDoubleKernel>& line) {
-    return measure(
-        line_and_sphere(line, lift_sphere<DoubleDoubleKernel>(DoubleDoubleLift{}, sphere)));
+    return measure(line_and_sphere(line, lift_sphere(DoubleDoubleLift{}, sphere)));
   });
 }
 

@@ -51,37 +51,6 @@ Result finish_vector(const ExactRay& ray, const Value& value, Compare compare, F
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// narrow() to a relative width.
-struct Narrow {
-  int relative_bits;
-  template <class Enclose, class Compare>
-  Enclosure operator()(Enclosure first, Enclose enclose, Compare compare) const {
-    return narrow(std::move(first), relative_bits, enclose, compare);
-  }
-};
-
-/// round_to_nearest(), starting from an enclosure that leaves few values undecided.
-struct Round {
-  static constexpr int relative_bits = ExactRay::kValueBits;
-  template <class Enclose, class Compare>
-  double operator()(Enclosure first, Enclose enclose, Compare compare) const {
-    return round_to_nearest(std::move(first), enclose, compare);
-  }
-};
-struct RoundToSingle {
-  static constexpr int relative_bits = ExactRay::kValueBits;
-  template <class Enclose, class Compare>
-  double operator()(Enclosure first, Enclose enclose, Compare compare) const {
-    return round_to_single(round_to_nearest(std::move(first), enclose, compare), compare);
-  }
-};
-
-/// finish(Round{}), or the one that rounds to floats.
-template <class Finish>
-auto rounded(scene::Precision precision, const Finish& finish) {
-  return precision == scene::Precision::kDouble ? finish(Round{}) : finish(RoundToSingle{});
-}
-
 /// Exact comparisons of a line's values with rationals; the line is made on first use.
 class ExactValues {
  public:
@@ -99,7 +68,7 @@ class ExactValues {
   }
   /// (b +- sqrt(disc)) / sqrt(a) - m for a camera's ray, (b +- sqrt(disc)) / a - m for a given one.
   int compare_parameter(const scene::Sphere& sphere, const Intersection& at, const Rational& m) {
-    const auto pair = line_and_sphere(line(), lift_sphere<ExactKernel>(ExactLift{}, sphere));
+    const auto pair = line_and_sphere(line(), lift_sphere(ExactLift{}, sphere));
     const ExactNumber b = linear_coefficient(pair);
     const ExactNumber sign(root_sign(at));
     if (line().is_unit) {
@@ -110,7 +79,7 @@ class ExactValues {
   }
   /// L_k + (b +- sqrt(disc)) g_k / a - m
   int compare_point(const scene::Sphere& sphere, const Intersection& at, int k, const Rational& m) {
-    const auto pair = line_and_sphere(line(), lift_sphere<ExactKernel>(ExactLift{}, sphere));
+    const auto pair = line_and_sphere(line(), lift_sphere(ExactLift{}, sphere));
     const ExactNumber& g = line().g[k];
     return *sign_of_radical_sum(
         (ray_origin(line())[k] - exact(m)) * line().a + linear_coefficient(pair) * g,
@@ -158,8 +127,8 @@ auto finish_parameter(const ExactRay& ray, const scene::Sphere& sphere, const In
   ExactValues values(ray);
   return finish_number(
       ray,
-      [&]<class K>(const auto& lift, const Line<K>& line) {
-        return ray_parameter(line_and_sphere(line, lift_sphere<K>(lift, sphere)), root_sign(at));
+      [&](const auto& lift, const auto& line) {
+        return ray_parameter(line_and_sphere(line, lift_sphere(lift, sphere)), root_sign(at));
       },
       [&](const Rational& m) { return values.compare_parameter(sphere, at, m); }, finish);
 }
@@ -171,8 +140,8 @@ Result finish_point(const ExactRay& ray, const scene::Sphere& sphere, const Inte
   ExactValues values(ray);
   return finish_vector<Result>(
       ray,
-      [&]<class K>(const auto& lift, const Line<K>& line) {
-        return hit_point(line_and_sphere(line, lift_sphere<K>(lift, sphere)), root_sign(at));
+      [&](const auto& lift, const auto& line) {
+        return hit_point(line_and_sphere(line, lift_sphere(lift, sphere)), root_sign(at));
       },
       [&](int k, const Rational& m) { return values.compare_point(sphere, at, k, m); }, finish);
 }
@@ -198,26 +167,49 @@ Enclosure3 ExactRay::point(const scene::Sphere& sphere, const Intersection& inte
 }
 
 scene::Point3 ExactRay::rounded_pixel_point(scene::Precision precision) const {
-  return rounded(precision,
-                 [&](auto round) { return finish_pixel_point<scene::Point3>(*this, round); });
+  return finish_pixel_point<scene::Point3>(*this, Round{precision});
 }
 scene::Point3 ExactRay::rounded_origin(scene::Precision precision) const {
-  return rounded(precision, [&](auto round) { return finish_origin<scene::Point3>(*this, round); });
+  return finish_origin<scene::Point3>(*this, Round{precision});
 }
 scene::UnitVector3 ExactRay::rounded_direction(scene::Precision precision) const {
-  return rounded(precision,
-                 [&](auto round) { return finish_direction<scene::UnitVector3>(*this, round); });
+  return finish_direction<scene::UnitVector3>(*this, Round{precision});
 }
 double ExactRay::rounded_parameter(const scene::Sphere& sphere, const Intersection& intersection,
                                    scene::Precision precision) const {
-  return rounded(precision,
-                 [&](auto round) { return finish_parameter(*this, sphere, intersection, round); });
+  return finish_parameter(*this, sphere, intersection, Round{precision});
 }
 scene::Point3 ExactRay::rounded_point(const scene::Sphere& sphere, const Intersection& intersection,
                                       scene::Precision precision) const {
-  return rounded(precision, [&](auto round) {
-    return finish_point<scene::Point3>(*this, sphere, intersection, round);
-  });
+  return finish_point<scene::Point3>(*this, sphere, intersection, Round{precision});
+}
+
+// At one working precision.
+
+Enclosure3 EnclosedRay::origin() const { return coordinates(ray_origin(impl_->line)); }
+Enclosure3 EnclosedRay::pixel_point() const {
+  return coordinates(impl_->line.base + impl_->line.g);
+}
+Enclosure3 EnclosedRay::direction() const { return coordinates(unit_direction(impl_->line)); }
+Enclosure EnclosedRay::length() const { return ray_length(impl_->line); }
+Enclosure EnclosedRay::parameter(const scene::Sphere& sphere,
+                                 const Intersection& intersection) const {
+  return ray_parameter(impl_->with(sphere), root_sign(intersection));
+}
+Enclosure3 EnclosedRay::point(const scene::Sphere& sphere, const Intersection& intersection) const {
+  return coordinates(hit_point(impl_->with(sphere), root_sign(intersection)));
+}
+Enclosure EnclosedRay::half_chord_sq(const scene::Sphere& sphere) const {
+  return reference::half_chord_sq(impl_->with(sphere));
+}
+Enclosure EnclosedRay::axial_distance(const scene::Sphere& sphere) const {
+  return reference::axial_distance(impl_->with(sphere));
+}
+
+EnclosedRay ExactRay::enclose(int bits, double relative_change) const {
+  const EnclosureLift lift{bits, relative_change};
+  return EnclosedRay(
+      std::make_shared<const EnclosedRay::Impl>(EnclosedRay::Impl{line_of(lift, source_), lift}));
 }
 
 }  // namespace raycheck::reference

@@ -41,6 +41,12 @@ struct ValidRoots {
   bool is_usual() const { return *this == ValidRoots{}; }
 };
 
+/// Which hit a ray has of a sphere: at which root, and whether touching it is one.
+struct HitRule {
+  Root root = Root::kNearest;
+  Tangent tangent = Tangent::kHit;
+};
+
 /// The choices that the lecture leaves open; the first value of each is the default.
 struct Conventions {
   Rows rows = Rows::kBottomFirst;
@@ -50,6 +56,8 @@ struct Conventions {
   Tangent tangent = Tangent::kHit;
   ValidRoots valid = {};
   bool operator==(const Conventions&) const = default;
+
+  HitRule hit_rule() const { return {root, tangent}; }
 };
 
 /// The names that scene files and reports use, in the order of the enumerators.
@@ -65,23 +73,19 @@ inline constexpr std::array<std::string_view, 2> kTUnitNames = {"absolute", "rad
 inline constexpr std::array<std::string_view, 3> kCullingNames = {"none", "back-faces",
                                                                   "front-faces"};
 
-constexpr std::string_view name(Ends value) { return kEndsNames[static_cast<std::size_t>(value)]; }
-constexpr std::string_view name(TUnit value) {
-  return kTUnitNames[static_cast<std::size_t>(value)];
-}
-constexpr std::string_view name(Culling value) {
-  return kCullingNames[static_cast<std::size_t>(value)];
-}
-constexpr std::string_view name(Rows value) { return kRowsNames[static_cast<std::size_t>(value)]; }
-constexpr std::string_view name(Samples value) {
-  return kSamplesNames[static_cast<std::size_t>(value)];
-}
-constexpr std::string_view name(Origin value) {
-  return kOriginNames[static_cast<std::size_t>(value)];
-}
-constexpr std::string_view name(Root value) { return kRootNames[static_cast<std::size_t>(value)]; }
-constexpr std::string_view name(Tangent value) {
-  return kTangentNames[static_cast<std::size_t>(value)];
+constexpr auto& names_of(Rows /*of*/) { return kRowsNames; }
+constexpr auto& names_of(Samples /*of*/) { return kSamplesNames; }
+constexpr auto& names_of(Origin /*of*/) { return kOriginNames; }
+constexpr auto& names_of(Root /*of*/) { return kRootNames; }
+constexpr auto& names_of(Tangent /*of*/) { return kTangentNames; }
+constexpr auto& names_of(Ends /*of*/) { return kEndsNames; }
+constexpr auto& names_of(TUnit /*of*/) { return kTUnitNames; }
+constexpr auto& names_of(Culling /*of*/) { return kCullingNames; }
+
+/// Of any enumeration that has names_of() beside it.
+template <class Enum>
+constexpr auto name(Enum value) -> decltype(names_of(value)[0]) {
+  return names_of(value)[static_cast<std::size_t>(value)];
 }
 
 }  // namespace raycheck::scene

@@ -18,29 +18,21 @@ namespace raycheck {
 inline fast::Rays batch_of(const std::vector<scene::Ray>& given) {
   fast::Rays rays;
   rays.resize(given.size());
-  for (std::size_t k = 0; k < given.size(); ++k) {
-    rays.origin.x[k] = given[k].origin.x;
-    rays.origin.y[k] = given[k].origin.y;
-    rays.origin.z[k] = given[k].origin.z;
-    rays.direction.x[k] = given[k].direction.x;
-    rays.direction.y[k] = given[k].direction.y;
-    rays.direction.z[k] = given[k].direction.z;
-  }
+  for (std::size_t k = 0; k < given.size(); ++k) rays.set(k, given[k]);
   return rays;
 }
 
 /// A batch has the answers of single calls, to the bit. Returns how many of them are hits.
 inline int expect_batch_is_single_calls(const fast::IntersectMethod& method,
                                         const std::vector<scene::Ray>& rays,
-                                        const scene::Sphere& sphere, scene::Root root,
-                                        scene::Tangent tangent) {
+                                        const scene::Sphere& sphere, scene::HitRule rule) {
   fast::Hits hits;
-  method.intersect(batch_of(rays), sphere, root, tangent, hits);
+  method.intersect(batch_of(rays), sphere, rule, hits);
   EXPECT_EQ(hits.size(), rays.size()) << method.name;
   if (hits.size() != rays.size()) return 0;
   int count = 0;
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    const auto one = method.intersect_one(rays[k], sphere, root, tangent);
+    const auto one = method.intersect_one(rays[k], sphere, rule);
     EXPECT_EQ(one.has_value(), hits.hit[k] != 0) << method.name << " ray " << k;
     if (!one || hits.hit[k] == 0) continue;
     ++count;
@@ -61,7 +53,7 @@ inline std::string refusal_of(const fast::IntersectMethod& method,
                               const std::vector<scene::Ray>& rays, const scene::Sphere& sphere) {
   fast::Hits hits;
   try {
-    method.intersect(batch_of(rays), sphere, scene::Root::kNearest, scene::Tangent::kHit, hits);
+    method.intersect(batch_of(rays), sphere, {}, hits);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }

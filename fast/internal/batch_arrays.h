@@ -6,10 +6,19 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "fast/intersect.h"
 
 namespace raycheck::fast {
+
+/// The answer to one ray; `at` is valid only for a hit.
+struct Chosen {
+  bool hit;
+  Hit at;
+
+  std::optional<Hit> if_hit() const { return hit ? std::optional(at) : std::nullopt; }
+};
 
 struct RayArrays {
   const double* origin[3];
@@ -39,8 +48,7 @@ struct BatchInput {
   std::size_t count;
   RayArrays rays;
   scene::Sphere sphere;
-  scene::Root root;
-  scene::Tangent tangent;
+  scene::HitRule rule;
 };
 
 /// Answers rays, each as the method's intersect_one() does. False where some ray may be invalid;
@@ -49,6 +57,6 @@ using BatchKernel = bool (*)(const BatchInput&, const HitArrays&);
 
 /// IntersectMethod::intersect with the target's kernel.
 void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,
-                  scene::Root root, scene::Tangent tangent, Hits& hits);
+                  scene::HitRule rule, Hits& hits);
 
 }  // namespace raycheck::fast

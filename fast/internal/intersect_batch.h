@@ -15,12 +15,33 @@
 #include <optional>
 
 #include "fast/internal/batch_arrays.h"
-#include "fast/internal/chosen.h"
 #include "fast/internal/triple.h"
 #include "fast/ray_by_ray.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
+
+/// A ray and a sphere, in the number type that a method computes in.
+template <class N>
+struct RayOf {
+  Triple<N> origin, direction;
+};
+template <class N>
+struct SphereOf {
+  Triple<N> centre;
+  N radius;
+};
+template <class N>
+HWY_INLINE RayOf<N> ray_of(const scene::Ray& ray) {
+  return {triple<N>(ray.origin), triple<N>(ray.direction)};
+}
+template <class N>
+HWY_INLINE SphereOf<N> sphere_of(const scene::Sphere& sphere) {
+  return {triple<N>(sphere.centre), N(sphere.radius)};
+}
+HWY_INLINE RayOf<Lanes> load(const RayArrays& from, std::size_t k) {
+  return {load(from.origin, k), load(from.direction, k)};
+}
 
 /// Roots, in the number type that a method computes in.
 template <class N>
@@ -31,6 +52,20 @@ struct RootsOf {
   N larger;
   N discriminant;  ///< A multiple of half_chord_sq; only its sign counts.
 };
+
+/// The coefficients of a t^2 - 2 b t + c = 0, whose roots are where a ray meets a sphere.
+template <class N>
+struct Quadratic {
+  Triple<N> T;  ///< From the origin to the centre.
+  N a, b, c;
+};
+
+template <class N>
+HWY_INLINE Quadratic<N> quadratic(const RayOf<N>& ray, const SphereOf<N>& sphere) {
+  const Triple<N> T = sphere.centre - ray.origin;
+  return {T, dot(ray.direction, ray.direction), dot(T, ray.direction),
+          dot(T, T) - sphere.radius * sphere.radius};
+}
 
 /// The roots of a t^2 - 2 b t + c = 0 from its discriminant: q = b + sign(b) sqrt(disc) does not
 /// cancel, the roots are q/a and c/q (Numerical Recipes 5.6). q = 0 only for a double root 0. A
@@ -54,32 +89,23 @@ struct ChosenOf {
   Triple<N> point;
 };
 
-/// The root that the conventions choose, and the point there.
-template <class N>
-HWY_INLINE ChosenOf<N> choose(const RootsOf<N>& found, const Triple<N>& origin,
-                              const Triple<N>& direction, scene::Root root,
-                              scene::Tangent tangent) {
-  const N zero(0);
-  const auto meets =
-      tangent == scene::Tangent::kMiss ? found.discriminant > zero : found.discriminant >= zero;
-  const N s = root == scene::Root::kNearest
-                  ? select(found.smaller >= zero, found.smaller, found.larger)
-                  : found.smaller;
-  const MaskOf<N> hit = meets & (s >= zero);
-  return {hit, s, origin + s * direction};
-}
-
-/// A method that has Method::roots(origin, direction, centre, radius) in the type Method::Number.
+/// A method that has Method::roots(ray, sphere) in the type Method::Number.
 template <class Method>
 struct FromRoots : Method {
   using Number = typename Method::Number;
 
-  HWY_INLINE static ChosenOf<Number> answer(const Triple<Number>& origin,
-                                            const Triple<Number>& direction,
-                                            const Triple<Number>& centre, const Number& radius,
-                                            scene::Root root, scene::Tangent tangent) {
-    return choose(Method::roots(origin, direction, centre, radius), origin, direction, root,
-                  tangent);
+  /// The root that the rule chooses, and the point there.
+  HWY_INLINE static ChosenOf<Number> answer(const RayOf<Number>& ray,
+                                            const SphereOf<Number>& sphere, scene::HitRule rule) {
+    const RootsOf<Number> found = Method::roots(ray, sphere);
+    const Number zero(0);
+    const auto meets = rule.tangent == scene::Tangent::kMiss ? found.discriminant > zero
+                                                             : found.discriminant >= zero;
+    const Number s = rule.root == scene::Root::kNearest
+                         ? select(found.smaller >= zero, found.smaller, found.larger)
+                         : found.smaller;
+    const MaskOf<Number> hit = meets & (s >= zero);
+    return {hit, s, ray.origin + s * ray.direction};
   }
 };
 
@@ -96,20 +122,16 @@ HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {
 
 template <class Answerer>
 [[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
-                                                  const scene::Sphere& sphere, scene::Root root,
-                                                  scene::Tangent tangent) {
+                                                  const scene::Sphere& sphere,
+                                                  scene::HitRule rule) {
   using N = typename Answerer::Number;
-  const Chosen chosen =
-      plain(Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction),
-                             triple<N>(sphere.centre), N(sphere.radius), root, tangent));
-  return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+  return plain(Answerer::answer(ray_of<N>(ray), sphere_of<N>(sphere), rule)).if_hit();
 }
 
 template <class Method>
 Roots roots_of(const scene::Ray& ray, const scene::Sphere& sphere) {
   using N = typename Method::Number;
-  const RootsOf<N> found = Method::roots(triple<N>(ray.origin), triple<N>(ray.direction),
-                                         triple<N>(sphere.centre), N(sphere.radius));
+  const RootsOf<N> found = Method::roots(ray_of<N>(ray), sphere_of<N>(sphere));
   return {static_cast<double>(found.axial_distance), static_cast<double>(found.half_chord_sq),
           static_cast<double>(found.smaller), static_cast<double>(found.larger)};
 }
@@ -117,21 +139,14 @@ Roots roots_of(const scene::Ray& ray, const scene::Sphere& sphere) {
 /// IntersectMethod::intersect, one ray after the other.
 template <class Answerer>
 [[gnu::flatten]] void intersect_batch(const Rays& rays, const scene::Sphere& sphere,
-                                      scene::Root root, scene::Tangent tangent, Hits& hits) {
+                                      scene::HitRule rule, Hits& hits) {
   using N = typename Answerer::Number;
   require_valid(rays, sphere);
-  const std::size_t count = rays.size();
-  hits.resize(count);
-  const Triple<N> centre = triple<N>(sphere.centre);
-  for (std::size_t k = 0; k < count; ++k) {
-    const scene::Ray ray = ray_at(rays, k);
-    const Chosen chosen = plain(Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction),
-                                                 centre, N(sphere.radius), root, tangent));
-    hits.hit[k] = chosen.hit;
-    hits.parameter[k] = chosen.at.parameter;
-    hits.point.x[k] = chosen.at.point.x;
-    hits.point.y[k] = chosen.at.point.y;
-    hits.point.z[k] = chosen.at.point.z;
+  hits.resize(rays.size());
+  const SphereOf<N> asked = sphere_of<N>(sphere);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const Chosen chosen = plain(Answerer::answer(ray_of<N>(rays.at(k)), asked, rule));
+    hits.set(k, chosen.hit, chosen.at);
   }
 }
 
@@ -140,9 +155,9 @@ template <class Answerer>
 class Validity {
  public:
   Validity() : sum_(0.0), directionless_(sum_ < sum_) {}
-  HWY_INLINE void see(const Triple<Lanes>& origin, const Triple<Lanes>& direction) {
-    const Lanes length_sq = dot(direction, direction);
-    sum_ = sum_ + ((origin.x + origin.y + origin.z) + length_sq);
+  HWY_INLINE void see(const RayOf<Lanes>& ray) {
+    const Lanes length_sq = dot(ray.direction, ray.direction);
+    sum_ = sum_ + ((ray.origin.x + ray.origin.y + ray.origin.z) + length_sq);
     directionless_ = directionless_ | (length_sq == Lanes(0.0));
   }
   HWY_INLINE bool holds() const { return !any(directionless_ | !(sum_ - sum_ == Lanes(0.0))); }
@@ -166,15 +181,12 @@ template <class Answerer>
                                                         const HitArrays& answers) {
   const BatchInput asked = input;
   const HitArrays to = answers;
-  const Triple<Lanes> centre = triple<Lanes>(asked.sphere.centre);
-  const Lanes radius(asked.sphere.radius);
+  const SphereOf<Lanes> sphere = sphere_of<Lanes>(asked.sphere);
   Validity valid;
   for (std::size_t k = 0; k < asked.count; k += kLaneCount) {
-    const Triple<Lanes> origin = load(asked.rays.origin, k);
-    const Triple<Lanes> direction = load(asked.rays.direction, k);
-    valid.see(origin, direction);
-    const ChosenOf<Lanes> chosen =
-        Answerer::answer(origin, direction, centre, radius, asked.root, asked.tangent);
+    const RayOf<Lanes> ray = load(asked.rays, k);
+    valid.see(ray);
+    const ChosenOf<Lanes> chosen = Answerer::answer(ray, sphere, asked.rule);
     store(bytes(chosen.hit), to.hit + k);
     store(chosen.parameter, to.parameter + k);
     store(chosen.point, to.point, k);
@@ -229,14 +241,13 @@ HWY_AFTER_NAMESPACE();
   }
 // Where HWY_ONCE is set, in raycheck::fast: intersect(), by the best target's batch, and One, which
 // answers one ray;
-#define RAYCHECK_INTERSECT_BY(Formula)                                            \
-  namespace {                                                                     \
-  HWY_EXPORT(batch);                                                              \
-  void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root, \
-                 scene::Tangent tangent, Hits& hits) {                            \
-    intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits); \
-  }                                                                               \
-  using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula<double>>;           \
+#define RAYCHECK_INTERSECT_BY(Formula)                                                             \
+  namespace {                                                                                      \
+  HWY_EXPORT(batch);                                                                               \
+  void intersect(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule, Hits& hits) { \
+    intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, rule, hits);                           \
+  }                                                                                                \
+  using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula<double>>;                            \
   }
 // and the functions of its IntersectMethod.
 #define RAYCHECK_FUNCTIONS                                                    \

@@ -18,12 +18,12 @@ template <class N>
 struct Textbook {
   using Number = N;
 
-  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
-                          const Triple<N>& centre, N radius) {
-    const Triple<N> from_centre = origin - centre;
+  static RootsOf<N> roots(const RayOf<N>& ray, const SphereOf<N>& sphere) {
+    const auto& [origin, direction] = ray;
+    const Triple<N> from_centre = origin - sphere.centre;
     const N a = dot(direction, direction);
     const N b = N(2) * dot(direction, from_centre);
-    const N c = dot(from_centre, from_centre) - radius * radius;
+    const N c = dot(from_centre, from_centre) - sphere.radius * sphere.radius;
     const N discriminant = b * b - N(4) * a * c;
     const N root = square_root(discriminant);
     return {-b / (N(2) * square_root(a)), discriminant / (N(4) * a), (-b - root) / (N(2) * a),
@@ -36,13 +36,13 @@ template <class N>
 struct LectureFormula {
   using Number = N;
 
-  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
-                          const Triple<N>& centre, N radius) {
+  static RootsOf<N> roots(const RayOf<N>& ray, const SphereOf<N>& sphere) {
+    const auto& [origin, direction] = ray;
     const N length = norm(direction);
     const Triple<N> U = direction / length;
-    const Triple<N> T = centre - origin;
+    const Triple<N> T = sphere.centre - origin;
     const N v = dot(T, U);
-    const N half_chord_sq = radius * radius - (dot(T, T) - v * v);
+    const N half_chord_sq = sphere.radius * sphere.radius - (dot(T, T) - v * v);
     const N half_chord = square_root(half_chord_sq);
     return {v, half_chord_sq, (v - half_chord) / length, (v + half_chord) / length, half_chord_sq};
   }
@@ -54,13 +54,13 @@ template <class N>
 struct Lagrange {
   using Number = N;
 
-  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
-                          const Triple<N>& centre, N radius) {
-    const Triple<N> T = centre - origin;
+  static RootsOf<N> roots(const RayOf<N>& ray, const SphereOf<N>& sphere) {
+    const auto& [origin, direction] = ray;
+    const Triple<N> T = sphere.centre - origin;
     const Triple<N> moment = cross(T, direction);
     const N a = dot(direction, direction);
     const N b = dot(T, direction);
-    const N radius_sq = radius * radius;
+    const N radius_sq = sphere.radius * sphere.radius;
     const N discriminant = a * radius_sq - dot(moment, moment);
     if (!(discriminant >= N(0))) {
       return {b / square_root(a), discriminant / a, N(0), N(0), discriminant};

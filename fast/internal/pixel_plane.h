@@ -56,10 +56,9 @@ struct PixelPlane {
   }
 };
 
-inline void store(Vectors& out, std::size_t k, const Eigen::Vector3d& value) {
-  out.x[k] = value.x();
-  out.y[k] = value.y();
-  out.z[k] = value.z();
+template <class Vector>
+void store(Vectors& out, std::size_t k, const Vector& value) {
+  out.set(k, scene::Vector3{value.x(), value.y(), value.z()});
 }
 
 }  // namespace raycheck::fast

@@ -11,7 +11,7 @@
 
 #include <optional>
 
-#include "fast/internal/chosen.h"
+#include "fast/internal/batch_arrays.h"
 
 namespace raycheck::fast {
 
@@ -23,7 +23,6 @@ std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere
 /// Domain: all doubles; invalid input (scene/validate.h) counts as a miss.
 /// Error:  none in the class. s and the coordinates of Q are rounded once, from values off by at
 ///         most 2^-120 of s and of s d; s is correctly rounded where sqrt(disc) is an integer.
-Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
-                          scene::Tangent tangent);
+Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule);
 
 }  // namespace raycheck::fast

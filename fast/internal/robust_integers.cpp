@@ -130,8 +130,7 @@ bool is_finite(const Triple& v) {
 
 }  // namespace
 
-Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
-                          scene::Tangent tangent) {
+Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule) {
   const Chosen miss{};
   const auto& [origin, direction] = ray;
   const auto& [centre, radius] = sphere;
@@ -148,17 +147,17 @@ Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, sc
   set_coefficients(n);
   const int c = n.c.sign();
   const int b = n.b.sign();
-  const bool larger_counts = root == scene::Root::kNearest;
+  const bool larger_counts = rule.root == scene::Root::kNearest;
   if (n.a.sign() == 0 || (c < 0 && !larger_counts) || (c > 0 && b <= 0)) return miss;
   if (c == 0) {  // roots 0 and 2b/a
     const bool met =
-        b > 0 || (b < 0 && larger_counts) || (b == 0 && tangent != scene::Tangent::kMiss);
+        b > 0 || (b < 0 && larger_counts) || (b == 0 && rule.tangent != scene::Tangent::kMiss);
     return {met, {0, origin}};
   }
   mpz_mul(n.discriminant, n.b, n.b);
   mpz_submul(n.discriminant, n.a, n.c);
   if (n.discriminant.sign() < 0) return miss;
-  if (n.discriminant.sign() == 0 && tangent == scene::Tangent::kMiss) return miss;
+  if (n.discriminant.sign() == 0 && rule.tangent == scene::Tangent::kMiss) return miss;
 
   bool exact = set_fraction(n);
   const long shift = std::max(0L, kBits + n.denominator.bits() - n.numerator.bits());

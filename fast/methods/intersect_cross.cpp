@@ -14,16 +14,12 @@ template <class N>
 struct Cross {
   using Number = N;
 
-  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
-                          const Triple<N>& centre, N radius) {
-    const Triple<N> T = centre - origin;
-    const N a = dot(direction, direction);
-    const N b = dot(T, direction);
-    const N c = dot(T, T) - radius * radius;
-    const Triple<N> moment = {difference_of_products(T.y, direction.z, T.z, direction.y),
-                              difference_of_products(T.z, direction.x, T.x, direction.z),
-                              difference_of_products(T.x, direction.y, T.y, direction.x)};
-    return roots_by_q<N>(a, b, c, a * (radius * radius) - dot(moment, moment));
+  static RootsOf<N> roots(const RayOf<N>& ray, const SphereOf<N>& sphere) {
+    const auto& [T, a, b, c] = quadratic(ray, sphere);
+    const Triple<N> moment = {difference_of_products(T.y, ray.direction.z, T.z, ray.direction.y),
+                              difference_of_products(T.z, ray.direction.x, T.x, ray.direction.z),
+                              difference_of_products(T.x, ray.direction.y, T.y, ray.direction.x)};
+    return roots_by_q<N>(a, b, c, a * (sphere.radius * sphere.radius) - dot(moment, moment));
   }
 };
 

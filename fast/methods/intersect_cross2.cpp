@@ -22,8 +22,9 @@ template <class N>
 struct Cross2 {
   using Number = N;
 
-  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
-                          const Triple<N>& centre, N radius) {
+  static RootsOf<N> roots(const RayOf<N>& ray, const SphereOf<N>& sphere) {
+    const auto& [origin, direction] = ray;
+    const Triple<N>& centre = sphere.centre;
     const Rounded<N> x = two_difference(centre.x, origin.x);
     const Rounded<N> y = two_difference(centre.y, origin.y);
     const Rounded<N> z = two_difference(centre.z, origin.z);
@@ -37,7 +38,7 @@ struct Cross2 {
     const Rounded<N> xx = two_square(x.x);
     const Rounded<N> yy = two_square(y.x);
     const Rounded<N> zz = two_square(z.x);
-    const Rounded<N> rr = two_square(radius);
+    const Rounded<N> rr = two_square(sphere.radius);
     const Rounded<N> first = two_difference(xx.x, rr.x);
     const Rounded<N> second = two_sum(first.x, yy.x);
     const Rounded<N> sum = two_sum(second.x, zz.x);

@@ -15,12 +15,8 @@ template <class N>
 struct Kahan {
   using Number = N;
 
-  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
-                          const Triple<N>& centre, N radius) {
-    const Triple<N> T = centre - origin;
-    const N a = dot(direction, direction);
-    const N b = dot(T, direction);
-    const N c = dot(T, T) - radius * radius;
+  static RootsOf<N> roots(const RayOf<N>& ray, const SphereOf<N>& sphere) {
+    const auto& [T, a, b, c] = quadratic(ray, sphere);
     return roots_by_q<N>(a, b, c, difference_of_products(b, b, a, c));
   }
 };

@@ -15,14 +15,10 @@ template <class N>
 struct Perpendicular {
   using Number = N;
 
-  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
-                          const Triple<N>& centre, N radius) {
-    const Triple<N> T = centre - origin;
-    const N a = dot(direction, direction);
-    const N b = dot(T, direction);
-    const N c = dot(T, T) - radius * radius;
-    const Triple<N> off_line = T - (b / a) * direction;
-    return roots_by_q<N>(a, b, c, a * (radius * radius - dot(off_line, off_line)));
+  static RootsOf<N> roots(const RayOf<N>& ray, const SphereOf<N>& sphere) {
+    const auto& [T, a, b, c] = quadratic(ray, sphere);
+    const Triple<N> off_line = T - (b / a) * ray.direction;
+    return roots_by_q<N>(a, b, c, a * (sphere.radius * sphere.radius - dot(off_line, off_line)));
   }
 };
 

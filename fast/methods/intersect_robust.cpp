@@ -84,14 +84,14 @@ HWY_INLINE Reached<N> reached(N origin, N s0, N direction, N centre) {
 /// What depends on the sphere alone.
 template <class N>
 struct Ball {
-  HWY_INLINE Ball(const Triple<N>& its_centre, N radius)
-      : centre(its_centre),
-        square(radius * radius),
+  HWY_INLINE explicit Ball(const SphereOf<N>& sphere)
+      : centre(sphere.centre),
+        square(sphere.radius * sphere.radius),
         doubt(N(kDiscriminantShare) * square),
         scale(N(2) * square),
-        coarse(coarse_square(radius, scale)) {
-    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + radius;
-    const N ratio = reach / radius;
+        coarse(coarse_square(sphere.radius, scale)) {
+    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + sphere.radius;
+    const N ratio = reach / sphere.radius;
     const N share = smaller(N(kReachShare) + N(kSmallShare) * (ratio * ratio), N(kMostReach));
     const N margin = N(kSurfaceShare) * square + share * (reach * reach);
     // With NaN comparisons fail: nothing is certain.
@@ -117,8 +117,8 @@ struct Guess {
 };
 
 template <class N>
-Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
-               scene::Root root) {
+Guess<N> guess(const RayOf<N>& ray, const Ball<N>& ball, scene::Root root) {
+  const auto& [origin, direction] = ray;
   const Triple<N> T = ball.centre - origin;
   const N a = dot(direction, direction);
   const N b = dot(T, direction);
@@ -144,8 +144,8 @@ Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Ball<N
 
 /// Newton's step from s0, and the point there.
 template <class N>
-ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
-                    const Guess<N>& found) {
+ChosenOf<N> correct(const RayOf<N>& ray, const Ball<N>& ball, const Guess<N>& found) {
+  const auto& [origin, direction] = ray;
   const Reached<N> x = reached(origin.x, found.s0, direction.x, ball.centre.x);
   const Reached<N> y = reached(origin.y, found.s0, direction.y, ball.centre.y);
   const Reached<N> z = reached(origin.z, found.s0, direction.z, ball.centre.z);
@@ -177,12 +177,11 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchInput& input, const HitArrays& answers) {
   const BatchInput asked = input;
   const HitArrays to = answers;
-  const Ball<Lanes> ball(triple<Lanes>(asked.sphere.centre), Lanes(asked.sphere.radius));
+  const Ball<Lanes> ball(sphere_of<Lanes>(asked.sphere));
   for (std::size_t first = 0; first < asked.count; first += kBlock) {
     const std::size_t last = first + kBlock < asked.count ? first + kBlock : asked.count;
     for (std::size_t k = first; k < last; k += kLaneCount) {
-      const Guess<Lanes> found =
-          guess(load(asked.rays.origin, k), load(asked.rays.direction, k), ball, asked.root);
+      const Guess<Lanes> found = guess(load(asked.rays, k), ball, asked.rule.root);
       std::uint64_t codes = bytes(found.hit);
       if (!all(found.certain)) [[unlikely]]
         codes |= kOpen * bytes(!found.certain);
@@ -194,7 +193,7 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
       if (!any_hit(to.hit + k)) continue;
       const Lanes slope = load(to.point[0] + k);
       const ChosenOf<Lanes> chosen =
-          correct(load(asked.rays.origin, k), load(asked.rays.direction, k), ball,
+          correct(load(asked.rays, k), ball,
                   {slope == slope, slope == slope, load(to.parameter + k), slope});
       store(chosen.parameter, to.parameter + k);
       store(chosen.point, to.point, k);
@@ -217,15 +216,13 @@ namespace {
 
 HWY_EXPORT(batch);
 
-Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
-                        scene::Tangent tangent) {
-  if (const auto proven = answer_by_pairs(ray, sphere, root)) return *proven;
-  return answer_by_integers(ray, sphere, root, tangent);
+Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule) {
+  if (const auto proven = answer_by_pairs(ray, sphere, rule.root)) return *proven;
+  return answer_by_integers(ray, sphere, rule);
 }
 
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
+void intersect(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule, Hits& hits) {
+  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, rule, hits);
   std::uint8_t* const first = hits.hit.data();
   std::uint8_t* const last = first + hits.size();
   for (std::uint8_t* open = first; open != last; ++open) {
@@ -234,30 +231,22 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
         static_cast<std::uint8_t*>(std::memchr(open, kOpen, static_cast<std::size_t>(last - open)));
     if (open == nullptr) return;
     const auto k = static_cast<std::size_t>(open - first);
-    const scene::Ray ray = ray_at(rays, k);
+    const scene::Ray ray = rays.at(k);
     if (!scene::defects(ray).empty()) require_valid(rays, sphere);
-    const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
-    *open = chosen.hit;
-    hits.parameter[k] = chosen.at.parameter;
-    hits.point.x[k] = chosen.at.point.x;
-    hits.point.y[k] = chosen.at.point.y;
-    hits.point.z[k] = chosen.at.point.z;
+    const Chosen chosen = answer_carefully(ray, sphere, rule);
+    hits.set(k, chosen.hit, chosen.at);
   }
 }
 
 [[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
-                                                  const scene::Sphere& sphere, scene::Root root,
-                                                  scene::Tangent tangent) {
-  using HWY_NAMESPACE::triple;
-  const auto origin = triple<double>(ray.origin);
-  const auto direction = triple<double>(ray.direction);
-  const auto centre = triple<double>(sphere.centre);
-  const HWY_NAMESPACE::Ball<double> ball(centre, sphere.radius);
-  const auto found = HWY_NAMESPACE::guess(origin, direction, ball, root);
-  if (found.hit) return plain(HWY_NAMESPACE::correct(origin, direction, ball, found)).at;
+                                                  const scene::Sphere& sphere,
+                                                  scene::HitRule rule) {
+  const auto asked = HWY_NAMESPACE::ray_of<double>(ray);
+  const HWY_NAMESPACE::Ball<double> ball(HWY_NAMESPACE::sphere_of<double>(sphere));
+  const auto found = HWY_NAMESPACE::guess(asked, ball, rule.root);
+  if (found.hit) return plain(HWY_NAMESPACE::correct(asked, ball, found)).at;
   if (found.certain) return std::nullopt;
-  const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
-  return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+  return answer_carefully(ray, sphere, rule).if_hit();
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 namespace raycheck::fast {
 namespace {
 
-struct Direct {
-  static PixelTrace trace(const PixelPlane& plane, const scene::Pixel& pixel) {
+struct Direct : PixelPlane {
+  using PixelPlane::PixelPlane;
+
+  PixelTrace<Eigen::Vector3d> trace(const scene::Pixel& pixel) const {
     // In place: a copy of g would be stored by coordinates and loaded in pairs, which stalls.
-    PixelTrace trace;
-    trace.along =
-        plane.camera.near * plane.W + plane.alpha(pixel) * plane.U + plane.beta(pixel) * plane.V;
-    trace.point = plane.E + trace.along;
+    PixelTrace<Eigen::Vector3d> trace;
+    trace.along = camera.near * W + alpha(pixel) * U + beta(pixel) * V;
+    trace.point = E + trace.along;
     return trace;
   }
 };

@@ -1,5 +1,4 @@
-#include "fast/internal/pixel_plane.h"
-#include "fast/pixel_ray.h"
+#include "fast/internal/pixel_ray_batch.h"
 
 namespace raycheck::fast {
 namespace {
@@ -10,56 +9,33 @@ namespace {
 constexpr std::int64_t kIncrementalTile = 64;
 
 /// E to P for successive pixels: adds du along a row, restarting at each tile's first column.
-class Steps {
+class Incremental : PixelPlane {
  public:
-  explicit Steps(const PixelPlane& plane) : plane_(plane) {
-    const scene::Camera& camera = plane.camera;
-    const bool edges = plane.conventions.samples == scene::Samples::kEdges;
+  Incremental(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
+      : PixelPlane(its_camera, its_conventions) {
+    const bool edges = conventions.samples == scene::Samples::kEdges;
     const auto steps = static_cast<double>(edges ? camera.width - 1 : camera.width);
-    step_ = ((camera.right - camera.left) / steps) * plane.U;
+    step_ = ((camera.right - camera.left) / steps) * U;
   }
 
-  const Eigen::Vector3d& at(const scene::Pixel& pixel) {
+  PixelTrace<Eigen::Vector3d> trace(const scene::Pixel& pixel) {
     const std::int64_t first = pixel.i - pixel.i % kIncrementalTile;
     const bool is_next = pixel.j == now_.j && pixel.i == now_.i + 1 && pixel.i != first;
     if (!is_next) {
       const scene::Pixel start = {first, pixel.j};
-      to_pixel_ = plane_.camera.near * plane_.W + plane_.alpha(start) * plane_.U +
-                  plane_.beta(start) * plane_.V;
+      to_pixel_ = camera.near * W + alpha(start) * U + beta(start) * V;
       now_.i = first;
     }
     for (; now_.i < pixel.i; ++now_.i) to_pixel_ += step_;
     now_.j = pixel.j;
-    return to_pixel_;
+    return {E + to_pixel_, to_pixel_};
   }
 
  private:
-  const PixelPlane& plane_;
   Eigen::Vector3d step_;
   Eigen::Vector3d to_pixel_ = Eigen::Vector3d::Zero();
   scene::Pixel now_{-2, -1};  // next to no pixel
 };
-
-void pixel_points(const scene::Camera& camera, const scene::Conventions& conventions,
-                  std::span<const scene::Pixel> pixels, Vectors& points) {
-  const PixelPlane plane(camera, conventions);
-  Steps steps(plane);
-  points.resize(pixels.size());
-  for (std::size_t k = 0; k < pixels.size(); ++k) store(points, k, plane.E + steps.at(pixels[k]));
-}
-
-template <scene::Origin kOrigin>
-void make_rays(const scene::Camera& camera, const scene::Conventions& conventions,
-               std::span<const scene::Pixel> pixels, Rays& rays) {
-  const PixelPlane plane(camera, conventions);
-  Steps steps(plane);
-  rays.resize(pixels.size());
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    const Eigen::Vector3d& g = steps.at(pixels[k]);
-    store(rays.origin, k, kOrigin == scene::Origin::kPixel ? plane.E + g : plane.E);
-    store(rays.direction, k, g / g.norm());
-  }
-}
 
 }  // namespace
 
@@ -68,9 +44,9 @@ void make_rays(const scene::Camera& camera, const scene::Conventions& convention
 const PixelRayMethod kIncrementalRays = {
     .name = "incremental",
     .sentence = "g += du along a row, restarted every 64 pixels; D from g, P = E + g",
-    .pixel_points = pixel_points,
-    .pixel_rays = make_rays<scene::Origin::kPixel>,
-    .focal_rays = make_rays<scene::Origin::kFocal>,
+    .pixel_points = pixel_points_batch<Incremental>,
+    .pixel_rays = rays_batch<Incremental, scene::Origin::kPixel>,
+    .focal_rays = rays_batch<Incremental, scene::Origin::kFocal>,
     .max_point_ulp = 256,
     .max_direction_ulp = 256,
     .max_unit_defect_ulp = 4,

@@ -3,11 +3,12 @@
 namespace raycheck::fast {
 namespace {
 
-struct Lecture {
-  static PixelTrace trace(const PixelPlane& plane, const scene::Pixel& pixel) {
-    const Eigen::Vector3d P = plane.E + plane.camera.near * plane.W + plane.alpha(pixel) * plane.U +
-                              plane.beta(pixel) * plane.V;
-    return {P, P - plane.E};
+struct Lecture : PixelPlane {
+  using PixelPlane::PixelPlane;
+
+  PixelTrace<Eigen::Vector3d> trace(const scene::Pixel& pixel) const {
+    const Eigen::Vector3d P = E + camera.near * W + alpha(pixel) * U + beta(pixel) * V;
+    return {P, P - E};
   }
 };
 

@@ -1,6 +1,4 @@
-#include "fast/internal/eigen.h"
-#include "fast/internal/pixel_plane.h"
-#include "fast/pixel_ray.h"
+#include "fast/internal/pixel_ray_batch.h"
 
 namespace raycheck::fast {
 namespace {
@@ -13,9 +11,9 @@ Vector3f single(const Triple& value) {
 }
 
 /// The axes, alpha and beta, all in floats.
-class SinglePlane {
+class Single {
  public:
-  SinglePlane(const scene::Camera& camera, const scene::Conventions& conventions)
+  Single(const scene::Camera& camera, const scene::Conventions& conventions)
       : camera_(camera), conventions_(conventions), E_(single(camera.eye)) {
     require_valid(camera, conventions);
     const Vector3f to_eye = E_ - single(camera.look_at);
@@ -26,15 +24,14 @@ class SinglePlane {
     to_plane_ = static_cast<float>(camera.near) * W;
   }
 
-  const Vector3f& E() const { return E_; }
-
-  Vector3f to_pixel(const scene::Pixel& pixel) const {
+  PixelTrace<Vector3f> trace(const scene::Pixel& pixel) const {
     const bool bottom_first = conventions_.rows == scene::Rows::kBottomFirst;
     const float alpha = coordinate(pixel.i, camera_.width, camera_.left, camera_.right);
     const float beta = bottom_first
                            ? coordinate(pixel.j, camera_.height, camera_.bottom, camera_.top)
                            : coordinate(pixel.j, camera_.height, camera_.top, camera_.bottom);
-    return to_plane_ + alpha * U_ + beta * V_;
+    const Vector3f g = to_plane_ + alpha * U_ + beta * V_;
+    return {E_ + g, g};
   }
 
  private:
@@ -52,42 +49,15 @@ class SinglePlane {
   Vector3f E_, U_, V_, to_plane_;
 };
 
-void pixel_points(const scene::Camera& camera, const scene::Conventions& conventions,
-                  std::span<const scene::Pixel> pixels, Vectors& points) {
-  const SinglePlane plane(camera, conventions);
-  points.resize(pixels.size());
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    const Vector3f point = plane.E() + plane.to_pixel(pixels[k]);
-    store(points, k, point.cast<double>());
-  }
-}
-
-/// A ray from the eye starts at the eye as given, which needs no arithmetic.
-template <scene::Origin kOrigin>
-void make_rays(const scene::Camera& camera, const scene::Conventions& conventions,
-               std::span<const scene::Pixel> pixels, Rays& rays) {
-  const SinglePlane plane(camera, conventions);
-  rays.resize(pixels.size());
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    const Vector3f g = plane.to_pixel(pixels[k]);
-    const Vector3f direction = g / g.norm();
-    const Vector3f point = plane.E() + g;
-    store(rays.origin, k,
-          kOrigin == scene::Origin::kPixel ? Eigen::Vector3d(point.cast<double>())
-                                           : eigen(camera.eye));
-    store(rays.direction, k, direction.cast<double>());
-  }
-}
-
 }  // namespace
 
 /// `direct` in single precision, axes included; lengths are in kSingleDomain.
 const PixelRayMethod kSingleRays = {
     .name = "single",
     .sentence = "direct, everything in single precision",
-    .pixel_points = pixel_points,
-    .pixel_rays = make_rays<scene::Origin::kPixel>,
-    .focal_rays = make_rays<scene::Origin::kFocal>,
+    .pixel_points = pixel_points_batch<Single>,
+    .pixel_rays = rays_batch<Single, scene::Origin::kPixel>,
+    .focal_rays = rays_batch<Single, scene::Origin::kFocal>,
     .max_point_ulp = 56 * 0x1p29,
     .max_direction_ulp = 256 * 0x1p29,
     .max_unit_defect_ulp = 4 * 0x1p29,

@@ -12,22 +12,6 @@
 namespace raycheck::properties {
 namespace {
 
-template <class Triple>
-Triple triple_at(const fast::Vectors& vectors, std::size_t k) {
-  return {vectors.x[k], vectors.y[k], vectors.z[k]};
-}
-
-auto make_points(fast::PixelRayMethod::MakePoints make) {
-  return [make](const scene::Camera& camera, const scene::Conventions& conventions,
-                Candidate::Pixels pixels) {
-    fast::Vectors batch;
-    make(camera, conventions, pixels, batch);
-    std::vector<scene::Point3> points(pixels.size());
-    for (std::size_t k = 0; k < points.size(); ++k) points[k] = triple_at<scene::Point3>(batch, k);
-    return points;
-  };
-}
-
 auto make_rays(fast::PixelRayMethod::MakeRays make) {
   return [make](const scene::Camera& camera, const scene::Conventions& conventions,
                 Candidate::Pixels pixels) {
@@ -47,19 +31,16 @@ std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
                                                     const fast::IntersectMethod& intersect,
                                                     Candidate::Pixels pixels) {
   std::vector<std::optional<SeenAnswer>> answers;
-  fast::SeenPixels seen;
   for (const auto& [i, j] : pixels) {
     scene::poll();
     const scene::PixelRectangle around = {
         std::max<std::int64_t>(0, i - kAround), std::min(scene.camera->width, i + kAround + 1),
         std::max<std::int64_t>(0, j - kAround), std::min(scene.camera->height, j + kAround + 1)};
-    fast::see(scene, plan, rays, intersect, around, seen);
+    const auto seen = fast::see(scene, plan, rays, intersect, around);
     const auto at = static_cast<std::size_t>(
         (j - around.j_begin) * (around.i_end - around.i_begin) + i - around.i_begin);
     answers.emplace_back();
-    if (seen.sphere[at] != fast::kNothingSeen) {
-      answers.back() = {static_cast<std::size_t>(seen.sphere[at]), seen.parameter[at]};
-    }
+    if (seen[at]) answers.back() = {seen[at]->sphere, seen[at]->parameter};
   }
   return answers;
 }
@@ -102,23 +83,13 @@ void promise_bounds(const fast::PixelRayMethod& rays, const fast::IntersectMetho
 fast::Rays batch_of(std::span<const scene::Ray> rays) {
   fast::Rays batch;
   batch.resize(rays.size());
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    batch.origin.x[k] = rays[k].origin.x;
-    batch.origin.y[k] = rays[k].origin.y;
-    batch.origin.z[k] = rays[k].origin.z;
-    batch.direction.x[k] = rays[k].direction.x;
-    batch.direction.y[k] = rays[k].direction.y;
-    batch.direction.z[k] = rays[k].direction.z;
-  }
+  for (std::size_t k = 0; k < rays.size(); ++k) batch.set(k, rays[k]);
   return batch;
 }
 
 std::vector<scene::Ray> rays_of(const fast::Rays& batch) {
   std::vector<scene::Ray> rays(batch.size());
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    rays[k] = {triple_at<scene::Point3>(batch.origin, k),
-               triple_at<scene::Vector3>(batch.direction, k)};
-  }
+  for (std::size_t k = 0; k < rays.size(); ++k) rays[k] = batch.at(k);
   return rays;
 }
 
@@ -133,7 +104,7 @@ SphereHits list_of(const fast::Hits& hits) {
   };
   for (const std::uint8_t* at = next_from(begin); at != nullptr; at = next_from(at + 1)) {
     const auto k = static_cast<std::size_t>(at - begin);
-    list.push_back({k, {hits.parameter[k], triple_at<scene::Point3>(hits.point, k)}});
+    list.push_back({k, {hits.parameter[k], hits.point.at<scene::Point3>(k)}});
   }
   return list;
 }
@@ -146,7 +117,17 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     const fast::CameraFrame frame = fast::camera_frame(camera);
     return FrameAnswer{frame.U, frame.V, frame.W};
   };
-  if (rays.pixel_points != nullptr) candidate.pixel_points = make_points(rays.pixel_points);
+  if (rays.pixel_points != nullptr) {
+    candidate.pixel_points = [make = rays.pixel_points](const scene::Camera& camera,
+                                                        const scene::Conventions& conventions,
+                                                        Candidate::Pixels pixels) {
+      fast::Vectors batch;
+      make(camera, conventions, pixels, batch);
+      std::vector<scene::Point3> points(pixels.size());
+      for (std::size_t k = 0; k < points.size(); ++k) points[k] = batch.at<scene::Point3>(k);
+      return points;
+    };
+  }
   if (rays.pixel_rays != nullptr) {
     candidate.pixel_rays = make_rays(rays.pixel_rays);
   } else {
@@ -160,15 +141,19 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     std::vector<SphereHits> answers(spheres.size());
     for (std::size_t k = 0; k < spheres.size(); ++k) {
       scene::poll();
-      intersect.intersect(batch, spheres[k], conventions.root, conventions.tangent, hits);
+      intersect.intersect(batch, spheres[k], conventions.hit_rule(), hits);
       answers[k] = list_of(hits);
     }
     return answers;
   };
   candidate.nearest = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
                                    const scene::Conventions& conventions) {
-    return fast::nearest_spheres(intersect, batch_of(given), spheres, conventions.root,
-                                 conventions.tangent);
+    std::vector<std::optional<std::size_t>> nearest;
+    for (const auto& first :
+         fast::nearest_spheres(intersect, batch_of(given), spheres, conventions.hit_rule())) {
+      nearest.push_back(first ? std::optional(first->sphere) : std::nullopt);
+    }
+    return nearest;
   };
   candidate.plan = [items](const scene::Scene& scene, const scene::Conventions& conventions,
                            scene::Wanted wanted) {

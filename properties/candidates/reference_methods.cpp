@@ -30,11 +30,10 @@ template <Engine engine>
 struct Ladder {
   const scene::Sphere& sphere;
 
-  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::Root root,
-                                  scene::Tangent tangent) const {
+  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::HitRule rule) const {
     const ExactRay exact(ray);
-    const Intersection at = exact.intersect(sphere, root, engine);
-    if (!reference::counts_as_hit(at.hit_class, tangent)) return std::nullopt;
+    const Intersection at = exact.intersect(sphere, rule.root, {engine});
+    if (!reference::counts_as_hit(at.hit_class, rule.tangent)) return std::nullopt;
     return fast::Hit{exact.rounded_parameter(sphere, at), exact.rounded_point(sphere, at)};
   }
 };
@@ -42,10 +41,9 @@ struct Ladder {
 struct Intervals {
   const scene::Sphere& sphere;
 
-  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::Root root,
-                                  scene::Tangent tangent) const {
-    const auto found = reference::intersect_by_intervals(ray, sphere, root);
-    if (!found || !reference::counts_as_hit(found->intersection.hit_class, tangent)) {
+  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::HitRule rule) const {
+    const auto found = reference::intersect_by_intervals(ray, sphere, rule.root);
+    if (!found || !reference::counts_as_hit(found->intersection.hit_class, rule.tangent)) {
       return std::nullopt;
     }
     return fast::hit_at(ray, found->lower + (found->upper - found->lower) / 2);
@@ -65,18 +63,17 @@ double rounded(const Enclosure& value) {
 struct Arb {
   const scene::Sphere& sphere;
 
-  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::Root root,
-                                  scene::Tangent tangent) const {
+  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::HitRule rule) const {
     const reference::EnclosedRay enclosed = ExactRay(ray).enclose(kArbBits);
     const int meets = sign_of_midpoint(enclosed.half_chord_sq(sphere));
     Intersection at;
     at.hit_class = meets < 0 ? HitClass::kMiss : meets == 0 ? HitClass::kTangent : HitClass::kHit;
-    if (!reference::counts_as_hit(at.hit_class, tangent)) return std::nullopt;
+    if (!reference::counts_as_hit(at.hit_class, rule.tangent)) return std::nullopt;
     at.root = WhichRoot::kSmaller;
     Enclosure s = enclosed.parameter(sphere, at);
     if (sign_of_midpoint(s) < 0) {
       at.root = WhichRoot::kLarger;
-      if (root == scene::Root::kNearest) s = enclosed.parameter(sphere, at);
+      if (rule.root == scene::Root::kNearest) s = enclosed.parameter(sphere, at);
       if (sign_of_midpoint(s) < 0) return std::nullopt;
     }
     const reference::Enclosure3 Q = enclosed.point(sphere, at);

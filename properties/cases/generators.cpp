@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/scene_scalars.h"
+#include "scene/fields.h"
 
 namespace raycheck::properties {
 namespace {

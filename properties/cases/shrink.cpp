@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include "scene/scene_scalars.h"
+#include "scene/fields.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {

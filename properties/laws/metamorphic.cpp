@@ -10,7 +10,7 @@
 #include "reference/account/condition.h"
 #include "reference/error_measure.h"
 #include "reference/ray_error.h"
-#include "scene/scene_scalars.h"
+#include "scene/fields.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {

@@ -8,8 +8,8 @@
 
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
+#include "scene/fields.h"
 #include "scene/interruption.h"
-#include "scene/scene_scalars.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {

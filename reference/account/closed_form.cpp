@@ -32,6 +32,7 @@ using SymbolicKernel = CGAL::Simple_cartesian<RadicalSum>;
 using SymbolicVector = SymbolicKernel::Vector_3;
 
 struct SymbolicLift {
+  using Kernel = SymbolicKernel;
   RadicalSum operator()(double value) const { return RadicalSum(Rational(value)); }
   RadicalSum constant(double value) const { return (*this)(value); }
 };
@@ -74,7 +75,7 @@ struct ClosedFormRay::Impl {
 
   LineAndSphere<SymbolicKernel> with(const scene::Sphere& sphere) const {
     scene::require_valid(sphere);
-    return line_and_sphere(line, lift_sphere<SymbolicKernel>(SymbolicLift{}, sphere));
+    return line_and_sphere(line, lift_sphere(SymbolicLift{}, sphere));
   }
   /// (v -+ d) / unit
   ClosedForm root_over(const RadicalSum& unit, const scene::Sphere& sphere,
@@ -87,7 +88,7 @@ struct ClosedFormRay::Impl {
 
 ClosedFormFrame closed_form_frame(const scene::Camera& camera) {
   scene::require_valid(camera);
-  const auto axes = camera_numbers<SymbolicKernel>(SymbolicLift{}, camera).axes;
+  const auto axes = camera_numbers(SymbolicLift{}, camera).axes;
   return {closed_forms(axes.U), closed_forms(axes.V), closed_forms(axes.W)};
 }
 
@@ -99,17 +100,16 @@ ClosedFormRay::ClosedFormRay(const scene::Camera& camera, const scene::Conventio
   scene::require_valid(scene);
   require_pixel_of(camera, pixel);
   const SymbolicLift lift;
-  const auto numbers = camera_numbers<SymbolicKernel>(lift, camera);
-  auto line = camera_line<SymbolicKernel>(lift, numbers, camera, conventions, pixel);
+  const auto numbers = camera_numbers(lift, camera);
+  auto line = camera_line(lift, numbers, camera, conventions, pixel);
   const RadicalSum length = first_root(line.a);
-  impl_ = std::make_shared<const Impl>(
-      Impl{std::move(line), length,
-           plane_position<SymbolicKernel>(lift, numbers.inputs, camera, conventions, pixel)});
+  impl_ = std::make_shared<const Impl>(Impl{
+      std::move(line), length, plane_position(lift, numbers.inputs, camera, conventions, pixel)});
 }
 
 ClosedFormRay::ClosedFormRay(const scene::Ray& ray) {
   scene::require_valid(ray);
-  auto line = given_line(lift_ray<SymbolicKernel>(SymbolicLift{}, ray));
+  auto line = given_line(lift_ray(SymbolicLift{}, ray));
   const RadicalSum length = first_root(line.a);
   impl_ = std::make_shared<const Impl>(Impl{std::move(line), length, std::nullopt});
 }

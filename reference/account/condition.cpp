@@ -10,7 +10,7 @@ namespace {
 /// The condition number of a value of the ray's line.
 template <class Value, class IsZero>
 double line_condition(const ExactRay& ray, Value value, IsZero is_zero, Arithmetic arithmetic) {
-  const auto quantity = [&](const auto& lift) { return value(lifted_line(lift, ray.source())); };
+  const auto quantity = [&](const auto& lift) { return value(line_of(lift, ray.source())); };
   return ray.source().camera ? condition_number<kCameraInputs>(quantity, is_zero, arithmetic)
                              : condition_number<kGivenInputs>(quantity, is_zero, arithmetic);
 }
@@ -21,9 +21,8 @@ double pair_condition(const ExactRay& ray, const scene::Sphere& sphere, Value va
                       Arithmetic arithmetic) {
   scene::require_valid(sphere);
   const auto quantity = [&](const auto& lift) {
-    using K = typename std::decay_t<decltype(lift)>::Kernel;
-    const auto line = lifted_line(lift, ray.source());
-    return value(line_and_sphere(line, lift_sphere<K>(lift, sphere)));
+    const auto line = line_of(lift, ray.source());
+    return value(line_and_sphere(line, lift_sphere(lift, sphere)));
   };
   return ray.source().camera ? condition_number<kCameraInputs>(quantity, is_zero, arithmetic)
                              : condition_number<kGivenInputs>(quantity, is_zero, arithmetic);
@@ -48,8 +47,7 @@ std::optional<double> narrow_condition(const Sensitivity<Interval>& sensitivity)
 double condition_of_frame(const ExactCamera& camera, Arithmetic arithmetic) {
   const auto axis_condition = [&](auto axis) {
     const auto quantity = [&](const auto& lift) {
-      using K = typename std::decay_t<decltype(lift)>::Kernel;
-      return axis(camera_numbers<K>(lift, camera.camera()).axes);
+      return axis(camera_numbers(lift, camera.camera()).axes);
     };
     return condition_number<kCameraInputs>(quantity, never, arithmetic);
   };

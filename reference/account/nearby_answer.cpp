@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "reference/account/internal/answer_places.h"
+#include "reference/account/internal/answer_conditions.h"
 #include "reference/account/internal/box_optimum.h"
 #include "reference/account/internal/inequalities.h"
 #include "reference/account/internal/possible_meeting.h"

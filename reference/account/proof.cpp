@@ -62,17 +62,13 @@ Bracket stated(const RationalInterval& x) {
 }
 
 Rational rational_of(arf_srcptr x) {
-  fmpz_t significand;
-  fmpz_t exponent;
-  fmpz_init(significand);
-  fmpz_init(exponent);
-  arf_get_fmpz_2exp(significand, exponent, x);
-  Integer integer;
-  fmpz_get_mpz(integer.backend().data(), significand);
-  const std::int64_t power = fmpz_get_si(exponent);
-  fmpz_clear(significand);
-  fmpz_clear(exponent);
-  return Rational(integer) * power_of_two(power);
+  fmpq_t fraction;
+  fmpq_init(fraction);
+  arf_get_fmpq(fraction, x);
+  Rational result;
+  fmpq_get_mpq(result.backend().data(), fraction);
+  fmpq_clear(fraction);
+  return result;
 }
 
 RationalInterval interval_of(const Enclosure& x) {
@@ -98,18 +94,25 @@ RationalInterval widened(const RationalInterval& x, int relative_bits) {
   return {x.low() - mp::abs(x.low()) * share, x.high() + mp::abs(x.high()) * share, x.bits()};
 }
 
-/// Whether low <= that root of a mu^2 - 2 b mu + c <= high, certainly: p >= 0 and b - a mu >= 0
-/// hold up to the smaller root, and nowhere else.
+/// a mu^2 - 2 b mu + c
+struct Quadratic {
+  RationalInterval a, b, c;
+};
+
+/// Whether low <= that root of p <= high, certainly: p >= 0 and b - a mu >= 0 hold up to the
+/// smaller root, and nowhere else.
 bool is_root_between(const RationalInterval& low, const RationalInterval& high, WhichRoot root,
-                     const RationalInterval& a, const RationalInterval& b,
-                     const RationalInterval& c) {
+                     const Quadratic& p) {
+  const auto& [a, b, c] = p;
   if (root == WhichRoot::kLarger) {  // It is minus the smaller root of p(-mu).
-    return is_root_between(-high, -low, WhichRoot::kSmaller, a, -b, c);
+    return is_root_between(-high, -low, WhichRoot::kSmaller, {a, -b, c});
   }
-  const auto sign_of_p = [&](const RationalInterval& mu) {
+  const auto sign_of_p = [&, &a = a, &b = b, &c = c](const RationalInterval& mu) {
     return certain_sign(a * mu * mu - RationalInterval(2) * b * mu + c);
   };
-  const auto sign_of_side = [&](const RationalInterval& mu) { return certain_sign(b - a * mu); };
+  const auto sign_of_side = [&a = a, &b = b](const RationalInterval& mu) {
+    return certain_sign(b - a * mu);
+  };
   return sign_of_side(low).value_or(-1) >= 0 && sign_of_p(low).value_or(-1) >= 0 &&
          (sign_of_side(high).value_or(1) <= 0 || sign_of_p(high).value_or(1) <= 0);
 }
@@ -149,13 +152,12 @@ struct Prover::Attempt {
 
   ProvenRoots follow_camera() {
     const scene::Camera& camera = *prover.camera_;
-    numbers = camera_numbers<RationalKernel>(lift, camera);
+    numbers = camera_numbers(lift, camera);
     const RationalKernel::Vector_3 w = numbers->inputs.eye - numbers->inputs.look_at;
     const RationalKernel::Vector_3 u = CGAL::cross_product(numbers->inputs.up, w);
     ProvenRoots roots{exact_bracket(first_root(w * w)), exact_bracket(second_root(u * u)), {}};
     if (prover.pixel_) {
-      line =
-          camera_line<RationalKernel>(lift, *numbers, camera, prover.conventions_, *prover.pixel_);
+      line = camera_line(lift, *numbers, camera, prover.conventions_, *prover.pixel_);
       unit = first_root(line->a);
       roots.length = exact_bracket(unit);
     }
@@ -166,20 +168,17 @@ struct Prover::Attempt {
                                             const scene::Sphere& sphere,
                                             const Intersection& at) const {
     const RationalInterval s = interval_of(prover.exact_->parameter(sphere, at, value_bits));
+    const Quadratic p{line->a, linear_coefficient(pair), constant_coefficient(pair)};
     // Square roots never show that a parameter is a dyadic number, only that it is near one.
     for (const RationalInterval& ends : {s, widened(s, value_bits)}) {
       const auto mu = [&](const Rational& end) { return RationalInterval(end, lift.bits) / unit; };
-      if (is_root_between(mu(ends.low()), mu(ends.high()), at.root, line->a,
-                          linear_coefficient(pair), constant_coefficient(pair))) {
-        return ends;
-      }
+      if (is_root_between(mu(ends.low()), mu(ends.high()), at.root, p)) return ends;
     }
     return std::nullopt;
   }
 
   std::optional<ProvenMeeting> meeting(const scene::Sphere& sphere) {
-    const auto pair =
-        line_and_sphere<RationalKernel>(*line, lift_sphere<RationalKernel>(lift, sphere));
+    const auto pair = line_and_sphere(*line, lift_sphere(lift, sphere));
     ProvenMeeting result;
     result.intersection = prover.exact_->intersect(sphere, prover.conventions_.root);
     const HitClass hit_class = result.intersection.hit_class;
@@ -243,7 +242,7 @@ struct Prover::Attempt {
     if (wanted.origin && !is_narrow(start())) return false;
     if (wanted.direction && !is_narrow(line->g / unit)) return false;
     if (wanted.from_origin) {
-      const auto along = lift_vector<RationalKernel>(lift, *wanted.from_origin) - start();
+      const auto along = lift_vector(lift, *wanted.from_origin) - start();
       if (!is_narrow(along) || !is_narrow(line->g)) return false;
     }
     for (std::size_t k = 0; wanted.hit_points && k < meetings.size(); ++k) {
@@ -259,7 +258,7 @@ struct Prover::Attempt {
     if (prover.camera_) {
       proof.roots = follow_camera();
     } else {
-      line = given_line<RationalKernel>(lift_ray<RationalKernel>(lift, prover.given_));
+      line = given_line<RationalKernel>(lift_ray(lift, prover.given_));
     }
     for (const scene::Sphere& sphere : proposition.spheres) {
       auto met = meeting(sphere);

@@ -22,8 +22,8 @@ double pixel_point_condition(const ExactRay& ray, Arithmetic arithmetic) {
   const auto quantity = [&](const auto& lift) {
     using K = KernelOf<decltype(lift)>;
     const auto numbers = numbers_of(lift.base(), camera);
-    const auto at = plane_position<BaseKernelOf<decltype(lift)>>(
-        lift.base(), numbers.inputs, camera.camera, camera.conventions, ray.source().pixel);
+    const auto at = plane_position(lift.base(), numbers.inputs, camera.camera, camera.conventions,
+                                   ray.source().pixel);
     const typename K::Vector_3 eye = lift.input(numbers.inputs.eye);
     const typename K::FT near = lift.input(numbers.inputs.near);
     const typename K::FT alpha = lift.input(at.alpha);
@@ -58,7 +58,7 @@ double seen_condition(const ExactRay& ray, const scene::Sphere& sphere, Value va
   const auto quantity = [&](const auto& lift) {
     using K = KernelOf<decltype(lift)>;
     const auto line = line_of(lift.base(), ray.source());
-    const auto seen = lift_sphere<BaseKernelOf<decltype(lift)>>(lift.base(), sphere);
+    const auto seen = lift_sphere(lift.base(), sphere);
     const SphereInputs<K> centre{lift.input(to_centre(line_and_sphere(line, seen))),
                                  lift.input(seen.radius)};
     const auto from_origin =
@@ -73,8 +73,7 @@ double root_condition(const ExactRay& ray, const scene::Sphere& sphere, const In
   const int sign = root_sign(at);
   const auto quantity = [&](const auto& lift) {
     const auto line = line_of(lift.base(), ray.source());
-    const auto seen = lift_sphere<BaseKernelOf<decltype(lift)>>(lift.base(), sphere);
-    const auto pair = line_and_sphere(line, seen);
+    const auto pair = line_and_sphere(line, lift_sphere(lift.base(), sphere));
     const auto v = lift.input(axial_distance(pair));
     return root_of(v, sign == 0 ? v : lift.input(half_chord_sq(pair)), sign);
   };
@@ -87,8 +86,7 @@ double hit_point_condition(const ExactRay& ray, const scene::Sphere& sphere, con
   const auto quantity = [&](const auto& lift) {
     using K = KernelOf<decltype(lift)>;
     const auto line = line_of(lift.base(), ray.source());
-    const auto seen = lift_sphere<BaseKernelOf<decltype(lift)>>(lift.base(), sphere);
-    const auto pair = line_and_sphere(line, seen);
+    const auto pair = line_and_sphere(line, lift_sphere(lift.base(), sphere));
     const typename K::Vector_3 origin = lift.input(ray_origin(line));
     const typename K::FT distance =
         lift.input(scaled_distance(pair, root_sign(at)) / ray_length(line));

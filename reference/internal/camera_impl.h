@@ -14,10 +14,8 @@ inline constexpr int kMiddleBits = 256;
 struct ExactCamera::Impl {
   Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
 
-  /// The camera at any precision: stored for the two usual ones, computed into `scratch` for the
-  /// others.
-  const CameraNumbers<EnclosureKernel>& enclosed(
-      const EnclosureLift& lift, std::optional<CameraNumbers<EnclosureKernel>>& scratch) const;
+  /// The camera at any precision: kept for the two usual ones.
+  CameraNumbers<EnclosureKernel> enclosed(const EnclosureLift& lift) const;
 
   scene::Camera camera;
   scene::Conventions conventions;

@@ -29,24 +29,24 @@ struct SphereInputs {
   typename K::FT radius;
 };
 
-template <class K, class Lift>
-CameraInputs<K> lift_camera(const Lift& lift, const scene::Camera& camera) {
-  return {lift_vector<K>(lift, camera.eye),
-          lift_vector<K>(lift, camera.look_at),
-          lift_vector<K>(lift, camera.up),
+template <class Lift>
+CameraInputs<typename Lift::Kernel> lift_camera(const Lift& lift, const scene::Camera& camera) {
+  return {lift_vector(lift, camera.eye),
+          lift_vector(lift, camera.look_at),
+          lift_vector(lift, camera.up),
           lift(camera.near),
           lift(camera.left),
           lift(camera.right),
           lift(camera.bottom),
           lift(camera.top)};
 }
-template <class K, class Lift>
-RayInputs<K> lift_ray(const Lift& lift, const scene::Ray& ray) {
-  return {lift_vector<K>(lift, ray.origin), lift_vector<K>(lift, ray.direction)};
+template <class Lift>
+RayInputs<typename Lift::Kernel> lift_ray(const Lift& lift, const scene::Ray& ray) {
+  return {lift_vector(lift, ray.origin), lift_vector(lift, ray.direction)};
 }
-template <class K, class Lift>
-SphereInputs<K> lift_sphere(const Lift& lift, const scene::Sphere& sphere) {
-  return {lift_vector<K>(lift, sphere.centre), lift(sphere.radius)};
+template <class Lift>
+SphereInputs<typename Lift::Kernel> lift_sphere(const Lift& lift, const scene::Sphere& sphere) {
+  return {lift_vector(lift, sphere.centre), lift(sphere.radius)};
 }
 
 /// The camera axes, orthonormal and right-handed.
@@ -73,22 +73,28 @@ struct CameraNumbers {
   Axes<K> axes;
 };
 
-template <class K, class Lift>
-CameraNumbers<K> camera_numbers(const Lift& lift, const scene::Camera& camera) {
-  const CameraInputs<K> inputs = lift_camera<K>(lift, camera);
+template <class Lift>
+CameraNumbers<typename Lift::Kernel> camera_numbers(const Lift& lift, const scene::Camera& camera) {
+  const auto inputs = lift_camera(lift, camera);
   return {inputs, camera_axes(inputs)};
 }
+
+/// A pixel's place along one side of the image: its index, of how many, and where it is sampled.
+struct PixelIndex {
+  std::int64_t index;
+  std::int64_t count;
+  scene::Samples samples;
+};
 
 /// low + index/(count-1) (high - low), or low + (index+1/2)/count (high - low). Multiplying before
 /// dividing makes the enclosure exact wherever the coordinate is dyadic, 0 above all.
 template <class FT, class Lift>
-FT plane_coordinate(const Lift& lift, const FT& low, const FT& high, std::int64_t index,
-                    std::int64_t count, scene::Samples samples) {
+FT plane_coordinate(const Lift& lift, const FT& low, const FT& high, const PixelIndex& at) {
   const FT extent = high - low;
-  if (samples == scene::Samples::kEdges) {
-    return low + lift_count(lift, index) * extent / lift_count(lift, count - 1);
+  if (at.samples == scene::Samples::kEdges) {
+    return low + lift_count(lift, at.index) * extent / lift_count(lift, at.count - 1);
   }
-  return low + lift_count(lift, 2 * index + 1) * extent / lift_count(lift, 2 * count);
+  return low + lift_count(lift, 2 * at.index + 1) * extent / lift_count(lift, 2 * at.count);
 }
 
 /// alpha(i) and beta(j) of a pixel.
@@ -102,11 +108,12 @@ PlanePosition<typename K::FT> plane_position(const Lift& lift, const CameraInput
                                              const scene::Camera& camera,
                                              const scene::Conventions& conventions,
                                              const scene::Pixel& pixel) {
-  const std::int64_t row =
-      conventions.rows == scene::Rows::kBottomFirst ? pixel.j : camera.height - 1 - pixel.j;
-  return {
-      plane_coordinate(lift, inputs.left, inputs.right, pixel.i, camera.width, conventions.samples),
-      plane_coordinate(lift, inputs.bottom, inputs.top, row, camera.height, conventions.samples)};
+  const PixelIndex column{pixel.i, camera.width, conventions.samples};
+  const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
+  const PixelIndex row{bottom_first ? pixel.j : camera.height - 1 - pixel.j, camera.height,
+                       conventions.samples};
+  return {plane_coordinate(lift, inputs.left, inputs.right, column),
+          plane_coordinate(lift, inputs.bottom, inputs.top, row)};
 }
 
 /// n W + alpha U + beta V: from the eye to the pixel point.
@@ -131,7 +138,7 @@ struct Line {
 template <class K, class Lift>
 Line<K> camera_line(const Lift& lift, const CameraNumbers<K>& numbers, const scene::Camera& camera,
                     const scene::Conventions& conventions, const scene::Pixel& pixel) {
-  const auto position = plane_position<K>(lift, numbers.inputs, camera, conventions, pixel);
+  const auto position = plane_position(lift, numbers.inputs, camera, conventions, pixel);
   const typename K::FT& n = numbers.inputs.near;
   return {numbers.inputs.eye, to_pixel_point<K>(n, position, numbers.axes),
           n * n + position.alpha * position.alpha + position.beta * position.beta,

@@ -44,15 +44,16 @@ using ExactNumber = CGAL::Sqrt_extension<FirstExtension, Rational>;
 using ExactKernel = CGAL::Simple_cartesian<ExactNumber>;
 
 // How a double, an input or a constant of a formula, becomes a number of each kind, exactly.
-struct IntervalLift {
-  Interval operator()(double value) const { return Interval(value); }
-  Interval constant(double value) const { return Interval(value); }
+template <class Number>
+struct PlainLift {
+  using Kernel = CGAL::Simple_cartesian<Number>;
+  Number operator()(double value) const { return Number(value); }
+  Number constant(double value) const { return Number(value); }
 };
-struct DoubleDoubleLift {
-  DoubleDouble operator()(double value) const { return DoubleDouble(value); }
-  DoubleDouble constant(double value) const { return DoubleDouble(value); }
-};
+using IntervalLift = PlainLift<Interval>;
+using DoubleDoubleLift = PlainLift<DoubleDouble>;
 struct EnclosureLift {
+  using Kernel = EnclosureKernel;
   int bits;
   double relative_change = 0;  ///< Each input is known only up to this relative change.
   Enclosure operator()(double value) const {
@@ -61,6 +62,7 @@ struct EnclosureLift {
   Enclosure constant(double value) const { return Enclosure(value, bits); }
 };
 struct ExactLift {
+  using Kernel = ExactKernel;
   ExactNumber operator()(double value) const {
     return ExactNumber(FirstExtension(Rational(value)));
   }
@@ -106,8 +108,8 @@ std::optional<int> sign_of_radical_sum(const ExactNumber& p, const ExactNumber& 
                                        const ExactNumber& x, const ExactNumber& r,
                                        const ExactNumber& y);
 
-template <class K, class Lift, class Triple>
-typename K::Vector_3 lift_vector(const Lift& lift, const Triple& value) {
+template <class Lift, class Triple>
+typename Lift::Kernel::Vector_3 lift_vector(const Lift& lift, const Triple& value) {
   return {lift(value.x), lift(value.y), lift(value.z)};
 }
 

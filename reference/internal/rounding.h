@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "reference/internal/kernels.h"
 #include "scene/precision.h"
@@ -81,5 +82,28 @@ double round_to_single(double nearest, Compare compare) {
   const int side = compare(Rational(nearest));
   return side == 0 || (side > 0) == (rounded > nearest) ? rounded : other;
 }
+
+// Narrow and Round take a first enclosure, a way to make narrower ones and the exact comparison to
+// a value; they ask for a first one that is as narrow as relative_bits.
+
+struct Narrow {
+  int relative_bits;
+
+  template <class Enclose, class Compare>
+  Enclosure operator()(Enclosure first, Enclose enclose, Compare compare) const {
+    return narrow(std::move(first), relative_bits, enclose, compare);
+  }
+};
+
+struct Round {
+  scene::Precision precision;
+  static constexpr int relative_bits = 70;  ///< Leaves few values undecided.
+
+  template <class Enclose, class Compare>
+  double operator()(Enclosure first, Enclose enclose, Compare compare) const {
+    const double nearest = round_to_nearest(std::move(first), enclose, compare);
+    return precision == scene::Precision::kDouble ? nearest : round_to_single(nearest, compare);
+  }
+};
 
 }  // namespace raycheck::reference

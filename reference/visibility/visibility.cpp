@@ -45,6 +45,12 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
                                 ": what is seen is worked out of at most " +
                                 std::to_string(kMostVisibleSide));
   }
+  set_plane();
+  take_spheres();
+  list_bands();
+}
+
+void Visibility::Impl::set_plane() {
   std::vector<Bounds> columns, rows;
   for (std::int64_t i = 0; i < width; ++i) {
     columns.push_back(plan.eye.alpha(static_cast<double>(i)));
@@ -69,7 +75,9 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
   scale = {std::ldexp(1.0, lengths), from_pixels ? std::ldexp(1.0, plane) : 0,
            {eye.x, eye.y, eye.z},    axis(plan.eye.U()),
            axis(plan.eye.V()),       axis(plan.eye.W())};
+}
 
+void Visibility::Impl::take_spheres() {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
     if (!plan.spheres[k].pixels.empty()) order.push_back(k);
@@ -77,6 +85,9 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
   std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
     return plan.spheres[a].nearest_distance < plan.spheres[b].nearest_distance;
   });
+  const auto& [plane, lengths] = plan.eye.scaling();
+  const scene::Point3& eye = scene.camera->eye;
+  const bool from_pixels = plan.conventions.origin == scene::Origin::kPixel;
   const bool scales_fit = std::isnormal(scale.lengths) && std::isnormal(std::ldexp(1.0, plane)) &&
                           (!from_pixels || std::isnormal(start_factor)) &&
                           fits(std::sqrt(sizes.A), plane) &&
@@ -92,6 +103,9 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
                            !plan.conventions.valid.is_usual();  // the filter takes every root >= 0
     positions[k] = spheres.size() - 1;
   }
+}
+
+void Visibility::Impl::list_bands() {
   std::uint64_t parts = 0;
   for (const scene::PixelRectangle& pixels : rectangles) {
     const auto [first, last] = blocks(pixels.j_begin, pixels.j_end, Tile::kHeight);
@@ -126,25 +140,25 @@ void RowsInTiles::require_fit(std::size_t size) const {
   }
 }
 
-TileRectangle RowsInTiles::within_tile(const scene::PixelRectangle& pixels, std::size_t band,
+TileRectangle RowsInTiles::within_tile(const scene::PixelRectangle& pixels,
                                        std::size_t tile) const {
   const auto clamp = [](std::int64_t x, int low, int high) {
     return static_cast<int>(std::clamp<std::int64_t>(x, low, high));
   };
-  const std::int64_t i = first_column(tile), j = first_row(band);
+  const std::int64_t i = first_column(tile), j = first_row_;
   return {clamp(pixels.i_begin - i, 0, Tile::kWidth), clamp(pixels.i_end - i, 0, Tile::kWidth),
           clamp(pixels.j_begin - j, row_begin_, row_end_),
           clamp(pixels.j_end - j, row_begin_, row_end_)};
 }
 
-TileRays RowsInTiles::rays_of(std::size_t band, std::size_t tile) const {
+TileRays RowsInTiles::rays_of(std::size_t tile) const {
   TileRays rays;
   rays.alpha = impl_.alpha.data() + first_column(tile);
   const auto least = [](double x, double y) { return x * y <= 0 ? 0 : std::min(x * x, y * y); };
-  const std::int64_t j = first_row(band);
-  const auto rows = std::min<std::int64_t>(Tile::kHeight, impl_.height - j);
+  const auto rows = std::min<std::int64_t>(Tile::kHeight, impl_.height - first_row_);
   for (std::int64_t row = 0; row < rows; ++row) {
-    rays.beta[static_cast<std::size_t>(row)] = impl_.beta[static_cast<std::size_t>(j + row)];
+    rays.beta[static_cast<std::size_t>(row)] =
+        impl_.beta[static_cast<std::size_t>(first_row_ + row)];
   }
   rays.near = impl_.near;
   rays.start_factor = impl_.start_factor;

@@ -12,22 +12,22 @@ namespace {
 
 using scene::PixelRectangle;
 
-void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std::size_t band,
-                     std::size_t position, std::span<HitClass> classes, DecidedBy& decided_by) {
+void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std::size_t position,
+                     std::span<HitClass> classes, DecidedBy& decided_by) {
   const PixelRectangle& pixels = impl.rectangles[position];
-  const std::int64_t j = rows.first_row(band);
+  const std::int64_t j = rows.first_row();
   if (pixels.j_end <= j || pixels.j_begin >= j + Visibility::kBandRows) return;
   const auto [first, last] = blocks(pixels.i_begin, pixels.i_end, Tile::kWidth);
   const FilteredSphere& sphere = impl.spheres[position];
   Tile in_tile;
   for (std::size_t tile = first; tile < last; ++tile) {
     scene::poll();
-    clear(in_tile, 0, Tile::kHeight, Tile::kWidth);
-    const SphereInTile entry{&sphere, rows.within_tile(pixels, band, tile)};
-    const TileRays rays = rows.rays_of(band, tile);
+    clear(in_tile, {0, Tile::kWidth, 0, Tile::kHeight});
+    const SphereInTile entry{&sphere, rows.within_tile(pixels, tile)};
+    const TileRays rays = rows.rays_of(tile);
     sweep_class(entry, rays, in_tile);
     for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
-      HitClass* const to = classes.data() + rows.output_at(band, row, tile);
+      HitClass* const to = classes.data() + rows.output_at(row, tile);
       const std::uint64_t undecided = in_tile.undecided[static_cast<std::size_t>(row)];
       for (int column = entry.pixels.i_begin; column < entry.pixels.i_end; ++column) {
         const bool hit = in_tile.sphere[static_cast<std::size_t>(row * Tile::kWidth + column)] >= 0;
@@ -36,7 +36,7 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
         const ExactRay ray(impl.camera, {rows.first_column(tile) + column, j + row});
         Rung highest = Rung::kIntervals;
         to[column] = ray.intersect(impl.scene.spheres[static_cast<std::size_t>(sphere.index)],
-                                   impl.plan.conventions, Engine::kFiltered, &highest)
+                                   impl.plan.conventions, {.highest = &highest})
                          .hit_class;
         ++decided_by.rungs[static_cast<std::size_t>(highest)];
       }
@@ -57,9 +57,8 @@ DecidedBy classes_of_rows(const Visibility::Impl& impl, std::size_t sphere, std:
   std::fill(classes.begin(), classes.end(), HitClass::kMiss);
   DecidedBy decided_by;
   if (const auto position = impl.positions[sphere]) {
-    rows.for_each_band([&](std::size_t band) {
-      classes_of_band(impl, rows, band, *position, classes, decided_by);
-    });
+    rows.for_each_band(
+        [&](std::size_t /*band*/) { classes_of_band(impl, rows, *position, classes, decided_by); });
   }
   decided_by.filter = classes.size() - decided_by.fallback();
   return decided_by;

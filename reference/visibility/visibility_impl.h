@@ -72,6 +72,11 @@ struct Visibility::Impl {
   Lists bands;
   /// The index of a scene's sphere among them; empty: no part of it is seen.
   std::vector<std::optional<std::size_t>> positions;
+
+ private:
+  void set_plane();
+  void take_spheres();
+  void list_bands();
 };
 
 /// Some rows of the image, as bands of kBandRows rows and tiles of their columns.
@@ -85,42 +90,45 @@ class RowsInTiles {
   /// pixel.
   void require_fit(std::size_t size) const;
 
+  /// Makes one band after the other the current one.
   template <class Body>
   void for_each_band(Body body) {
     for (std::int64_t j = j_begin_ / Visibility::kBandRows * Visibility::kBandRows; j < j_end_;
          j += Visibility::kBandRows) {
       row_begin_ = static_cast<int>(std::max(j, j_begin_) - j);
       row_end_ = static_cast<int>(std::min(j + Visibility::kBandRows, j_end_) - j);
+      first_row_ = j;
       body(static_cast<std::size_t>(j / Visibility::kBandRows));
     }
   }
 
-  std::int64_t first_row(std::size_t band) const {
-    return static_cast<std::int64_t>(band) * Visibility::kBandRows;
-  }
+  std::int64_t first_row() const { return first_row_; }
   static std::int64_t first_column(std::size_t tile) {
     return static_cast<std::int64_t>(tile) * Tile::kWidth;
   }
-  int columns_of(std::size_t tile) const {
-    return static_cast<int>(std::min<std::int64_t>(Tile::kWidth, impl_.width - first_column(tile)));
-  }
-  std::size_t output_at(std::size_t band, int row, std::size_t tile) const {
-    return static_cast<std::size_t>((first_row(band) + row - j_begin_) * impl_.width +
+  std::size_t output_at(int row, std::size_t tile) const {
+    return static_cast<std::size_t>((first_row_ + row - j_begin_) * impl_.width +
                                     first_column(tile));
   }
 
   /// The wanted rows of the current band, counted from its first.
   int row_begin() const { return row_begin_; }
   int row_end() const { return row_end_; }
+  /// The wanted pixels of a tile.
+  TileRectangle wanted_of(std::size_t tile) const {
+    const std::int64_t columns =
+        std::min<std::int64_t>(Tile::kWidth, impl_.width - first_column(tile));
+    return {0, static_cast<int>(columns), row_begin_, row_end_};
+  }
 
   /// The part of a rectangle that lies in a tile's wanted rows.
-  TileRectangle within_tile(const scene::PixelRectangle& pixels, std::size_t band,
-                            std::size_t tile) const;
-  TileRays rays_of(std::size_t band, std::size_t tile) const;
+  TileRectangle within_tile(const scene::PixelRectangle& pixels, std::size_t tile) const;
+  TileRays rays_of(std::size_t tile) const;
 
  private:
   const Visibility::Impl& impl_;
   std::int64_t j_begin_, j_end_;
+  std::int64_t first_row_ = 0;
   int row_begin_ = 0, row_end_ = 0;
 };
 

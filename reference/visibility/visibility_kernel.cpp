@@ -26,17 +26,23 @@ HWY_INLINE void mark_undecided(D d, M undecided, int row, int column, Tile& tile
   tile.undecided[static_cast<std::size_t>(row)] |= std::uint64_t{bits[0]} << column;
 }
 
-/// The roots' numerators; whether the sphere is certainly met, and certainly in front.
+/// A sphere's roots m = b -+ q on some lines, a = |g|^2, and which lines meet it, or may.
+struct Roots {
+  V b, q, a;
+  M met;
+  M undecided;
+};
+
+/// The root that counts; whether the sphere is certainly met there, in front.
 struct Met {
   V numerator;
   M hit;
   M undecided;
 };
 
-/// Which root counts, of lines that meet the sphere at m = b -+ q.
 template <Certified kCertified>
-HWY_INLINE Met choose_root(D d, V b, V q, V a, M met, M undecided, V root_margin,
-                           const TileRays& rays) {
+HWY_INLINE Met choose_root(D d, const Roots& roots, V root_margin, const TileRays& rays) {
+  const auto& [b, q, a, met, undecided] = roots;
   const V start = hn::Mul(hn::Set(d, rays.start_factor), a);
   const V margin = kCertified == Certified::kYes
                        ? hn::Add(root_margin, hn::Set(d, rays.start_margin))
@@ -56,11 +62,8 @@ HWY_INLINE Met choose_root(D d, V b, V q, V a, M met, M undecided, V root_margin
     decided =
         hn::Or(smaller_in_front, hn::And(smaller_behind, hn::Or(larger_in_front, larger_behind)));
   }
-  if (kCertified == Certified::kYes) {
-    undecided = hn::Or(undecided, hn::AndNot(decided, met));
-  }
   return {hn::IfThenElse(smaller_in_front, hn::Sub(b, q), hn::Add(b, q)), hn::And(met, hit),
-          undecided};
+          kCertified == Certified::kYes ? hn::Or(undecided, hn::AndNot(decided, met)) : undecided};
 }
 
 enum class Answer { kNearest, kClass };
@@ -96,7 +99,8 @@ HWY_INLINE void sweep_sphere(const SphereInTile& entry, double margin_so_far, co
       if (kAnswer == Answer::kNearest || kRootsMatter) {
         const V q = hn::Sqrt(hn::IfThenElseZero(met, disc));
         if (kRootsMatter) {
-          const Met chosen = choose_root<kCertified>(d, b, q, a, met, undecided, root_margin, rays);
+          const Met chosen =
+              choose_root<kCertified>(d, {b, q, a, met, undecided}, root_margin, rays);
           numerator = chosen.numerator;
           met = chosen.hit;
           undecided = chosen.undecided;
@@ -192,31 +196,36 @@ HWY_INLINE void store_first(D d, V values, int count, double* to) {
   }
 }
 
-double finish_tile(const Tile& tile, int row_begin, int row_end, int columns, const TileRays& rays,
+HWY_INLINE void store_first_spheres(D d, const double* spheres, int count, std::int32_t* to) {
+  const hn::Rebind<std::int32_t, D> d32;
+  const auto indices = hn::DemoteTo(d32, hn::Load(d, spheres));
+  if (count >= static_cast<int>(hn::Lanes(d))) {
+    hn::StoreU(indices, d32, to);
+  } else {
+    alignas(32) std::int32_t part[8];
+    hn::Store(indices, d32, part);
+    std::copy_n(part, count, to);
+  }
+}
+
+double finish_tile(const Tile& tile, const TileRectangle& wanted, const TileRays& rays,
                    const TileScale& scale, const TileOutput& output) {
   const D d;
-  const hn::Rebind<std::int32_t, D> d32;
+  const int columns = wanted.i_end;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const bool with_points = output.point[0] != nullptr;
   const V nothing = hn::Set(d, kInfinity);
   V least = nothing;
-  for (int row = row_begin; row < row_end; ++row) {
+  for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
     const double beta = rays.beta[static_cast<std::size_t>(row)];
     const V row_a = hn::Set(d, rays.near * rays.near + beta * beta);
-    const std::ptrdiff_t row_at = (row - row_begin) * output.stride;
+    const std::ptrdiff_t row_at = (row - wanted.j_begin) * output.stride;
     for (int column = 0; column < columns; column += lanes) {
       const std::size_t at = static_cast<std::size_t>(row * Tile::kWidth + column);
       const std::ptrdiff_t to = row_at + column;
       const int count = std::min(lanes, columns - column);
       if (output.sphere != nullptr) {
-        const auto spheres = hn::DemoteTo(d32, hn::Load(d, tile.sphere.data() + at));
-        if (count == lanes) {
-          hn::StoreU(spheres, d32, output.sphere + to);
-        } else {
-          alignas(32) std::int32_t part[8];
-          hn::Store(spheres, d32, part);
-          std::copy_n(part, count, output.sphere + to);
-        }
+        store_first_spheres(d, tile.sphere.data() + at, count, output.sphere + to);
       }
       if (output.parameter == nullptr && !with_points) continue;
       const V m = hn::Load(d, tile.numerator.data() + at);
@@ -261,14 +270,14 @@ HWY_EXPORT(sweep_uncertified);
 HWY_EXPORT(sweep_class);
 HWY_EXPORT(finish_tile);
 
-void clear(Tile& tile, int row_begin, int row_end, int columns) {
+void clear(Tile& tile, const TileRectangle& wanted) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (row_begin == 0 && row_end == Tile::kHeight && columns == Tile::kWidth) {
+  if (wanted.j_begin == 0 && wanted.j_end == Tile::kHeight && wanted.i_end == Tile::kWidth) {
     tile.numerator.fill(kInfinity);
   } else {
     tile.numerator.fill(-kInfinity);
-    for (int row = row_begin; row < row_end; ++row) {
-      std::fill_n(tile.numerator.begin() + row * Tile::kWidth, columns, kInfinity);
+    for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
+      std::fill_n(tile.numerator.begin() + row * Tile::kWidth, wanted.i_end, kInfinity);
     }
   }
   tile.sphere.fill(-1);
@@ -288,9 +297,9 @@ void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile) {
   HWY_DYNAMIC_DISPATCH(sweep_class)(sphere, rays, tile);
 }
 
-double finish_tile(const Tile& tile, int row_begin, int row_end, int columns, const TileRays& rays,
+double finish_tile(const Tile& tile, const TileRectangle& wanted, const TileRays& rays,
                    const TileScale& scale, const TileOutput& output) {
-  return HWY_DYNAMIC_DISPATCH(finish_tile)(tile, row_begin, row_end, columns, rays, scale, output);
+  return HWY_DYNAMIC_DISPATCH(finish_tile)(tile, wanted, rays, scale, output);
 }
 
 }  // namespace raycheck::reference

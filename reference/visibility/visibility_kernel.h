@@ -89,9 +89,9 @@ struct TileRays {
 
 enum class Certified { kNo, kYes };
 
-/// Resets to nothing seen, everything decided; pixels outside these rows and columns are not
-/// wanted, and see what is nearer than any sphere.
-void clear(Tile& tile, int row_begin, int row_end, int columns);
+/// Resets to nothing seen, everything decided; pixels outside of what is wanted, some rows of the
+/// first columns, see what is nearer than any sphere.
+void clear(Tile& tile, const TileRectangle& wanted);
 
 /// Sweeps the spheres, sorted by nearest_distance, over the tile. All pixels but the undecided ones
 /// then have the nearest sphere.
@@ -114,9 +114,9 @@ struct TileScale {
   double plane = 1;  ///< 0 for focal rays.
   std::array<double, 3> eye{}, U{}, V{}, W{};
 };
-/// Writes rows row_begin <= row < row_end of the first `columns` columns. Returns the least
-/// numerator among them, infinity where nothing is seen.
-double finish_tile(const Tile& tile, int row_begin, int row_end, int columns, const TileRays& rays,
+/// Writes the wanted pixels, some rows of the first columns. Returns the least numerator among
+/// them, infinity where nothing is seen.
+double finish_tile(const Tile& tile, const TileRectangle& wanted, const TileRays& rays,
                    const TileScale& scale, const TileOutput& output);
 
 }  // namespace raycheck::reference

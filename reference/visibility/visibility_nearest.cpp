@@ -34,7 +34,7 @@ class NearestOfRows {
     at_.for_each_band([&](std::size_t band) {
       const std::span<const std::uint32_t> in_band = impl_.bands.of(band);
       if (in_band.empty()) {
-        fill_band(band);
+        fill_band();
         return;
       }
       distribute(
@@ -46,11 +46,11 @@ class NearestOfRows {
           tiles_);
       for (std::size_t tile = 0; tile + 1 < tiles_.begin.size(); ++tile) {
         scene::poll();
-        list_spheres(band, tile, in_band);
-        clear(tile_, at_.row_begin(), at_.row_end(), at_.columns_of(tile));
-        const TileRays rays = at_.rays_of(band, tile);
+        list_spheres(tile, in_band);
+        clear(tile_, at_.wanted_of(tile));
+        const TileRays rays = at_.rays_of(tile);
         sweep(list_, rays, certified, tile_);
-        finish(band, tile, rays, certified, decided_by);
+        finish(tile, rays, certified, decided_by);
       }
     });
     decided_by.filter = at_.pixels() - decided_by.fallback();
@@ -58,8 +58,8 @@ class NearestOfRows {
   }
 
  private:
-  void fill_band(std::size_t band) {
-    const std::size_t from = at_.output_at(band, at_.row_begin(), 0);
+  void fill_band() {
+    const std::size_t from = at_.output_at(at_.row_begin(), 0);
     const auto count = static_cast<std::size_t>((at_.row_end() - at_.row_begin()) * impl_.width);
     const auto fill = [&](auto array, auto value) {
       if (!array.empty())
@@ -71,7 +71,7 @@ class NearestOfRows {
     }
   }
 
-  void list_spheres(std::size_t band, std::size_t tile, std::span<const std::uint32_t> in_band) {
+  void list_spheres(std::size_t tile, std::span<const std::uint32_t> in_band) {
     list_.clear();
     again_.clear();
     const std::span<const std::uint32_t> in_tile = tiles_.of(tile);
@@ -80,7 +80,7 @@ class NearestOfRows {
       const std::uint32_t position = in_band[entry];
       const FilteredSphere* sphere = &impl_.spheres[position];
       if (!impl_.plan.items.constants) sphere = &again_.emplace_back(computed_anew(*sphere));
-      list_.push_back({sphere, at_.within_tile(impl_.rectangles[position], band, tile)});
+      list_.push_back({sphere, at_.within_tile(impl_.rectangles[position], tile)});
     }
   }
 
@@ -95,38 +95,36 @@ class NearestOfRows {
   }
 
   /// Writes the tile; the exact ray decides what the filter left undecided.
-  void finish(std::size_t band, std::size_t tile, const TileRays& rays, Certified certified,
-              DecidedBy& decided_by) {
-    const int columns = at_.columns_of(tile);
-    const std::size_t at = at_.output_at(band, at_.row_begin(), tile);
+  void finish(std::size_t tile, const TileRays& rays, Certified certified, DecidedBy& decided_by) {
+    const TileRectangle wanted = at_.wanted_of(tile);
+    const std::size_t at = at_.output_at(at_.row_begin(), tile);
     const auto from = [at](auto array) { return array.empty() ? nullptr : array.data() + at; };
     TileOutput output{from(rows_.sphere),
                       from(rows_.parameter),
                       {from(rows_.point_x), from(rows_.point_y), from(rows_.point_z)},
                       static_cast<std::ptrdiff_t>(impl_.width)};
-    const double least =
-        finish_tile(tile_, at_.row_begin(), at_.row_end(), columns, rays, impl_.scale, output);
-    if (!impl_.plan.items.quantities) compute_all(rays, columns);
+    const double least = finish_tile(tile_, wanted, rays, impl_.scale, output);
+    if (!impl_.plan.items.quantities) compute_all(rays, wanted);
     if (certified == Certified::kNo) return;
-    if (!rows_.parameter.empty() || !rows_.point_x.empty()) require_precise(rays, least, columns);
+    if (!rows_.parameter.empty() || !rows_.point_x.empty()) require_precise(rays, least, wanted);
     const std::uint64_t inside =
-        columns == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << columns) - 1;
-    for (int row = at_.row_begin(); row < at_.row_end(); ++row) {
+        wanted.i_end == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << wanted.i_end) - 1;
+    for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
       for (std::uint64_t left = tile_.undecided[static_cast<std::size_t>(row)] & inside; left != 0;
            left &= left - 1) {
         const int column = __builtin_ctzll(left);
         const Rung rung =
-            decide_exactly({at_.first_column(tile) + column, at_.first_row(band) + row},
-                           at_.output_at(band, row, tile) + static_cast<std::size_t>(column));
+            decide_exactly({at_.first_column(tile) + column, at_.first_row() + row},
+                           at_.output_at(row, tile) + static_cast<std::size_t>(column));
         ++decided_by.rungs[static_cast<std::size_t>(rung)];
       }
     }
   }
 
   /// Computes s and Q of the tile, wanted or not.
-  void compute_all(const TileRays& rays, int columns) {
+  void compute_all(const TileRays& rays, const TileRectangle& wanted) {
     double* const scratch = all_quantities_.data();
-    finish_tile(tile_, at_.row_begin(), at_.row_end(), columns, rays, impl_.scale,
+    finish_tile(tile_, wanted, rays, impl_.scale,
                 {nullptr, scratch, {scratch, scratch, scratch}, Tile::kWidth});
   }
 
@@ -141,12 +139,12 @@ class NearestOfRows {
   static constexpr double kShare = kVisibleParameterError / 2;
 
   /// Leaves imprecise pixels to the exact ray.
-  void require_precise(const TileRays& rays, double least, int columns) {
+  void require_precise(const TileRays& rays, double least, const TileRectangle& wanted) {
     const bool with_points = !rows_.point_x.empty();
     if (!(2 * impl_.sizes.delta <= kShare / 8 * rays.least_length) ||
         (with_points && impl_.axis_doubt > kShare / 32)) {
-      for (int row = at_.row_begin(); row < at_.row_end(); ++row) {
-        for (int column = 0; column < columns; ++column) {
+      for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
+        for (int column = 0; column < wanted.i_end; ++column) {
           if (tile_.sphere[static_cast<std::size_t>(row * Tile::kWidth + column)] < 0) continue;
           tile_.undecided[static_cast<std::size_t>(row)] |= std::uint64_t{1} << column;
         }
@@ -161,7 +159,7 @@ class NearestOfRows {
     for (const SphereInTile& entry : list_) {
       if (entry.sphere->exact || entry.sphere->root_margin <= kShare * least) continue;
       for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
-        for (int column = entry.pixels.i_begin; column < std::min(entry.pixels.i_end, columns);
+        for (int column = entry.pixels.i_begin; column < std::min(entry.pixels.i_end, wanted.i_end);
              ++column) {
           const auto at = static_cast<std::size_t>(row * Tile::kWidth + column);
           if (tile_.sphere[at] == entry.sphere->index &&
@@ -184,7 +182,7 @@ class NearestOfRows {
     for (const std::size_t index : candidates_) spheres_.push_back(impl_.scene.spheres[index]);
     const ExactRay ray(impl_.camera, pixel);
     Rung highest = Rung::kIntervals;
-    const auto seen = ray.nearest(spheres_, impl_.plan.conventions, &highest);
+    const auto seen = ray.nearest(spheres_, impl_.plan.conventions, {.highest = &highest});
     const auto put = [at](auto array, auto value) {
       if (!array.empty()) array[at] = value;
     };

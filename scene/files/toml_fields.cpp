@@ -40,7 +40,7 @@ toml::table parse_toml(std::string_view text, std::string_view file) {
   }
 }
 
-void TomlFields::require_known(const Table& from, std::initializer_list<std::string_view> known) {
+void TomlFields::require_known(const Table& from, std::span<const std::string_view> known) {
   std::optional<Field> unknown;
   for (const auto& [key, node] : from.keys) {
     const Field field{node, from.prefix + std::string(key.str()), key.source().begin.line};

@@ -9,11 +9,13 @@
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "scene/conventions.h"
+#include "scene/fields.h"
 #include "scene/files/located_fields.h"
 
 namespace raycheck::scene {
@@ -44,7 +46,10 @@ class TomlFields {
 
   LocatedFields& located() { return located_; }
 
-  void require_known(const Table& from, std::initializer_list<std::string_view> known);
+  void require_known(const Table& from, std::span<const std::string_view> known);
+  void require_known(const Table& from, std::initializer_list<std::string_view> known) {
+    require_known(from, std::span(known.begin(), known.size()));
+  }
   std::optional<Field> optional(const Table& from, std::string_view key) const;
   Field required(const Table& from, std::string_view key) const;
 
@@ -102,36 +107,35 @@ class TomlFields {
   LocatedFields located_;
 };
 
-/// t_min, t_max, interval, t_unit and culling of a table: a scene's, or declared ones, which all
-/// count as declared if one is given.
-inline void read_valid_roots(const TomlFields& fields, const TomlFields::Table& from,
-                             ValidRoots& valid) {
-  if (const auto field = fields.optional(from, "t_min")) valid.t_min = fields.number(*field);
-  if (const auto field = fields.optional(from, "t_max")) valid.t_max = fields.number(*field);
-  fields.choose(from, "interval", kEndsNames, valid.ends);
-  fields.choose(from, "t_unit", kTUnitNames, valid.unit);
-  fields.choose(from, "culling", kCullingNames, valid.culling);
-}
-inline void read_valid_roots(const TomlFields& fields, const TomlFields::Table& from,
-                             std::optional<ValidRoots>& valid) {
-  bool is_declared = false;
-  for (const char* key : {"t_min", "t_max", "interval", "t_unit", "culling"}) {
-    is_declared = is_declared || fields.optional(from, key).has_value();
-  }
-  if (is_declared) read_valid_roots(fields, from, valid.emplace());
-}
-
-/// The conventions that a table sets; for scenes and other files that have them.
+/// The conventions that a table sets; for scenes and other files that have them. Those of valid
+/// roots all count as declared if one is given.
 template <typename Conventions>
 void read_conventions(TomlFields& fields, const TomlFields::Table& from, Conventions& conventions) {
-  fields.require_known(from, {"rows", "samples", "origin", "root", "tangent", "t_min", "t_max",
-                              "interval", "t_unit", "culling"});
-  fields.choose(from, "rows", kRowsNames, conventions.rows);
-  fields.choose(from, "samples", kSamplesNames, conventions.samples);
-  fields.choose(from, "origin", kOriginNames, conventions.origin);
-  fields.choose(from, "root", kRootNames, conventions.root);
-  fields.choose(from, "tangent", kTangentNames, conventions.tangent);
-  read_valid_roots(fields, from, conventions.valid);
+  ValidRoots valid = std::optional<ValidRoots>(conventions.valid).value_or(ValidRoots{});
+  std::vector<std::string_view> known;
+  const auto note = [&](std::string_view key, auto&) { known.push_back(key); };
+  for_each_choice(conventions, note);
+  for_each_field(valid, note);
+  fields.require_known(from, known);
+
+  for_each_choice(conventions, [&](std::string_view key, auto& choice) {
+    using Choice = std::remove_cvref_t<decltype(choice)>;
+    if constexpr (std::is_enum_v<Choice>) {
+      fields.choose(from, key, names_of(choice), choice);
+    } else {
+      fields.choose(from, key, names_of(typename Choice::value_type{}), choice);
+    }
+  });
+  for_each_field(valid, [&](std::string_view key, auto& value) {
+    const auto field = fields.optional(from, key);
+    if (!field) return;
+    if constexpr (std::is_enum_v<std::remove_reference_t<decltype(value)>>) {
+      fields.choose(from, key, names_of(value), value);
+    } else {
+      value = fields.number(*field);
+    }
+    conventions.valid = valid;
+  });
 }
 
 }  // namespace raycheck::scene

@@ -9,23 +9,23 @@ class SceneReader {
  public:
   explicit SceneReader(std::string_view file) : fields_(file) {}
 
-  Scene read(const toml::table& root) {
+  Scene read_scene(const toml::table& root) {
     const Table file{root, "scene", "", 1};
     fields_.require_known(file, {"camera", "conventions", "sphere", "ray"});
     Scene scene;
     if (const auto field = fields_.optional(file, "camera")) {
-      scene.camera = camera(fields_.table(*field));
+      scene.camera = read<Camera>(fields_.table(*field));
     }
     if (const auto field = fields_.optional(file, "conventions")) {
       read_conventions(fields_, fields_.table(*field), scene.conventions);
     }
     for (const Table& each : fields_.tables(file, "sphere")) {
       poll();
-      scene.spheres.push_back(sphere(each));
+      scene.spheres.push_back(read<Sphere>(each));
     }
     for (const Table& each : fields_.tables(file, "ray")) {
       poll();
-      scene.rays.push_back(ray(each));
+      scene.rays.push_back(read<Ray>(each));
     }
     fields_.located().require_valid(scene, [&](const std::string& field) {
       // Its defect is that it has rays as well as a camera.
@@ -38,43 +38,28 @@ class SceneReader {
  private:
   using Table = TomlFields::Table;
 
+  template <class Thing>
+  Thing read(const Table& from) {
+    Thing thing;
+    std::vector<std::string_view> known;
+    for_each_field(thing, [&](std::string_view key, auto&) { known.push_back(key); });
+    fields_.require_known(from, known);
+    for_each_field(thing, [&](std::string_view key, auto& value) { set(from, key, value); });
+    return thing;
+  }
+
   template <class Triple>
-  Triple triple(const Table& from, std::string_view key) const {
-    return fields_.triple<Triple>(fields_.required(from, key));
+  void set(const Table& from, std::string_view key, Triple& value) const {
+    value = fields_.triple<Triple>(fields_.required(from, key));
   }
-  double number(const Table& from, std::string_view key) const {
-    return fields_.number(fields_.required(from, key));
+  void set(const Table& from, std::string_view key, double& value) const {
+    value = fields_.number(fields_.required(from, key));
   }
-  std::int64_t pixels(const Table& from, std::string_view key) const {
-    return fields_.integer(fields_.required(from, key), "a whole number of pixels");
+  void set(const Table& from, std::string_view key, std::optional<double>& value) const {
+    if (const auto field = fields_.optional(from, key)) value = fields_.number(*field);
   }
-
-  Camera camera(const Table& from) {
-    fields_.require_known(from, {"eye", "look_at", "up", "near", "far", "left", "right", "bottom",
-                                 "top", "width", "height"});
-    Camera camera;
-    camera.eye = triple<Point3>(from, "eye");
-    camera.look_at = triple<Point3>(from, "look_at");
-    camera.up = triple<Vector3>(from, "up");
-    camera.near = number(from, "near");
-    if (const auto field = fields_.optional(from, "far")) camera.far = fields_.number(*field);
-    camera.left = number(from, "left");
-    camera.right = number(from, "right");
-    camera.bottom = number(from, "bottom");
-    camera.top = number(from, "top");
-    camera.width = pixels(from, "width");
-    camera.height = pixels(from, "height");
-    return camera;
-  }
-
-  Sphere sphere(const Table& from) {
-    fields_.require_known(from, {"centre", "radius"});
-    return {triple<Point3>(from, "centre"), number(from, "radius")};
-  }
-
-  Ray ray(const Table& from) {
-    fields_.require_known(from, {"origin", "direction"});
-    return {triple<Point3>(from, "origin"), triple<Vector3>(from, "direction")};
+  void set(const Table& from, std::string_view key, std::int64_t& value) const {
+    value = fields_.integer(fields_.required(from, key), "a whole number of pixels");
   }
 
   TomlFields fields_;
@@ -83,7 +68,7 @@ class SceneReader {
 }  // namespace
 
 LoadedScene read_toml(std::string_view text, std::string_view file) {
-  return {SceneReader(file).read(parse_toml(text, file)), {}};
+  return {SceneReader(file).read_scene(parse_toml(text, file)), {}};
 }
 
 }  // namespace raycheck::scene

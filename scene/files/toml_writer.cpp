@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
+#include "scene/fields.h"
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
 
@@ -18,19 +20,33 @@ std::string toml_number(double value) {
   return needs_point ? text + ".0" : text;
 }
 
-template <typename Triple>
-std::string toml_triple(const Triple& triple) {
-  return "[" + toml_number(triple.x) + ", " + toml_number(triple.y) + ", " + toml_number(triple.z) +
-         "]";
+template <class Value>
+std::string toml_value(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    return '"' + std::string(name(value)) + '"';
+  } else if constexpr (std::is_same_v<Value, double>) {
+    return toml_number(value);
+  } else if constexpr (std::is_same_v<Value, std::int64_t>) {
+    return std::to_string(value);
+  } else {
+    return "[" + toml_number(value.x) + ", " + toml_number(value.y) + ", " + toml_number(value.z) +
+           "]";
+  }
 }
 
-std::string line(std::string_view key, const std::string& value) {
-  return std::string(key) + " = " + value + "\n";
+template <class Value>
+std::string line(const char* key, const Value& value) {
+  return std::string(key) + " = " + toml_value(value) + "\n";
+}
+std::string line(const char* key, const std::optional<double>& value) {
+  return value ? line(key, *value) : "";
 }
 
-template <typename Choice>
-std::string line_unless_default(std::string_view key, Choice choice, Choice usual) {
-  return choice == usual ? "" : line(key, '"' + std::string(name(choice)) + '"');
+template <class Thing>
+std::string table(const char* header, const Thing& thing) {
+  std::string out = std::string(header) + "\n";
+  for_each_field(thing, [&](const char* key, const auto& value) { out += line(key, value); });
+  return out;
 }
 
 std::string comment_lines(std::string_view comment) {
@@ -48,34 +64,24 @@ std::string comment_lines(std::string_view comment) {
   return out;
 }
 
-std::string camera_table(const Camera& camera) {
-  return "[camera]\n" + line("eye", toml_triple(camera.eye)) +
-         line("look_at", toml_triple(camera.look_at)) + line("up", toml_triple(camera.up)) +
-         line("near", toml_number(camera.near)) +
-         (camera.far ? line("far", toml_number(*camera.far)) : "") +
-         line("left", toml_number(camera.left)) + line("right", toml_number(camera.right)) +
-         line("bottom", toml_number(camera.bottom)) + line("top", toml_number(camera.top)) +
-         line("width", std::to_string(camera.width)) +
-         line("height", std::to_string(camera.height));
+std::vector<std::string> lines_of(const Conventions& conventions) {
+  std::vector<std::string> lines;
+  const auto add = [&](const char* key, const auto& value) { lines.push_back(line(key, value)); };
+  for_each_choice(conventions, add);
+  for_each_field(conventions.valid, add);
+  return lines;
 }
 
-std::string number_unless_default(const char* key, double value, double usual) {
-  return value == usual ? "" : line(key, toml_number(value));
-}
-
+/// Those that are not the defaults.
 std::string conventions_table(const Conventions& conventions) {
   const Conventions usual;
   if (conventions == usual) return "";
-  return "[conventions]\n" + line_unless_default("rows", conventions.rows, usual.rows) +
-         line_unless_default("samples", conventions.samples, usual.samples) +
-         line_unless_default("origin", conventions.origin, usual.origin) +
-         line_unless_default("root", conventions.root, usual.root) +
-         line_unless_default("tangent", conventions.tangent, usual.tangent) +
-         number_unless_default("t_min", conventions.valid.t_min, usual.valid.t_min) +
-         number_unless_default("t_max", conventions.valid.t_max, usual.valid.t_max) +
-         line_unless_default("interval", conventions.valid.ends, usual.valid.ends) +
-         line_unless_default("t_unit", conventions.valid.unit, usual.valid.unit) +
-         line_unless_default("culling", conventions.valid.culling, usual.valid.culling);
+  std::string out = "[conventions]\n";
+  const std::vector<std::string> lines = lines_of(conventions), defaults = lines_of(usual);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (lines[k] != defaults[k]) out += lines[k];
+  }
+  return out;
 }
 
 }  // namespace
@@ -86,16 +92,10 @@ std::string write_toml(const Scene& scene, std::string_view comment) {
     if (!out.empty() && !table.empty()) out += '\n';
     out += table;
   };
-  if (scene.camera) append(camera_table(*scene.camera));
+  if (scene.camera) append(table("[camera]", *scene.camera));
   append(conventions_table(scene.conventions));
-  for (const Sphere& sphere : scene.spheres) {
-    append("[[sphere]]\n" + line("centre", toml_triple(sphere.centre)) +
-           line("radius", toml_number(sphere.radius)));
-  }
-  for (const Ray& ray : scene.rays) {
-    append("[[ray]]\n" + line("origin", toml_triple(ray.origin)) +
-           line("direction", toml_triple(ray.direction)));
-  }
+  for (const Sphere& sphere : scene.spheres) append(table("[[sphere]]", sphere));
+  for (const Ray& ray : scene.rays) append(table("[[ray]]", ray));
   return out;
 }
 

@@ -24,9 +24,7 @@ using scene::Camera;
 using scene::Conventions;
 using scene::Pixel;
 using scene::Ray;
-using scene::Root;
 using scene::Sphere;
-using scene::Tangent;
 using scene::UnitVector3;
 
 class EachMethod : public testing::TestWithParam<const IntersectMethod*> {};
@@ -35,11 +33,10 @@ TEST_P(EachMethod, TakesBatchesOfAnySize) {
   std::vector<Ray> many;
   for (int k = 0; k < 1000; ++k) many.push_back({{-5, k * 0.002, 0}, {1, 0.001 * k, 0.5}});
   const Sphere sphere = {{0, 0, 2}, 2};
-  EXPECT_GT(expect_batch_is_single_calls(*GetParam(), many, sphere, Root::kNearest, Tangent::kHit),
-            100);
+  EXPECT_GT(expect_batch_is_single_calls(*GetParam(), many, sphere, {}), 100);
   Hits hits;
-  GetParam()->intersect(batch_of(many), sphere, Root::kNearest, Tangent::kHit, hits);
-  GetParam()->intersect(Rays(), sphere, Root::kNearest, Tangent::kHit, hits);
+  GetParam()->intersect(batch_of(many), sphere, {}, hits);
+  GetParam()->intersect(Rays(), sphere, {}, hits);
   EXPECT_EQ(hits.size(), 0u);
   EXPECT_EQ(hits.point.size(), 0u);
 }
@@ -52,9 +49,8 @@ TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
       const scene::Scene scene = properties::ChosenSource{&source}.make(seed).scene;
       for (const Sphere& sphere : scene.spheres) {
         asked += 2;
-        hits +=
-            expect_batch_is_single_calls(*GetParam(), {scene.rays.front(), scene.rays.front()},
-                                         sphere, scene.conventions.root, scene.conventions.tangent);
+        hits += expect_batch_is_single_calls(*GetParam(), {scene.rays.front(), scene.rays.front()},
+                                             sphere, scene.conventions.hit_rule());
       }
     }
   }
@@ -69,11 +65,12 @@ TEST_P(EachMethod, RanksTheFirstOfEqualSpheresFirst) {
       {{9, 0, 0}, 1}, {{5, 0, 0}, 1}, {{5, 0, 0}, 1}, {{-5, 0, 0}, 1}};
   const Rays rays =
       batch_of({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {-1, 0, 0}}, {{0, 0, 0}, {0, 1, 0}}});
-  using Index = std::optional<std::size_t>;
-  const auto nearest = nearest_spheres(*GetParam(), rays, spheres, Root::kNearest, Tangent::kHit);
-  EXPECT_EQ(nearest, (std::vector<Index>{1, 3, Index()}));
-  EXPECT_EQ(nearest_spheres(*GetParam(), rays, {}, Root::kNearest, Tangent::kHit),
-            (std::vector<Index>(3)));
+  const auto nearest = nearest_spheres(*GetParam(), rays, spheres, {});
+  ASSERT_EQ(nearest.size(), 3u);
+  EXPECT_EQ(nearest[0].value().sphere, 1u);
+  EXPECT_EQ(nearest[1].value().sphere, 3u);
+  EXPECT_FALSE(nearest[2]);
+  for (const auto& none : nearest_spheres(*GetParam(), rays, {}, {})) EXPECT_FALSE(none);
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, EachMethod,

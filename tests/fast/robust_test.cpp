@@ -25,6 +25,7 @@ namespace {
 
 using properties::Random;
 using reference::HitClass;
+using scene::HitRule;
 using scene::Ray;
 using scene::Root;
 using scene::Sphere;
@@ -42,17 +43,17 @@ struct RobustAudit {
   std::string worst;  ///< Where worst_s or the last wrong class was.
 };
 
-using Answer = std::optional<Hit> (*)(const Ray&, const Sphere&, Root, Tangent);
+using Answer = std::optional<Hit> (*)(const Ray&, const Sphere&, HitRule);
 
-void compare(Answer answer, const Ray& ray, const Sphere& sphere, Root root, Tangent tangent,
+void compare(Answer answer, const Ray& ray, const Sphere& sphere, HitRule rule,
              RobustAudit& audit) {
   if (!scene::defects(ray).empty() || !scene::defects(sphere).empty()) return;
   const reference::ExactRay exact(ray);
-  const reference::Intersection at = exact.intersect(sphere, root);
-  const auto hit = answer(ray, sphere, root, tangent);
+  const reference::Intersection at = exact.intersect(sphere, rule.root);
+  const auto hit = answer(ray, sphere, rule);
   ++audit.pairs;
   audit.tangents += at.hit_class == HitClass::kTangent ? 1 : 0;
-  if (hit.has_value() != reference::counts_as_hit(at.hit_class, tangent)) {
+  if (hit.has_value() != reference::counts_as_hit(at.hit_class, rule.tangent)) {
     ++audit.wrong_classes;
     audit.worst = reference::spelled(ray) + reference::spelled(sphere);
   }
@@ -75,9 +76,9 @@ void compare(Answer answer, const Ray& ray, const Sphere& sphere, Root root, Tan
 
 /// Under every convention that can make a difference.
 void compare_all(Answer answer, const Ray& ray, const Sphere& sphere, RobustAudit& audit) {
-  compare(answer, ray, sphere, Root::kNearest, Tangent::kHit, audit);
-  compare(answer, ray, sphere, Root::kNearest, Tangent::kMiss, audit);
-  compare(answer, ray, sphere, Root::kSmaller, Tangent::kHit, audit);
+  compare(answer, ray, sphere, {Root::kNearest, Tangent::kHit}, audit);
+  compare(answer, ray, sphere, {Root::kNearest, Tangent::kMiss}, audit);
+  compare(answer, ray, sphere, {Root::kSmaller, Tangent::kHit}, audit);
 }
 
 void expect_kept(const RobustAudit& audit, int least_pairs, int least_hits) {
@@ -117,8 +118,8 @@ TEST(Robust, IsRightOnEverySourceOfGivenRays) {
       const auto the_case = properties::ChosenSource{&source}.make(seed);
       const scene::Conventions& conventions = the_case.scene.conventions;
       for (const Sphere& sphere : the_case.scene.spheres) {
-        compare(kRobust.intersect_one, the_case.scene.rays.front(), sphere, conventions.root,
-                conventions.tangent, audit);
+        compare(kRobust.intersect_one, the_case.scene.rays.front(), sphere, conventions.hit_rule(),
+                audit);
       }
     }
     EXPECT_GT(audit.hits - before, 5000) << source.name;
@@ -218,16 +219,15 @@ TEST(Robust, IsRightOnComponentsOfAnyExponents) {
 
 /// Of the exact case: a step that answers must be right by itself.
 TEST(Robust, IsRightInEachOfItsSteps) {
-  const Answer integers = [](const Ray& ray, const Sphere& sphere, Root root, Tangent tangent) {
-    const Chosen chosen = answer_by_integers(ray, sphere, root, tangent);
-    return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+  const Answer integers = [](const Ray& ray, const Sphere& sphere, HitRule rule) {
+    return answer_by_integers(ray, sphere, rule).if_hit();
   };
   static int proven = 0;
-  const Answer pairs = [](const Ray& ray, const Sphere& sphere, Root root, Tangent tangent) {
-    const auto chosen = answer_by_pairs(ray, sphere, root);
-    if (!chosen) return kRobust.intersect_one(ray, sphere, root, tangent);
+  const Answer pairs = [](const Ray& ray, const Sphere& sphere, HitRule rule) {
+    const auto chosen = answer_by_pairs(ray, sphere, rule.root);
+    if (!chosen) return kRobust.intersect_one(ray, sphere, rule);
     ++proven;
-    return chosen->hit ? std::optional(chosen->at) : std::nullopt;
+    return chosen->if_hit();
   };
   RobustAudit by_integers;
   RobustAudit by_pairs;
@@ -238,8 +238,8 @@ TEST(Robust, IsRightInEachOfItsSteps) {
       const scene::Conventions& conventions = the_case.scene.conventions;
       const Ray& ray = the_case.scene.rays.front();
       const Sphere& sphere = the_case.scene.spheres.front();
-      compare(integers, ray, sphere, conventions.root, conventions.tangent, by_integers);
-      compare(pairs, ray, sphere, conventions.root, conventions.tangent, by_pairs);
+      compare(integers, ray, sphere, conventions.hit_rule(), by_integers);
+      compare(pairs, ray, sphere, conventions.hit_rule(), by_pairs);
     }
   }
   expect_kept(by_integers, 20000, 8000);
@@ -253,7 +253,7 @@ TEST(Robust, AnswersWhatIsNoProblemWithAMiss) {
   const Sphere unit = {{0, 0, 0}, 1};
   for (const Ray& ray : {Ray{{nan, 0, 0}, {1, 0, 0}}, Ray{{0, 0, 0}, {0, 0, 0}},
                          Ray{{0, 0, 0}, {kInfinity, 0, 0}}, Ray{{kInfinity, 0, 0}, {1, 0, 0}}}) {
-    EXPECT_FALSE(kRobust.intersect_one(ray, unit, Root::kNearest, Tangent::kHit));
+    EXPECT_FALSE(kRobust.intersect_one(ray, unit, {}));
   }
 }
 

@@ -37,12 +37,11 @@ Candidate with_plan(std::string name, MakePlan make) {
                              Candidate::Pixels pixels) {
     const ScenePlan plan = make(scene, conventions, Wanted::kNearest);
     std::vector<std::optional<SeenAnswer>> answers(pixels.size());
-    fast::SeenPixels seen;
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       const auto& [i, j] = pixels[k];
-      fast::see(scene, plan, fast::kDirectRays, fast::kCross, {i, i + 1, j, j + 1}, seen);
-      if (seen.sphere[0] == fast::kNothingSeen) continue;
-      answers[k] = {static_cast<std::size_t>(seen.sphere[0]), seen.parameter[0]};
+      const auto seen =
+          fast::see(scene, plan, fast::kDirectRays, fast::kCross, {i, i + 1, j, j + 1});
+      if (seen[0]) answers[k] = {seen[0]->sphere, seen[0]->parameter};
     }
     return answers;
   };

@@ -28,13 +28,13 @@ void expect_engines_agree(const ExactRay& ray, const Sphere& first, const Sphere
   for (const Root root : {Root::kNearest, Root::kSmaller}) {
     const Intersection at_first = ray.intersect(first, root);
     const Intersection at_second = ray.intersect(second, root);
-    ASSERT_EQ(at_first, ray.intersect(first, root, Engine::kFieldOnly));
-    ASSERT_EQ(at_second, ray.intersect(second, root, Engine::kFieldOnly));
+    ASSERT_EQ(at_first, ray.intersect(first, root, {Engine::kFieldOnly}));
+    ASSERT_EQ(at_second, ray.intersect(second, root, {Engine::kFieldOnly}));
     hits += at_first.hit_class != HitClass::kMiss ? 1 : 0;
     if (at_first.hit_class == HitClass::kMiss || at_second.hit_class == HitClass::kMiss) continue;
     ++pairs;
     ASSERT_EQ(ray.compare(first, at_first, second, at_second),
-              ray.compare(first, at_first, second, at_second, Engine::kFieldOnly));
+              ray.compare(first, at_first, second, at_second, {Engine::kFieldOnly}));
   }
 }
 

@@ -68,7 +68,7 @@ Kernel exact_decisions() {
             for (std::size_t k = 0; k < pixels.size(); ++k) {
               const auto exact = reference::ExactRay(camera, pixels[k])
                                      .intersect(tools::kBenchSphere, scene::Root::kNearest,
-                                                reference::Engine::kFieldOnly);
+                                                {reference::Engine::kFieldOnly});
               if (!((*answers)[k] == exact)) return false;
             }
             return true;
@@ -132,7 +132,7 @@ Kernel certified_s() {
             for (std::size_t k = 0; k < cases.size(); ++k) {
               const reference::ExactRay ray(cases[k].ray);
               const auto at = ray.intersect(cases[k].sphere, scene::Root::kNearest,
-                                            reference::Engine::kFieldOnly);
+                                            {reference::Engine::kFieldOnly});
               const double exact =
                   reference::ulp_error(cases[k].answer, ray.parameter(cases[k].sphere, at, 400));
               if ((*answers)[k] < exact || (*answers)[k] > exact + 0x1p-10) return false;
@@ -157,10 +157,7 @@ Kernel intersections(const fast::IntersectMethod& method) {
   const auto hits = std::make_shared<fast::Hits>();
   return {
       "intersect/" + std::string(method.name), rays.size(),
-      [=, &method] {
-        method.intersect(rays, scene.spheres.front(), scene::Root::kNearest, scene::Tangent::kHit,
-                         *hits);
-      },
+      [=, &method] { method.intersect(rays, scene.spheres.front(), {}, *hits); },
       [&method, scene] { return tools::wrong_answers(fast::kDirectRays, method, scene).empty(); }};
 }
 

@@ -43,10 +43,9 @@ ReadyCalls<properties::SphereHits> ready_calls(const fast::IntersectMethod& meth
         const auto& [asked, batch] = (*calls)[k];
         const auto& [rays, sphere, conventions] = asked;
         if (rays.size() == 1) {
-          result.one =
-              method.intersect_one(rays.front(), sphere, conventions.root, conventions.tangent);
+          result.one = method.intersect_one(rays.front(), sphere, conventions.hit_rule());
         } else {
-          method.intersect(batch, sphere, conventions.root, conventions.tangent, result.many);
+          method.intersect(batch, sphere, conventions.hit_rule(), result.many);
         }
       },
       [](const Result& result) {

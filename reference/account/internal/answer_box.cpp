@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "reference/account/internal/answer_inputs.h"
 #include "reference/account/internal/condition_impl.h"
 #include "reference/internal/classify.h"
 
@@ -13,20 +12,15 @@ namespace {
 /// The inputs of a pair, and the answer's s.
 constexpr int kMostInputs = kCameraInputs + 1;
 
-/// How the ray and the sphere meet when their inputs are changed; empty where balls cannot tell.
-std::optional<Intersection> intersect_changed(const ExactRay& ray, const scene::Sphere& sphere,
-                                              scene::Root root, const InputChange& change) {
-  for (int bits = kFirstWitnessBits; bits <= kLastWitnessBits; bits *= 4) {
-    const ChangedLift lift(bits, change);
-    const auto line = lifted_line(lift, ray.source());
-    const auto pair = line_and_sphere(line, lift_sphere<EnclosureKernel>(lift, sphere));
-    const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
-    if (const auto at = classify(sign, root)) return at;
-  }
-  return std::nullopt;
-}
+constexpr EnclosureLift kUnchanged{kVariationBits};
 
 }  // namespace
+
+template <class Lift, class Use>
+auto AnswerBox::with_pair(const Lift& lift, Use use) const {
+  const auto line = line_of(lift, ray_.source());
+  return use(line_and_sphere(line, lift_sphere(lift, sphere_)));
+}
 
 AnswerBox::AnswerBox(const ExactRay& ray, const scene::Sphere& sphere, const Neighbourhood& around,
                      const std::optional<double>& answer)
@@ -37,8 +31,7 @@ AnswerBox::AnswerBox(const ExactRay& ray, const scene::Sphere& sphere, const Nei
   const Enclosure least = (s - slack_).certain_sign().value_or(-1) > 0 ? s - slack_ : Enclosure(0);
   middle_ = (least + s + slack_) * Enclosure(0.5, kVariationBits);
   half_width_ = s + slack_ - middle_;
-  std::vector<Enclosure> reach =
-      reach_of(Decider::kAtAnswer, EnclosureLift{kVariationBits}, s, Enclosure(0));
+  std::vector<Enclosure> reach = reach_of(Decider::kAtAnswer, kUnchanged, s, Enclosure(0));
   reach.pop_back();
   reach_ = sum_of_sizes(reach);
 }
@@ -54,18 +47,8 @@ std::vector<double> AnswerBox::sizes() const {
   return result;
 }
 
-template <class Lift>
-LineAndSphere<typename Lift::Kernel> AnswerBox::pair_of(
-    const Lift& lift, const Line<typename Lift::Kernel>& line) const {
-  return line_and_sphere(line, lift_sphere<typename Lift::Kernel>(lift, sphere_));
-}
-
 /// How far s may be off.
 Enclosure AnswerBox::slack_of_answer() const {
-  const InputChange none;
-  const ChangedLift lift(kVariationBits, none);
-  const auto line = lifted_line(lift, ray_.source());
-  const auto t = to_centre(pair_of(lift, line));
   const auto largest = [](const auto& v) {
     Enclosure most(0);
     for (int axis = 0; axis < 3; ++axis) {
@@ -74,8 +57,10 @@ Enclosure AnswerBox::slack_of_answer() const {
     }
     return most;
   };
-  Enclosure scale = largest(t);
-  if (!line.is_unit) scale /= largest(line.g);
+  Enclosure scale = with_pair(kUnchanged, [&](const auto& pair) {
+    const Enclosure size = largest(to_centre(pair));
+    return pair.line.is_unit ? size : size / largest(pair.line.g);
+  });
   return (Enclosure(*answer_, kVariationBits) + scale) *
          Enclosure(around_.relative_change, kVariationBits);
 }
@@ -87,12 +72,11 @@ std::array<std::vector<Enclosure>, N> AnswerBox::reaches_of(const Values& values
                                                             const Enclosure& s,
                                                             const Enclosure& off) const {
   const DualLift<BaseLift, kMostInputs> lift{base};
-  const auto line = lifted_line(lift, ray_.source());
-  const auto pair = pair_of(lift, line);
-  const int inputs = lift.count();
   Enclosure around_s = s;
   arb_add_error(around_s.ball(), off.ball());
-  const auto varied = values(pair, lift.input(around_s));
+  const auto varied =
+      with_pair(lift, [&](const auto& pair) { return values(pair, lift.input(around_s)); });
+  const int inputs = lift.count() - 1;
   const Enclosure change(around_.relative_change, kVariationBits);
   std::array<std::vector<Enclosure>, N> reaches;
   for (std::size_t i = 0; i < N; ++i) {
@@ -122,10 +106,7 @@ VectorAndLength AnswerBox::over_box(const Vector& vector, const Length& length) 
     const auto v = vector(pair, s);
     return std::array{v.x(), v.y(), v.z(), length(pair)};
   };
-  const InputChange none;
-  const ChangedLift lift(kVariationBits, none);
-  const auto line = lifted_line(lift, ray_.source());
-  auto middle = values(pair_of(lift, line), middle_);
+  auto middle = with_pair(kUnchanged, [&](const auto& pair) { return values(pair, middle_); });
   auto reaches = reaches_of<4>(values, EnclosureLift{kVariationBits, around_.relative_change},
                                middle_, half_width_);
   const auto variation = [&](std::size_t i) {
@@ -148,10 +129,8 @@ VectorAndLength AnswerBox::from_answer() const {
 }
 
 std::array<double, 3> AnswerBox::direction() const {
-  const InputChange none;
-  const ChangedLift lift(kVariationBits, none);
-  const auto line = lifted_line(lift, ray_.source());
-  return {line.g.x().lower(), line.g.y().lower(), line.g.z().lower()};
+  const auto g = line_of(kUnchanged, ray_.source()).g;
+  return {g.x().lower(), g.y().lower(), g.z().lower()};
 }
 
 const Variation& AnswerBox::variation(Decider decider) {
@@ -178,18 +157,13 @@ Variation AnswerBox::variation_at(Decider decider, const std::vector<double>& t)
 }
 
 Enclosure AnswerBox::value_at(Decider decider, const std::vector<double>& t) const {
-  return value_of_changed(decider, change_at(t),
-                          moves_answer(decider) ? parameter_at(t) : at_answer());
+  const InputChange change = change_at(t);
+  return with_pair(ChangedLift(kFirstWitnessBits, change), [&](const auto& pair) {
+    return value_of(decider, pair, moves_answer(decider) ? parameter_at(t) : at_answer());
+  });
 }
 
 Enclosure AnswerBox::at_answer() const { return Enclosure(*answer_, kFirstWitnessBits); }
-
-Enclosure AnswerBox::value_of_changed(Decider decider, const InputChange& change,
-                                      const Enclosure& s) const {
-  const ChangedLift lift(kFirstWitnessBits, change);
-  const auto line = lifted_line(lift, ray_.source());
-  return value_of(decider, pair_of(lift, line), s);
-}
 
 Enclosure AnswerBox::most_near_double_root() {
   const EnclosureLift whole{kVariationBits, around_.relative_change};
@@ -206,20 +180,32 @@ InputChange AnswerBox::change_at(const std::vector<double>& t) const {
   return change;
 }
 
+/// How the ray and the sphere meet when their inputs are changed; empty where balls cannot tell.
+std::optional<Intersection> AnswerBox::intersect_changed(const InputChange& change) const {
+  for (int bits = kFirstWitnessBits; bits <= kLastWitnessBits; bits *= 4) {
+    const auto at = with_pair(ChangedLift(bits, change), [&](const auto& pair) {
+      return classify([&](Coefficient coefficient) { return sign_of(coefficient, pair); },
+                      around_.root);
+    });
+    if (at) return at;
+  }
+  return std::nullopt;
+}
+
 bool AnswerBox::is_right(const InputChange& change) const {
-  const auto at = intersect_changed(ray_, sphere_, around_.root, change);
+  const auto at = intersect_changed(change);
   if (!at || counts_as_hit(at->hit_class, around_.tangent) != answer_.has_value()) return false;
   if (!answer_) return true;
-  const ChangedLift lift(kFirstWitnessBits, change);
-  const auto line = lifted_line(lift, ray_.source());
-  const auto pair = pair_of(lift, line);
-  const Enclosure length = line.is_unit ? ray_length(line) : Enclosure(1);
-  const Enclosure mu = ray_parameter(pair, root_sign(*at)) / length;
-  const Enclosure off = abs(mu - Enclosure(*answer_, kFirstWitnessBits) / length);
-  if ((off - slack_ / length).certain_sign().value_or(1) <= 0) return true;
-  const Enclosure to_middle = abs(linear_coefficient(pair) - line.a * mu);
-  const Enclosure apart = line.a * off + to_middle + to_middle;  // times a
-  return (apart * apart - reach_ * line.a).certain_sign().value_or(1) <= 0;
+  return with_pair(ChangedLift(kFirstWitnessBits, change), [&](const auto& pair) {
+    const Line<EnclosureKernel>& line = pair.line;
+    const Enclosure length = line.is_unit ? ray_length(line) : Enclosure(1);
+    const Enclosure mu = ray_parameter(pair, root_sign(*at)) / length;
+    const Enclosure off = abs(mu - Enclosure(*answer_, kFirstWitnessBits) / length);
+    if ((off - slack_ / length).certain_sign().value_or(1) <= 0) return true;
+    const Enclosure to_middle = abs(linear_coefficient(pair) - line.a * mu);
+    const Enclosure apart = line.a * off + to_middle + to_middle;  // times a
+    return (apart * apart - reach_ * line.a).certain_sign().value_or(1) <= 0;
+  });
 }
 
 }  // namespace raycheck::reference

@@ -50,9 +50,9 @@ class AnswerBox {
   bool is_right(const InputChange& change) const;
 
  private:
-  template <class Lift>
-  LineAndSphere<typename Lift::Kernel> pair_of(const Lift& lift,
-                                               const Line<typename Lift::Kernel>& line) const;
+  /// use(the ray's line and the sphere, lifted).
+  template <class Lift, class Use>
+  auto with_pair(const Lift& lift, Use use) const;
   template <std::size_t N, class BaseLift, class Values>
   std::array<std::vector<Enclosure>, N> reaches_of(const Values& values, const BaseLift& base,
                                                    const Enclosure& s, const Enclosure& off) const;
@@ -65,7 +65,7 @@ class AnswerBox {
   Enclosure at_answer() const;
   Enclosure slack_of_answer() const;
   Enclosure parameter_at(const std::vector<double>& t) const;
-  Enclosure value_of_changed(Decider decider, const InputChange& change, const Enclosure& s) const;
+  std::optional<Intersection> intersect_changed(const InputChange& change) const;
 
   const ExactRay& ray_;
   const scene::Sphere& sphere_;

@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "reference/account/internal/answer_inputs.h"
-
 namespace raycheck::reference {
 namespace {
 
@@ -68,10 +66,10 @@ ChoiceForms::ChoiceForms(const ChoiceNumbers& inputs, const Part& part)
       part_(part),
       middle_{part.middle, {}},
       lift_(PartLift(kVariationBits, inputs.relative_change, part_)),
-      line_(lifted_line(lift_, inputs.ray.source())),
+      line_(line_of(lift_, inputs.ray.source())),
       middle_lift_(kVariationBits, inputs.relative_change, middle_) {
   if (!part_.half_width.empty()) {
-    middle_line_ = lifted_line(middle_lift_, inputs.ray.source());
+    middle_line_ = line_of(middle_lift_, inputs.ray.source());
   }
 }
 
@@ -93,7 +91,7 @@ Variation ChoiceForms::of(const ChoiceCondition& condition) const {
   const auto lift_by = [&]<class AnyLift>(const AnyLift& by, const PartLift& base,
                                           std::size_t sphere) {
     base.move_to(inputs_.first_of(sphere));
-    return lift_sphere<typename AnyLift::Kernel>(by, inputs_.spheres[sphere]);
+    return lift_sphere(by, inputs_.spheres[sphere]);
   };
   const std::optional<Enclosure> off = some_off(condition);
   const Lift lift = lift_;

@@ -61,10 +61,10 @@ Judgement judge_changed(const ChoiceQuestion& question, const InputChange& chang
   Judgement result;
   for (int bits = kFirstWitnessBits; bits <= kLastWitnessBits; bits *= 4) {
     const ChangedLift lift(bits, change);
-    const auto line = lifted_line(lift, source);
+    const auto line = line_of(lift, source);
     const auto pair_of = [&](std::size_t k) {
       const ChangedLift of_sphere(bits, change, of_ray + kOfSphere * k);
-      return line_and_sphere(line, lift_sphere<EnclosureKernel>(of_sphere, question.spheres[k]));
+      return line_and_sphere(line, lift_sphere(of_sphere, question.spheres[k]));
     };
     const auto meet = [&](std::size_t k) {
       const auto pair = pair_of(k);

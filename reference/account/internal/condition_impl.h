@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "reference/account/condition.h"
 #include "reference/account/internal/dual.h"
@@ -15,6 +17,32 @@ namespace raycheck::reference {
 inline constexpr int kSphereInputs = 4;
 inline constexpr int kGivenInputs = 6 + kSphereInputs;
 inline constexpr int kCameraInputs = 14 + kSphereInputs;
+
+/// Records what it lifts.
+struct NotingLift {
+  using Kernel = CGAL::Simple_cartesian<double>;
+
+  double operator()(double value) const {
+    noted.push_back(value);
+    return value;
+  }
+
+  std::vector<double>& noted;
+};
+
+/// The inputs of a ray and of spheres, in the order of an InputChange.
+inline std::vector<double> inputs_of(const ExactRay& ray, std::span<const scene::Sphere> spheres) {
+  std::vector<double> result;
+  const NotingLift lift{result};
+  const ExactRay::Source& source = ray.source();
+  if (source.camera) {
+    lift_camera(lift, source.camera->camera);
+  } else {
+    lift_ray(lift, source.given);
+  }
+  for (const scene::Sphere& sphere : spheres) lift_sphere(lift, sphere);
+  return result;
+}
 
 inline Interval magnitude(const Interval& x) { return CGAL::abs(x); }
 inline Enclosure magnitude(const Enclosure& x) { return abs(x); }
@@ -118,7 +146,7 @@ template <class Coefficient>
 int exact_sign_of(const ExactRay& ray, const scene::Sphere& sphere, Coefficient coefficient) {
   const ExactLift lift;
   const auto line = line_of(lift, ray.source());
-  return *certain_sign(coefficient(line_and_sphere(line, lift_sphere<ExactKernel>(lift, sphere))));
+  return *certain_sign(coefficient(line_and_sphere(line, lift_sphere(lift, sphere))));
 }
 
 inline bool axial_distance_is_zero(const ExactRay& ray, const scene::Sphere& sphere) {

@@ -69,6 +69,7 @@ class RationalInterval {
 using RationalKernel = CGAL::Simple_cartesian<RationalInterval>;
 
 struct RationalLift {
+  using Kernel = RationalKernel;
   int bits;
   RationalInterval operator()(double value) const { return {Rational(value), bits}; }
   RationalInterval constant(double value) const { return (*this)(value); }

@@ -52,11 +52,10 @@ TEST_P(EachExactMethod, KeepsTheClass) {
       const Ray ray = reference::random_ray(random, sizes);
       const Sphere sphere = reference::random_sphere(random, sizes);
       const bool meets = reference::ExactRay(ray)
-                             .intersect(sphere, Root::kNearest, reference::Engine::kFieldOnly)
+                             .intersect(sphere, Root::kNearest, {reference::Engine::kFieldOnly})
                              .hit_class != reference::HitClass::kMiss;
       hits += meets ? 1 : 0;
-      EXPECT_EQ(GetParam()->intersect_one(ray, sphere, Root::kNearest, Tangent::kHit).has_value(),
-                meets)
+      EXPECT_EQ(GetParam()->intersect_one(ray, sphere, {}).has_value(), meets)
           << reference::spelled(ray) << reference::spelled(sphere);
     }
     EXPECT_GT(hits, 50);
@@ -70,8 +69,7 @@ TEST(ExactMethods, PromiseTheClassTwice) {
 }
 
 bool meets(const fast::IntersectMethod& method, double y, double z) {
-  return method.intersect_one({{-5, y, z}, {1, 0, 0}}, kUnitSphere, Root::kNearest, Tangent::kHit)
-      .has_value();
+  return method.intersect_one({{-5, y, z}, {1, 0, 0}}, kUnitSphere, {}).has_value();
 }
 
 TEST(Arb128, DoesNotTellWhat128BitsDoNot) {

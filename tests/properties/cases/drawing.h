@@ -14,14 +14,12 @@ inline Candidate drawing_candidate() {
   candidate.most_image_pixels = 1 << 14;
   candidate.image = [](const scene::Scene& scene, const scene::Conventions& conventions) {
     const scene::Camera& camera = *scene.camera;
-    fast::SeenPixels seen;
-    fast::see(scene, scene::plan_scene(scene, conventions, scene::Wanted::kNearest),
-              fast::kDirectRays, fast::kCross, {0, camera.width, 0, camera.height}, seen);
-    ImageAnswer image(seen.sphere.size());
+    const auto seen =
+        fast::see(scene, scene::plan_scene(scene, conventions, scene::Wanted::kNearest),
+                  fast::kDirectRays, fast::kCross, {0, camera.width, 0, camera.height});
+    ImageAnswer image(seen.size());
     for (std::size_t k = 0; k < image.size(); ++k) {
-      if (seen.sphere[k] != fast::kNothingSeen) {
-        image[k] = static_cast<std::size_t>(seen.sphere[k]);
-      }
+      if (seen[k]) image[k] = seen[k]->sphere;
     }
     return image;
   };

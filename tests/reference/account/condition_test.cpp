@@ -130,7 +130,7 @@ TEST(CameraCondition, IsThatOfSmallDifferences) {
     for (const auto axis : {&EnclosedFrame::U, &EnclosedFrame::V, &EnclosedFrame::W}) {
       worst = std::max(worst, condition_by_differences(at, [axis](const CameraCase& moved) {
                          const ExactCamera other(moved.camera, moved.conventions);
-                         return listed(other.frame_within(0, kDifferenceBits).*axis);
+                         return listed(other.frame(kDifferenceBits).*axis);
                        }));
     }
     if (worst >= kMostComparedCondition) continue;

@@ -33,7 +33,7 @@ scene::Conventions conventions_of(const scene::ValidRoots& valid, Root root = Ro
 std::string met(const ExactRay& ray, const scene::Sphere& sphere, const scene::ValidRoots& valid,
                 Root root = Root::kNearest) {
   const Intersection at = ray.intersect(sphere, conventions_of(valid, root));
-  EXPECT_TRUE(at == ray.intersect(sphere, conventions_of(valid, root), Engine::kFieldOnly));
+  EXPECT_TRUE(at == ray.intersect(sphere, conventions_of(valid, root), {Engine::kFieldOnly}));
   if (at.hit_class == HitClass::kMiss) return "miss";
   if (at.hit_class == HitClass::kTangent) return "tangent";
   return at.root == WhichRoot::kSmaller ? "near" : "far";
@@ -76,8 +76,9 @@ TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
     const double t = nudged(s, random.integer(-1, 1));
     Rung highest{};
     const int side =
-        ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, Engine::kFiltered, &highest);
-    EXPECT_EQ(side, ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, Engine::kFieldOnly));
+        ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, {.highest = &highest});
+    EXPECT_EQ(side,
+              ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, {Engine::kFieldOnly}));
     ++hits;
   }
   EXPECT_GE(hits, 200);

@@ -17,7 +17,7 @@
 #include "properties/cases/random.h"
 #include "properties/mistakes/shown_picture.h"
 #include "properties/run_control.h"
-#include "scene/scene_scalars.h"
+#include "scene/fields.h"
 #include "tools/grade/judging/item_cases.h"
 #include "tools/grade/judging/judge.h"
 
@@ -211,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(LongLecture7, HostileTable,
 std::vector<double> numbers_of(Scene scene) {
   std::vector<double> numbers;
   const auto add = [&numbers](double& x) { numbers.push_back(x); };
-  properties::for_each_number(scene, add);
+  scene::for_each_number(scene, add);
   return numbers;
 }
 
