@@ -239,6 +239,30 @@ TEST(Documentation, has_every_page_in_the_readme_and_no_link_that_leads_nowhere)
   }
 }
 
+/// Files by their paths or their ends, and folders with a slash behind.
+TEST(Documentation, of_contributors_names_files_and_folders_that_there_are) {
+  const std::filesystem::path root = RAYCHECK_SOURCE_DIR;
+  std::vector<std::string> all;
+  for (const char* room : {"docs", "examples", "fast", "library", "packaging", "properties",
+                           "reference", "scene", "tests", "tools"}) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / room)) {
+      const std::string path = entry.path().lexically_relative(root).string();
+      all.push_back("/" + path + (entry.is_directory() ? "/" : ""));
+    }
+    all.push_back("/" + std::string(room) + "/");
+  }
+  const std::string page = contents(root / "CONTRIBUTING.md");
+  static const std::regex kPath(R"(`([a-z0-9_/]+(/|\.cpp|\.h|\.py|\.toml|\.json|\.md))`)");
+  std::size_t named = 0;
+  for (std::sregex_iterator at(page.begin(), page.end(), kPath), end; at != end; ++at, ++named) {
+    const std::string path = "/" + (*at)[1].str();
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const std::string& one) {
+      return one.ends_with(path);
+    })) << path;
+  }
+  EXPECT_GT(named, 50u);
+}
+
 /// The names of tests, "Suite.Test", by suite, in all of tests/.
 std::map<std::string, std::set<std::string>> tests_by_suite() {
   static const std::regex kTest(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\))");
