@@ -5,8 +5,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "tools/external/compile.h"
+#include "tools/external/sandbox/file_tree.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/grade/grade.h"
 #include "tools/report/output_file.h"
@@ -86,13 +85,6 @@ std::map<std::string, fs::path> libraries_of(const fs::path& program) {
   return libraries;
 }
 
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error(fmt::format("package: {} cannot be read", path.string()));
-  return bytes;
-}
-
 struct Part {
   std::string bytes;
   bool runs = false;
@@ -102,7 +94,7 @@ using Parts = std::map<std::string, Part>;
 void add_folder(const fs::path& folder, const std::string& to, Parts& parts) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
-    parts[to + entry.path().filename().string()] = {read(entry.path())};
+    parts[to + entry.path().filename().string()] = {file_bytes(entry.path())};
   }
 }
 
@@ -153,16 +145,17 @@ void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& 
   parts["setup.sh"] = {kSetup, true};
   parts["run_autograder"] = {
       fmt::format(kRun, fmt::arg("rubric", rubric_name), fmt::arg("seed", seed)), true};
-  parts["rubric/" + rubric_name] = {read(rubric_path)};
-  for (const auto& [name, scene] : rubric.scene_files) parts["rubric/" + name] = {read(scene)};
+  parts["rubric/" + rubric_name] = {file_bytes(rubric_path)};
+  for (const auto& [name, scene] : rubric.scene_files)
+    parts["rubric/" + name] = {file_bytes(scene)};
   const fs::path beside = program_folder() / "raycheck";
   parts["raycheck/bin/raycheck"] = {
-      read(fs::exists(beside) ? beside : prefix() / "bin" / "raycheck"), true};
+      file_bytes(fs::exists(beside) ? beside : prefix() / "bin" / "raycheck"), true};
   for (const char* program : {"raycheck-grade", "raycheck-jail", "raycheck-worker"}) {
     const fs::path from = program_folder() / program;
-    parts[std::string("raycheck/libexec/raycheck/") + program] = {read(from), true};
+    parts[std::string("raycheck/libexec/raycheck/") + program] = {file_bytes(from), true};
     for (const auto& [name, library] : libraries_of(from)) {
-      parts["raycheck/lib/" + name] = {read(library)};
+      parts["raycheck/lib/" + name] = {file_bytes(library)};
     }
   }
   add_folder(include_folder() / "raycheck", "raycheck/include/raycheck/", parts);

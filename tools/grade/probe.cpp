@@ -13,14 +13,8 @@
 namespace raycheck::tools {
 namespace {
 
-/// With the outside cause why nothing is known about it; empty: it is known.
-struct Probed {
-  SubmissionProbe probe;
-  std::string outside;
-};
-
-Probed probed(const Submission& submission, const Rubric& rubric, const Layers& layers,
-              const properties::RunControl& control, bool alone) {
+SubmissionProbe probed(const Submission& submission, const Rubric& rubric, const Layers& layers,
+                       const properties::RunControl& control, bool alone) {
   const auto surroundings = std::make_shared<Surroundings>(alone);
   SubmissionProbe probe;
   probe.name = submission.name;
@@ -33,9 +27,9 @@ Probed probed(const Submission& submission, const Rubric& rubric, const Layers& 
     probe.found = error.found();
     probe.refusal = error.refusal();
   }
-  const std::string cause = surroundings->cause();
-  if (!cause.empty()) probe.refusal = outside_refusal(cause);
-  return {std::move(probe), cause};
+  probe.outside = surroundings->cause();
+  if (!probe.outside.empty()) probe.refusal = outside_refusal(probe.outside);
+  return probe;
 }
 
 }  // namespace
@@ -51,12 +45,10 @@ ProbeReport probe(const GradeOptions& options, const properties::RunControl& con
   const Layers layers = chosen_layers(options.sandbox).layers;
   test_environment(report.rubric, layers);
   const std::vector<Submission> submissions = find_submissions(options.submissions, {});
-  for (Probed& one :
-       done_for_each<Probed>(submissions, control, "tried", [&](const Submission&each, bool alone) {
-         return probed(each, report.rubric, layers, control, alone);
-       })) {
-    report.submissions.push_back(std::move(one.probe));
-  }
+  report.submissions = done_for_each<SubmissionProbe>(
+      submissions, control, "tried", [&](const Submission& each, bool alone) {
+        return probed(each, report.rubric, layers, control, alone);
+      });
   report.interrupted = control.interrupted();
   return report;
 }

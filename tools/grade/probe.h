@@ -19,6 +19,7 @@ struct SubmissionProbe {
   Preparation found;
   std::set<std::string> functions;  ///< Those it offers; none for a renderer.
   std::optional<Refusal> refusal;   ///< Why it cannot be judged at all.
+  std::string outside = {};         ///< The cause outside it of that; empty: its own.
 };
 
 /// The dry run of a class.

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cstring>
-#include <map>
 
 #include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
@@ -22,21 +22,11 @@ constexpr Elf64_Half kMachine = EM_AARCH64;
 #error "which machine is this?"
 #endif
 
-/// "C++ or C sources", "Python files" and how many there are of each kind that could be a program.
-std::string sources_text(const HandedInFiles& files) {
-  std::map<std::string, int> counts;
-  for (const auto& [name, file] : files) {
-    const std::string ending = ending_of(name);
-    if (is_c_or_cpp(name)) ++counts["C or C++"];
-    if (ending == ".java") ++counts["Java"];
-    if (ending == ".js" || ending == ".mjs" || ending == ".cjs") ++counts["JavaScript"];
-    if (ending == ".py") ++counts["Python"];
-  }
-  std::string text;
-  for (const auto& [language, count] : counts) {
-    text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", count, language);
-  }
-  return text;
+/// Whether a file could be the source of a program.
+bool is_source(const std::string& name) {
+  constexpr std::array<std::string_view, 5> kEndings = {".java", ".js", ".mjs", ".cjs", ".py"};
+  return is_c_or_cpp(name) ||
+         std::find(kEndings.begin(), kEndings.end(), ending_of(name)) != kEndings.end();
 }
 
 /// Programs for other machines in the submission, as a reason why nothing runs.
@@ -109,12 +99,12 @@ BuildPlan build_plan(const HandedInFiles& files) {
     if (plan.attempts.size() == by_recipe) add(files, plan);
   }
   if (!plan.attempts.empty()) return plan;
-  const std::string sources = sources_text(files);
   const std::string foreign = foreign_program(files);
   if (!foreign.empty()) {
     plan.why_none = foreign + ", and there is nothing to build it of";
-  } else if (!sources.empty()) {
-    plan.why_none = fmt::format("none of its sources ({}) is a program's main one", sources);
+  } else if (std::any_of(files.begin(), files.end(),
+                         [](const auto& file) { return is_source(file.first); })) {
+    plan.why_none = "none of its sources is a program's main one";
   } else {
     plan.why_none =
         "there is nothing in it to build or run: no Makefile, no CMakeLists.txt, no sources of C, "

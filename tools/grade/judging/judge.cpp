@@ -103,7 +103,8 @@ class Judge {
   ItemTrial try_item_at(std::size_t index) {
     using Kind = ItemReason::Kind;
     const Item& item = rubric_.items[index];
-    ItemGrade grade;
+    ItemTrial trial;
+    ItemGrade& grade = trial.grade;
     grade.name = item.name;
     grade.bonus = item.bonus;
     grade.pictures = judged_.pictures;
@@ -111,8 +112,6 @@ class Judge {
     if (!task) {
       grade.state = ItemState::kNotAsked;
       grade.reason.kind = judged_.pictures ? Kind::kNotInPictures : Kind::kOfRenderers;
-      ItemTrial trial;
-      trial.grade = std::move(grade);
       return trial;
     }
     grade.points = item.points;
@@ -125,10 +124,8 @@ class Judge {
       return try_item(
           *task, cases, who, [this] { return reason_to_stop(); }, grade);
     } catch (const scene::Interrupted&) {
-      ItemTrial trial;
-      trial.grade = std::move(grade);
-      trial.grade.state = ItemState::kNotJudged;
-      trial.grade.reason.kind = Kind::kInterrupted;
+      grade.state = ItemState::kNotJudged;
+      grade.reason.kind = Kind::kInterrupted;
       return trial;
     }
   }

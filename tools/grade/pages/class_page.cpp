@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/statistics.h"

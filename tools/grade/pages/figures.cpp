@@ -1,4 +1,4 @@
-#include "tools/grade/pages/figures.h"
+// Figures of failing cases of functions.
 
 #include <fmt/core.h>
 
@@ -12,6 +12,7 @@
 #include "tools/grade/pages/wording.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/words.h"
+#include "tools/view/page/page.h"
 #include "tools/view/scene_view.h"
 
 namespace raycheck::tools {
@@ -155,7 +156,7 @@ bool has_figures(const StudentGrade& grade) {
   return false;
 }
 
-ViewDocument figures_document(const StudentGrade& grade) {
+std::string figures_page(const StudentGrade& grade) {
   // A page once begun is finished despite interrupts: it does not take long.
   const std::function<bool()> never = [] { return false; };
   const scene::Interruptible until_done(never);
@@ -164,7 +165,7 @@ ViewDocument figures_document(const StudentGrade& grade) {
   for (std::size_t k = 0; k < grade.items.size(); ++k) {
     if (has_figure(grade, k)) add_figure(grade, k, document);
   }
-  return document;
+  return document.findings.empty() ? "" : page(document);
 }
 
 std::string figure_address(std::size_t finding) {

@@ -1,10 +1,8 @@
 #include <fmt/core.h>
 
-#include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
-#include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {
@@ -140,8 +138,7 @@ std::string report_html(const StudentGrade& grade) {
 }  // namespace
 
 StudentPages student_pages(const StudentGrade& grade) {
-  const ViewDocument figures = figures_document(grade);
-  return {report_html(grade), figures.findings.empty() ? "" : page(figures)};
+  return {report_html(grade), figures_page(grade)};
 }
 
 }  // namespace raycheck::tools

@@ -87,6 +87,15 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
 /// Grades the submission again, as far as students may see, in its folder.
 HomeCommand command_for_all(const StudentGrade& grade);
 
+/// Whether item k has a figure: it asks for functions, and fails on a case whose exact answer the
+/// student is told.
+bool has_figure(const StudentGrade& grade, std::size_t k);
+bool has_figures(const StudentGrade& grade);
+/// The page of all figures, with the submission's answers: nothing is run. Empty: there are none.
+std::string figures_page(const StudentGrade& grade);
+/// The link to an item's figure, by its index among those with figures.
+std::string figure_address(std::size_t finding);
+
 /// A self-contained page, for narrow and wide screens.
 std::string page(std::string_view title, std::string_view body);
 
