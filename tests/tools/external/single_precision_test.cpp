@@ -11,6 +11,7 @@
 #include "properties/rounded_case.h"
 #include "scene/files/scene_file.h"
 #include "tests/tools/external/judged.h"
+#include "tools/implementations/built_in.h"
 #include "tools/stress/stress.h"
 #include "tools/tradeoff/tradeoff.h"
 #include "tools/view/chart/chart.h"
