@@ -23,7 +23,7 @@ constexpr std::string_view kEarlier = "# raycheck baseline 1";
 constexpr std::string_view kSeparator = "; ";
 
 /// A field in a line: characters that would end it, or not be seen, are written as escaped bytes.
-std::string escaped(std::string_view field) {
+std::string percent_encoded(std::string_view field) {
   constexpr std::string_view kSpelled = "%;#";
   constexpr std::size_t kMostBytes = 4;  // of a character
   const auto is_plain = [&](std::size_t bytes) {
@@ -47,7 +47,7 @@ std::string escaped(std::string_view field) {
   return text;
 }
 
-std::string unescaped(std::string_view field) {
+std::string percent_decoded(std::string_view field) {
   std::string text;
   while (!field.empty()) {
     unsigned int byte = static_cast<unsigned char>(field.front());
@@ -70,7 +70,7 @@ std::vector<std::string> fields_of(std::string_view line) {
   std::vector<std::string> fields;
   for (;;) {
     const std::size_t end = line.find(kSeparator);
-    fields.push_back(unescaped(line.substr(0, end)));
+    fields.push_back(percent_decoded(line.substr(0, end)));
     if (fields.back().empty()) {
       throw std::invalid_argument(fmt::format("field {} is empty", fields.size()));
     }
@@ -80,9 +80,9 @@ std::vector<std::string> fields_of(std::string_view line) {
 }
 
 std::string line_of(const Identity& one) {
-  return fmt::format("{1}{0}{2}{0}{3}{0}{4}{0}{5}\n", kSeparator, escaped(one.law),
-                     escaped(one.source), escaped(one.kind), escaped(one.place),
-                     escaped(one.candidate));
+  return fmt::format("{1}{0}{2}{0}{3}{0}{4}{0}{5}\n", kSeparator, percent_encoded(one.law),
+                     percent_encoded(one.source), percent_encoded(one.kind),
+                     percent_encoded(one.place), percent_encoded(one.candidate));
 }
 
 void add_line(Baseline& baseline, std::string_view line) {
@@ -158,7 +158,7 @@ std::string baseline_text(const Baseline& baseline) {
   std::string text = fmt::format("{}: discrepancies that are known, see docs/ci.md\n", kFirstLine);
   auto next = baseline.known.begin();
   for (const auto& [law, source] : baseline.headings) {
-    text += fmt::format("# {}{}{}\n", escaped(law), kSeparator, escaped(source));
+    text += fmt::format("# {}{}{}\n", percent_encoded(law), kSeparator, percent_encoded(source));
     for (; next != baseline.known.end() && next->law == law && next->source == source; ++next) {
       text += line_of(*next);
     }
