@@ -101,14 +101,15 @@ Enclosure& Enclosure::operator=(const Enclosure& other) {
 }
 
 template <auto kOperation>
-Enclosure& Enclosure::apply(const Enclosure& other) {
+[[gnu::always_inline]] inline Enclosure& Enclosure::apply(const Enclosure& other) {
   bits_ = std::max(bits_, other.bits_);
   kOperation(ball_, ball_, other.ball_, bits_);
   return *this;
 }
 
 template <auto kOperation>
-Enclosure Enclosure::result_of(const Enclosure& a, const Enclosure& b) {
+[[gnu::always_inline]] inline Enclosure Enclosure::result_of(const Enclosure& a,
+                                                             const Enclosure& b) {
   Enclosure result;
   result.bits_ = std::max(a.bits_, b.bits_);
   kOperation(result.ball_, a.ball_, b.ball_, result.bits_);

@@ -30,8 +30,10 @@ class Single {
     const float beta = bottom_first
                            ? coordinate(pixel.j, camera_.height, camera_.bottom, camera_.top)
                            : coordinate(pixel.j, camera_.height, camera_.top, camera_.bottom);
-    const Vector3f g = to_plane_ + alpha * U_ + beta * V_;
-    return {E_ + g, g};
+    PixelTrace<Vector3f> trace;
+    trace.along = to_plane_ + alpha * U_ + beta * V_;
+    trace.point = E_ + trace.along;
+    return trace;
   }
 
  private:

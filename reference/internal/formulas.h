@@ -79,19 +79,19 @@ CameraNumbers<typename Lift::Kernel> camera_numbers(const Lift& lift, const scen
   return {inputs, camera_axes(inputs)};
 }
 
-/// A pixel's place along one side of the image: its index, of how many, and where it is sampled.
+/// A pixel's place along one side of the image: its index, of how many.
 struct PixelIndex {
   std::int64_t index;
   std::int64_t count;
-  scene::Samples samples;
 };
 
 /// low + index/(count-1) (high - low), or low + (index+1/2)/count (high - low). Multiplying before
 /// dividing makes the enclosure exact wherever the coordinate is dyadic, 0 above all.
 template <class FT, class Lift>
-FT plane_coordinate(const Lift& lift, const FT& low, const FT& high, const PixelIndex& at) {
+FT plane_coordinate(const Lift& lift, const FT& low, const FT& high, PixelIndex at,
+                    scene::Samples samples) {
   const FT extent = high - low;
-  if (at.samples == scene::Samples::kEdges) {
+  if (samples == scene::Samples::kEdges) {
     return low + lift_count(lift, at.index) * extent / lift_count(lift, at.count - 1);
   }
   return low + lift_count(lift, 2 * at.index + 1) * extent / lift_count(lift, 2 * at.count);
@@ -108,12 +108,12 @@ PlanePosition<typename K::FT> plane_position(const Lift& lift, const CameraInput
                                              const scene::Camera& camera,
                                              const scene::Conventions& conventions,
                                              const scene::Pixel& pixel) {
-  const PixelIndex column{pixel.i, camera.width, conventions.samples};
-  const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
-  const PixelIndex row{bottom_first ? pixel.j : camera.height - 1 - pixel.j, camera.height,
-                       conventions.samples};
-  return {plane_coordinate(lift, inputs.left, inputs.right, column),
-          plane_coordinate(lift, inputs.bottom, inputs.top, row)};
+  const std::int64_t row =
+      conventions.rows == scene::Rows::kBottomFirst ? pixel.j : camera.height - 1 - pixel.j;
+  return {
+      plane_coordinate(lift, inputs.left, inputs.right, {pixel.i, camera.width},
+                       conventions.samples),
+      plane_coordinate(lift, inputs.bottom, inputs.top, {row, camera.height}, conventions.samples)};
 }
 
 /// n W + alpha U + beta V: from the eye to the pixel point.
