@@ -40,7 +40,7 @@ const std::map<std::string, Rooms> kSees = {
      {"scene", "scene/plan", "reference", "reference/account", "reference/visibility",
       "properties"}},
     {"properties/cases", {"scene", "scene/files", "properties"}},
-    {"properties/candidates", {"scene", "reference", "reference/visibility", "fast", "properties"}},
+    {"properties/candidates", {"scene", "reference", "fast", "properties"}},
     {"properties/mistakes",
      {"scene", "scene/plan", "reference/visibility", "fast", "properties",
       "properties/candidates"}},

@@ -38,7 +38,7 @@ std::string rubrics_text() {
     text += fmt::format("{:<{}}  {}, {}\n", name, width, rubric.title,
                         count_text(rubric.items.size(), "item"));
   }
-  return text + "`raycheck rubric NAME` prints one, with --out FOLDER copies it with its scenes.\n";
+  return text;
 }
 
 std::string rubric_file(const std::string& name) { return scene::file_text(path_of(name)); }

@@ -14,7 +14,9 @@ struct RubricArguments {
 
 std::string rubric_report(const RubricArguments& arguments) {
   if (!arguments.out.empty()) return copy_rubric(arguments.name, arguments.out);
-  return arguments.name.empty() ? rubrics_text() : rubric_file(arguments.name);
+  if (!arguments.name.empty()) return rubric_file(arguments.name);
+  return rubrics_text() +
+         "`raycheck rubric NAME` prints one, with --out FOLDER copies it with its scenes.\n";
 }
 
 }  // namespace

@@ -4,6 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "properties/laws/law.h"
+#include "properties/laws/needs.h"
+
 namespace raycheck::tools {
 namespace {
 
