@@ -9,8 +9,8 @@
 
 #include "reference/account/internal/choice_forms.h"
 #include "reference/account/internal/choice_judgement.h"
-#include "reference/account/internal/possible_meeting.h"
 #include "reference/account/internal/inequalities.h"
+#include "reference/account/internal/possible_meeting.h"
 #include "reference/account/nearby_valid.h"
 #include "scene/validate.h"
 

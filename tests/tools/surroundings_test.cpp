@@ -190,8 +190,7 @@ TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
        {std::pair("distance@3:1:0:0" + nul + "x miss\n",
                   "line 1: 'distance@3:1:0:0\\x00x' was not asked"),
         {"distance@3:1:0:0 1" + nul + " 1 2 3\n", "line 1: '1\\x00' is not a number\n"},
-        {"a" + nul + "b miss\n",
-         "line 1: 'a\\x00b' was not asked"}}) {
+        {"a" + nul + "b miss\n", "line 1: 'a\\x00b' was not asked"}}) {
     const Outcome outcome =
         run("verify --family distance@3 --cases 2 <" + file("answers", line), 2);
     EXPECT_TRUE(has(outcome.err, why));

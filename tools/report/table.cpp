@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 
-
 namespace raycheck::tools {
 namespace {
 

@@ -232,7 +232,8 @@ TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_ju
   const std::string of_far_root = page.substr(first, second - first);
   expect_parts(of_far_root,
                {"bob/report.html", "eve/report.html", "download=\"nearest-root.toml\""});
-  const std::string of_mirrored = page.substr(second, page.find("<h2>Could not be judged</h2>") - second);
+  const std::string of_mirrored =
+      page.substr(second, page.find("<h2>Could not be judged</h2>") - second);
   expect_parts(of_mirrored, {"mirrored left to right\"", ".txt\" href=\"data:text/plain"});
   expect_parts(page, {"That proves no copying"});
   const std::size_t apart = page.find("<h2>Could not be judged</h2>");
