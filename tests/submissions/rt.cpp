@@ -27,15 +27,15 @@
 
 namespace {
 
-#define MISTAKES                                                                                   \
-  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,             \
-      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point,      \
-      axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored, cancelling, \
-      left_and_right_negated, bottom_and_top_negated, symmetric_bounds, bottom_first,              \
-      size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, epsilon,        \
-      whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind,             \
-      lines_for_columns, lines_from_the_last, whole_view, whole_d, least_size_wins,                \
-      largest_distance, centre_behind
+#define MISTAKES                                                                                 \
+  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,           \
+      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point,    \
+      axes_dropped, float_directions, near_root_only, centre_behind, far_root, upside_down,      \
+      mirrored, cancelling, left_and_right_negated, bottom_and_top_negated, symmetric_bounds,    \
+      bottom_first, size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, \
+      epsilon, whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind,  \
+      lines_for_columns, lines_from_the_last, whole_view, whole_d, least_size_wins,              \
+      largest_distance
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME

@@ -234,8 +234,7 @@ TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_ju
                {"bob/report.html", "eve/report.html", "download=\"nearest-root.toml\""});
   const std::string of_mirrored =
       page.substr(second, page.find("<h2>Could not be judged</h2>") - second);
-  expect_parts(of_mirrored, {"mirrored left to right\"", ".txt\" href=\"data:text/plain"});
-  expect_parts(page, {"That proves no copying"});
+  expect_parts(of_mirrored, {".txt\" href=\"data:text/plain"});
   const std::size_t apart = page.find("<h2>Could not be judged</h2>");
   ASSERT_NE(apart, std::string::npos);
   EXPECT_LT(apart, page.find("dan/report.html"));
