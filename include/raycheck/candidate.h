@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-#define RAYCHECK_CANDIDATE_VERSION 3
+#define RAYCHECK_CANDIDATE_VERSION 4
 
 typedef struct raycheck_vector {
   double x, y, z;
@@ -78,15 +78,16 @@ enum {
   RAYCHECK_LEVEL_EXTREME = 3
 };
 
-/* Which roots count: those between t_min and t_max (the latter INFINITY where there is none), in s
-   or in radii of the sphere, that are not culled. All zero but t_max: every root >= 0. */
+/* Which roots count: those between t_min (-INFINITY: lines, not rays) and t_max (INFINITY where
+   there is none), in s, in radii of the sphere or in scene lengths along the ray, that are not
+   culled. All zero but t_max: every root >= 0. */
 enum {
   RAYCHECK_ENDS_CLOSED = 0,
   RAYCHECK_ENDS_OPEN_MAX = 1,
   RAYCHECK_ENDS_OPEN_MIN = 2,
   RAYCHECK_ENDS_OPEN = 3
 };
-enum { RAYCHECK_T_ABSOLUTE = 0, RAYCHECK_T_RADIUS = 1 };
+enum { RAYCHECK_T_ABSOLUTE = 0, RAYCHECK_T_RADIUS = 1, RAYCHECK_T_LENGTH = 2 };
 enum { RAYCHECK_CULL_NONE = 0, RAYCHECK_CULL_BACK_FACES = 1, RAYCHECK_CULL_FRONT_FACES = 2 };
 typedef struct raycheck_valid_roots {
   double t_min, t_max;
@@ -109,6 +110,20 @@ enum { RAYCHECK_ROOTS_USUAL = 0, RAYCHECK_ROOTS_DECLARED = 1, RAYCHECK_ROOTS_AS_
 /* The format that the candidate computes in. In single precision all inputs are floats, passed as
    doubles, and errors count u and ulp of float. */
 enum { RAYCHECK_PRECISION_DOUBLE = 0, RAYCHECK_PRECISION_SINGLE = 1 };
+
+/* Which directions it accepts; unit: it is asked about directions that are unit but for rounding. */
+enum { RAYCHECK_DIRECTIONS_ANY = 0, RAYCHECK_DIRECTIONS_UNIT = 1 };
+
+/* What it returns of a hit: s and Q; s; Q; the distance of Q along the ray in scene lengths, or its
+   square, as `parameter`; or nothing but that it is one. */
+enum {
+  RAYCHECK_RETURNS_HIT = 0,
+  RAYCHECK_RETURNS_PARAMETER = 1,
+  RAYCHECK_RETURNS_POINT = 2,
+  RAYCHECK_RETURNS_DISTANCE = 3,
+  RAYCHECK_RETURNS_SQUARED_DISTANCE = 4,
+  RAYCHECK_RETURNS_CLASS = 5
+};
 
 typedef struct raycheck_candidate {
   uint32_t version; /* RAYCHECK_CANDIDATE_VERSION */
@@ -143,6 +158,9 @@ typedef struct raycheck_candidate {
   int32_t precision;
   int32_t roots; /* RAYCHECK_ROOTS_...; usual: every root >= 0 counts for it */
   raycheck_valid_roots declared_roots; /* of RAYCHECK_ROOTS_DECLARED */
+
+  /* From version 4 on. */
+  int32_t directions, returns;
 } raycheck_candidate;
 
 #if defined(__GNUC__)

@@ -48,6 +48,8 @@ struct Functions {
   Precision precision = Precision::double_;
   Roots roots = Roots::usual;
   ValidRoots valid = {};  ///< For Roots::declared.
+  Directions directions = Directions::any;
+  Returns returns = Returns::hit;
 };
 
 namespace detail {
@@ -115,7 +117,9 @@ inline const raycheck_candidate* offer(const Functions& given) {
                given.largest_length,
                static_cast<int32_t>(given.precision),
                static_cast<int32_t>(given.roots),
-               as<raycheck_valid_roots>(given.valid)};
+               as<raycheck_valid_roots>(given.valid),
+               static_cast<int32_t>(given.directions),
+               static_cast<int32_t>(given.returns)};
   return &candidate;
 }
 

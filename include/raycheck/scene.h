@@ -67,15 +67,16 @@ enum class Tangent { as_asked, hit, miss, either };
 
 /// Which ends belong to [t_min, t_max].
 enum class Ends { closed, open_max, open_min, open };
-/// The unit of t_min and t_max: s itself, or radii of the sphere.
-enum class TUnit { absolute, radius };
+/// The unit of t_min and t_max: s itself, radii of the sphere, or scene lengths along the ray.
+enum class TUnit { absolute, radius, length };
 /// Which roots never count: v + d, on back faces, or v - d, on front faces.
 enum class Culling { none, back_faces, front_faces };
 
-/// Which roots count: those between t_min and t_max, in s or in radii of the sphere, that are not
-/// culled: v + d lies on back faces, v - d on front faces. By default: every root >= 0.
+/// Which roots count: those between t_min and t_max, in s, in radii of the sphere or in scene
+/// lengths, that are not culled: v + d lies on back faces, v - d on front faces. By default: every
+/// root >= 0.
 struct ValidRoots {
-  double t_min = 0;  ///< The least s that counts, or the least number of radii; finite.
+  double t_min = 0;  ///< The least that counts; -infinity where lines are met, not rays.
   double t_max = std::numeric_limits<double>::infinity();  ///< Likewise the largest; >= t_min.
   Ends ends = Ends::closed;         ///< Whether t_min and t_max count themselves.
   TUnit unit = TUnit::absolute;     ///< Their unit.
@@ -85,6 +86,14 @@ struct ValidRoots {
 /// Whether an implementation accepts every root >= 0, the valid roots that it declares, or those
 /// that the scene asks for.
 enum class Roots { usual, declared, as_asked };
+
+/// Which directions an implementation accepts; unit: it is asked about directions that are unit
+/// but for rounding.
+enum class Directions { any, unit };
+
+/// What an implementation returns of a hit: s and Q; s; Q; the distance of Q along the ray in
+/// scene lengths, or its square, as Hit::parameter; or nothing but that it is one.
+enum class Returns { hit, parameter, point, distance, squared_distance, class_only };
 
 /// What the lecture leaves open. libraycheck itself takes as_asked for the value named here.
 struct Conventions {
