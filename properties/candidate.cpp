@@ -1,6 +1,8 @@
 #include "properties/candidate.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "scene/validate.h"
 
@@ -22,7 +24,65 @@ Conventions put_over(const DeclaredConventions& declared, Conventions convention
   return conventions;
 }
 
+/// With 11 bits more than doubles have, and their exponents doubled: nothing here overflows.
+struct Wide {
+  template <class Triple>
+  explicit Wide(const Triple& v) : x(v.x), y(v.y), z(v.z) {}
+  Wide(long double its_x, long double its_y, long double its_z) : x(its_x), y(its_y), z(its_z) {}
+  Wide operator-(const Wide& other) const { return {x - other.x, y - other.y, z - other.z}; }
+  long double dot(const Wide& other) const { return x * other.x + y * other.y + z * other.z; }
+  long double x, y, z;
+};
+
+HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
+                    const scene::Sphere& sphere) {
+  const Wide origin(ray.origin), direction(ray.direction);
+  const long double a = direction.dot(direction);
+  const auto projection = [&](const scene::Point3& point) {
+    return (Wide(point) - origin).dot(direction) / a;
+  };
+  long double s = hit.parameter;
+  switch (returns) {
+    case Returns::kHit:
+      return hit;
+    case Returns::kParameter:
+      break;
+    case Returns::kPoint:
+      return {static_cast<double>(projection(hit.point)), hit.point};
+    case Returns::kDistance:
+      s /= std::sqrt(a);
+      break;
+    case Returns::kSquaredDistance:
+      s = std::sqrt(s / a);
+      break;
+    case Returns::kClass:
+      s = std::max(0.0L, projection(sphere.centre));
+      break;
+  }
+  const auto along = [s](double from, double by) { return static_cast<double>(from + s * by); };
+  return {static_cast<double>(s),
+          {along(ray.origin.x, ray.direction.x), along(ray.origin.y, ray.direction.y),
+           along(ray.origin.z, ray.direction.z)}};
+}
+
 }  // namespace
+
+Functions completed(Functions functions, Returns returns) {
+  if (returns == Returns::kHit || !functions.intersect) return functions;
+  functions.intersect = [intersect = std::move(functions.intersect), returns](
+                            Functions::Rays rays, Functions::Spheres spheres,
+                            const scene::Conventions& conventions) {
+    std::vector<SphereHits> all = intersect(rays, spheres, conventions);
+    for (std::size_t sphere = 0; sphere < std::min(all.size(), spheres.size()); ++sphere) {
+      for (RayHit& hit : all[sphere]) {
+        if (hit.ray >= rays.size()) continue;  // Answers refuses it
+        hit.hit = completed(hit.hit, returns, rays[hit.ray], spheres[sphere]);
+      }
+    }
+    return all;
+  };
+  return functions;
+}
 
 scene::Conventions DeclaredConventions::over(scene::Conventions conventions) const {
   return put_over(*this, conventions);
@@ -50,10 +110,6 @@ Candidate judged_in(scene::Precision precision, Candidate candidate) {
     }
   }
   candidate.precision = precision;
-  if (auto& valid = candidate.declared.valid) {
-    valid->t_min = scene::rounded_to(precision, valid->t_min);
-    valid->t_max = scene::rounded_to(precision, valid->t_max);
-  }
   candidate.unit_roundoff = std::max(candidate.unit_roundoff, roundoff);
   static_cast<Domain&>(candidate) = judged_in(precision, static_cast<const Domain&>(candidate));
   return candidate;

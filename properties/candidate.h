@@ -8,12 +8,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "properties/case.h"
 #include "properties/domain.h"
 #include "properties/level.h"
 #include "properties/quantity.h"
+#include "properties/returns.h"
 #include "scene/plan/plan.h"
 #include "scene/precision.h"
 #include "scene/scene.h"
@@ -116,11 +118,36 @@ struct Functions {
   std::function<void(double share)> allow;
 };
 
+/// Which numbers a candidate is asked about: those of a format and, if it demands unit directions,
+/// with rays whose directions are unit but for rounding.
+struct InputFormat {
+  constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
+                        bool demands_unit_directions = false)
+      : precision(its_precision), unit_directions(demands_unit_directions) {}
+  scene::Precision precision;
+  bool unit_directions;
+  bool operator==(const InputFormat&) const = default;
+};
+inline constexpr std::array<InputFormat, 4> kInputFormats = {
+    {{scene::Precision::kDouble, false},
+     {scene::Precision::kDouble, true},
+     {scene::Precision::kSingle, false},
+     {scene::Precision::kSingle, true}}};
+/// Its place among them.
+constexpr std::size_t index_of(InputFormat format) {
+  return 2 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1 : 0);
+}
+
 /// What an implementation promises of its answers.
 struct Promises {
   /// The format that it is judged in: cases are rounded to it (rounded_case.h), and errors and
   /// bounds count its ulp and u.
   scene::Precision precision = scene::Precision::kDouble;
+  /// Whether it is asked about rays with unit directions alone.
+  bool unit_directions = false;
+  InputFormat input_format() const { return {precision, unit_directions}; }
+  /// What its own functions return of a hit; s and Q are completed (completed()).
+  Returns returns = Returns::kHit;
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
   /// The same for rays made from a camera, where a hit inherits the error of its ray; empty:
@@ -168,6 +195,11 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
   std::string name;
   DeclaredConventions declared;
 };
+
+/// The same functions, with what is left out of a hit: s is the distance over the direction's length,
+/// or the projection of Q; Q is the point at s; of a class alone both are where the ray comes closest
+/// to the centre at s >= 0. Laws judge what was returned alone (Needs).
+Functions completed(Functions functions, Returns returns);
 
 /// A candidate whose bounds count u of doubles, as judged in a format: bounds keep their numbers of
 /// u of its arithmetic (those of a method in floats lose 2^29), and single precision limits lengths

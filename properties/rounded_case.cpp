@@ -1,5 +1,6 @@
 #include "properties/rounded_case.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,8 +12,35 @@ namespace raycheck::properties {
 
 using scene::Precision;
 
-RoundedCase rounded_case(Case the_case, Precision precision) {
+namespace {
+
+/// Coordinates that are rounded take at most u of a unit vector's length, and u of its square.
+bool is_unit(const scene::Vector3& v, Precision precision) {
+  const auto square = [](double x) { return static_cast<long double>(x) * x; };
+  const long double off = square(v.x) + square(v.y) + square(v.z) - 1;
+  return std::abs(off) <= 4 * scene::unit_roundoff(precision);
+}
+
+/// In long double, so that the coordinates still have to be rounded to a format; without overflow.
+void make_unit(scene::Vector3& v) {
+  const long double x = v.x, y = v.y, z = v.z;
+  const long double length = std::hypot(x, y, z);
+  v = {static_cast<double>(x / length), static_cast<double>(y / length),
+       static_cast<double>(z / length)};
+}
+
+}  // namespace
+
+RoundedCase rounded_case(Case the_case, InputFormat format) {
+  const Precision precision = format.precision;
   RoundedCase result;
+  if (format.unit_directions) {
+    for (scene::Ray& ray : the_case.scene.rays) {
+      if (is_unit(ray.direction, precision)) continue;
+      make_unit(ray.direction);
+      ++result.made_unit;
+    }
+  }
   if (precision == Precision::kDouble) {
     result.the_case = std::move(the_case);
     return result;
@@ -43,7 +71,9 @@ RoundedCase rounded_case(Case the_case, Precision precision) {
   return result;
 }
 
-scene::Ray rounded_ray(scene::Ray ray, Precision precision) {
+scene::Ray rounded_ray(scene::Ray ray, InputFormat format) {
+  const Precision precision = format.precision;
+  if (format.unit_directions && !is_unit(ray.direction, precision)) make_unit(ray.direction);
   for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
                     &ray.direction.z}) {
     *x = scene::rounded_to(precision, *x);
@@ -51,9 +81,13 @@ scene::Ray rounded_ray(scene::Ray ray, Precision precision) {
   return ray;
 }
 
-bool is_of_format(const scene::Scene& scene, Precision precision) {
-  if (precision == Precision::kDouble) return true;
-  bool all = true;
+bool is_of_format(const scene::Scene& scene, InputFormat format) {
+  const Precision precision = format.precision;
+  bool all = !format.unit_directions ||
+             std::all_of(scene.rays.begin(), scene.rays.end(), [&](const scene::Ray& ray) {
+               return is_unit(ray.direction, precision);
+             });
+  if (precision == Precision::kDouble) return all;
   scene::Scene copy = scene;
   const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };
   for_each_number(copy, look);

@@ -30,7 +30,7 @@ bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions,
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, scene::Precision precision) {
   if (conventions.valid.is_usual() || !answer.s || !std::isfinite(*answer.s)) return false;
-  if (!reference::is_outside(conventions.valid, answer.sphere.radius, *answer.s)) return false;
+  if (!reference::is_outside(conventions.valid, answer.ray, answer.sphere, *answer.s)) return false;
   return !reference::counts_as_hit(at.hit_class, conventions.tangent) ||
          *answer.s != answer.ray.rounded_parameter(answer.sphere, at, precision);
 }

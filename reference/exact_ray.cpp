@@ -148,7 +148,8 @@ RootCounts ExactRay::counts(const scene::Sphere& sphere, const Intersection& at,
   const auto culled =
       at.root == WhichRoot::kSmaller ? scene::Culling::kFrontFaces : scene::Culling::kBackFaces;
   if (valid.culling == culled) return RootCounts::kCulled;
-  const int above = compare_parameter(sphere, at, valid.t_min, valid.unit, by);
+  const int above =
+      std::isinf(valid.t_min) ? 1 : compare_parameter(sphere, at, valid.t_min, valid.unit, by);
   if (above < 0) return RootCounts::kBeforeMin;
   if (above == 0 && !valid.includes_min()) return RootCounts::kOnOpenMin;
   if (std::isinf(valid.t_max)) return RootCounts::kYes;
@@ -176,7 +177,7 @@ Number exactly(double value) {
 int ExactRay::compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
                                 scene::TUnit unit, Rungs by) const {
   scene::require_valid(sphere);
-  // s = (b + sign sqrt(disc)) / a, of a unit direction over sqrt(a).
+  // s = (b + sign sqrt(disc)) / a; of a unit direction over sqrt(a), as is the length of s g.
   return decide(sphere, sphere, by, [&]<class Pair>(const Pair& pair, const Pair&) {
     using Number = std::decay_t<decltype(pair.radius)>;
     const Number end = unit == scene::TUnit::kRadius ? Number(exactly<Number>(t) * pair.radius)
@@ -184,7 +185,7 @@ int ExactRay::compare_parameter(const scene::Sphere& sphere, const Intersection&
     const Number b = linear_coefficient(pair);
     const Number sign(root_sign(at));
     const Number under_root = discriminant(pair);
-    if (pair.line.is_unit)
+    if (pair.line.is_unit || unit == scene::TUnit::kLength)
       return sign_of_radical_sum(b, Number(-end), Number(pair.line.a), sign, under_root);
     return sign_of_radical_sum(Number(b - end * pair.line.a), sign, under_root, Number(0),
                                Number(0));

@@ -125,7 +125,8 @@ class ExactRay {
   /// Whether a root of a hit or a tangent counts.
   RootCounts counts(const scene::Sphere& sphere, const Intersection& at,
                     const scene::ValidRoots& valid, Rungs by = {}) const;
-  /// The sign of s - t for a hit or a tangent; if t is in radii of the sphere, t r is exact.
+  /// The sign of s - t for a hit or a tangent; if t is in radii of the sphere, of s - t r; if it is
+  /// a scene length, of |direction| s - t.
   /// Domain: t is finite.
   int compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
                         scene::TUnit unit, Rungs by = {}) const;

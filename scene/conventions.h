@@ -20,13 +20,15 @@ enum class Tangent { kHit, kMiss, kEither };
 
 /// Whether the ends of an interval of parameters belong to it.
 enum class Ends { kClosed, kOpenMax, kOpenMin, kOpen };
-/// The unit of t_min and t_max: s itself, or radii of the sphere that is met.
-enum class TUnit { kAbsolute, kRadius };
+/// The unit of t_min and t_max: s itself, radii of the sphere that is met, or scene lengths along the
+/// ray, |direction| s.
+enum class TUnit { kAbsolute, kRadius, kLength };
 /// Which roots never count: v + d, where a ray leaves a sphere (on back faces), or v - d, where it
 /// enters one.
 enum class Culling { kNone, kBackFaces, kFrontFaces };
 
 /// Which roots count: those between t_min and t_max that are not culled. `root` chooses among them.
+/// With a t_min of -infinity lines are met, not rays.
 struct ValidRoots {
   double t_min = 0;
   double t_max = std::numeric_limits<double>::infinity();
@@ -69,7 +71,7 @@ inline constexpr std::array<std::string_view, 3> kTangentNames = {"hit", "miss",
 
 inline constexpr std::array<std::string_view, 4> kEndsNames = {"[t_min, t_max]", "[t_min, t_max)",
                                                                "(t_min, t_max]", "(t_min, t_max)"};
-inline constexpr std::array<std::string_view, 2> kTUnitNames = {"absolute", "radius"};
+inline constexpr std::array<std::string_view, 3> kTUnitNames = {"absolute", "radius", "length"};
 inline constexpr std::array<std::string_view, 3> kCullingNames = {"none", "back-faces",
                                                                   "front-faces"};
 

@@ -156,8 +156,10 @@ std::vector<Defect> defects(const Conventions& conventions) {
   std::vector<Defect> found;
   const ValidRoots& valid = conventions.valid;
   if (valid.is_usual()) return found;
-  if (!(valid.t_min >= 0) || !std::isfinite(valid.t_min)) {
-    found.push_back({"conventions.t_min", shortest(valid.t_min), "must be 0 or more, and finite"});
+  const bool meets_lines = std::isinf(valid.t_min) && valid.t_min < 0;
+  if (!meets_lines && (!(valid.t_min >= 0) || std::isinf(valid.t_min))) {
+    found.push_back({"conventions.t_min", shortest(valid.t_min),
+                     "must be 0 or more, and finite, or -inf: lines are met, not rays"});
   } else if (!(valid.t_max >= valid.t_min)) {
     found.push_back({"conventions.t_max", shortest(valid.t_max), "is below t_min"});
   }

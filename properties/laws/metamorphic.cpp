@@ -84,6 +84,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   const Wrong wrong = !differ ? Wrong::kNot : first.hit ? Wrong::kMissed : Wrong::kFalseHit;
   trial.judge(verdict, {Quantity::kClass, expected, place, wrong}, excuse, describe);
   if (first.hit == nullptr || second.hit == nullptr) return;
+  if (!gives_parameter(trial.candidate().returns)) return;
   const double error = error_between(first, second, by.factor, is_hit);
   const double bound = 2 * trial.bound(Quantity::kParameter);
   if (is_hit) {
@@ -154,7 +155,7 @@ std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precisio
   });
   // s is a length, or counts directions, which are not scaled: both scale with lengths.
   scene::ValidRoots& valid = scene.conventions.valid;
-  if (valid.unit == scene::TUnit::kAbsolute) {
+  if (valid.unit != scene::TUnit::kRadius) {
     for (double* t : {&valid.t_min, &valid.t_max}) {
       const double result = std::ldexp(*t, exponent);
       exact = exact &&

@@ -23,7 +23,11 @@ enum class Needs : unsigned {
   // Of either:
   kSpheres = 1 << 10,
   kSeveralSpheres = 1 << 11,
-  kRefusals = 1 << 12
+  kRefusals = 1 << 12,
+  // Of what a candidate returns of a hit:
+  kParameters = 1 << 13,  ///< s, or a distance.
+  kPoints = 1 << 14,      ///< Q
+  kEither = 1 << 15       ///< One of the two.
 };
 constexpr Needs operator|(Needs a, Needs b) {
   return static_cast<Needs>(static_cast<unsigned>(a) | static_cast<unsigned>(b));

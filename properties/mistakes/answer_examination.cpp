@@ -160,7 +160,7 @@ std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
 Examination::Examination(std::span<const Case> cases, const Candidate& candidate)
     : candidate_(candidate), others_(other_right_candidates(candidate)) {
   for (const Case& the_case : cases) {
-    auto rounded = rounded_case(the_case, candidate.precision).the_case;
+    auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
     if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
     // Classic mistakes are those of code that takes every root >= 0.
     if (!candidate.declared.over(rounded->scene.conventions).valid.is_usual()) continue;
@@ -169,7 +169,7 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
     scene::Conventions& conventions = asked.the_case.scene.conventions;
     conventions = candidate.declared.over(conventions);
     asked.rays = Trial(asked.the_case, right_).rays();
-    for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.precision);
+    for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
   }
 }
 

@@ -32,7 +32,7 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
 std::vector<Explanation> causes(const std::vector<Case>& cases, const Candidate& candidate) {
   std::vector<Case> asked;
   for (const Case& one : cases) {
-    auto rounded = rounded_case(one, candidate.precision).the_case;
+    auto rounded = rounded_case(one, candidate.input_format()).the_case;
     if (rounded && is_problem(*rounded, candidate.declared)) asked.push_back(*std::move(rounded));
   }
   try {

@@ -68,7 +68,7 @@ class LawSearch {
   /// Judges a case, and shrinks it.
   void replay(Case the_case) {
     until_interrupted([&] {
-      judge(rounded_case(std::move(the_case), candidate_.precision));
+      judge(rounded_case(std::move(the_case), candidate_.input_format()));
       shrink();
     });
   }
@@ -85,7 +85,7 @@ class LawSearch {
   }
 
   void judge_seed(std::uint64_t seed) {
-    judge(rounded_case(part.source.make(seed), candidate_.precision));
+    judge(rounded_case(part.source.make(seed), candidate_.input_format()));
     if (!failure) return;
     char digits[17] = {};
     std::to_chars(digits, digits + 16, seed, 16);
@@ -136,7 +136,7 @@ class LawSearch {
     if (!failure) return;
     take_failed_question();
     smallest(failure->shrunk, std::numeric_limits<int>::max(), [this](const Case& simpler) {
-      return is_of_format(simpler.scene, candidate_.precision) && breaks(simpler);
+      return is_of_format(simpler.scene, candidate_.input_format()) && breaks(simpler);
     });
   }
 
@@ -217,7 +217,7 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
 
 bool has_question(const Law& law, const Candidate& candidate, const Case& the_case) {
   if (!is_problem(the_case, candidate.declared)) return false;
-  const auto rounded = rounded_case(the_case, candidate.precision).the_case;
+  const auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
   if (!rounded) return false;
   return what_is_missing(law.needs, Trials(*rounded, candidate).of(law)).empty();
 }

@@ -45,11 +45,11 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
 }
 
 RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays,
-                  scene::Precision precision) {
-  RoundedCase rounded = rounded_case(the_case, precision);
+                  InputFormat format) {
+  RoundedCase rounded = rounded_case(the_case, format);
   if (!rounded.the_case) return rounded;
   std::optional<Case> asked = alone(*rounded.the_case, stage, rays);
-  return asked ? rounded_case(*std::move(asked), precision) : RoundedCase{};
+  return asked ? rounded_case(*std::move(asked), format) : RoundedCase{};
 }
 
 void StressResult::merge(StressResult other) {
@@ -63,22 +63,23 @@ namespace {
 
 /// The candidates of one format.
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
-            scene::Precision precision, std::vector<StressResult>& results) {
+            InputFormat format, std::vector<StressResult>& results) {
   const auto first =
       std::find_if(candidates.begin(), candidates.end(),
-                   [=](const Candidate& candidate) { return candidate.precision == precision; });
+                   [=](const Candidate& candidate) { return candidate.input_format() == format; });
   if (first == candidates.end()) return;
   const bool makes_rays = first->pixel_rays || first->focal_rays;
   const Candidate& rays = makes_rays ? *first : candidates.front();
-  const auto [asked, reason, changed] = alone(the_case, stage, rays, precision);
-  if (!asked && reason.empty()) return;
+  const RoundedCase rounded = alone(the_case, stage, rays, format);
+  const std::optional<Case>& asked = rounded.the_case;
+  if (!asked && rounded.reason.empty()) return;
   std::optional<SharedTruths> truths;
   if (asked) truths.emplace(*asked);
   const std::vector<const Law*> laws =
       laws_that([&](const Law& law) { return law.stage == stage && law.tells_stability; });
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const Candidate& candidate = candidates[k];
-    if (candidate.precision != precision) continue;
+    if (candidate.input_format() != format) continue;
     if (!asked) {
       ++results[k].left_out;
       continue;
@@ -99,9 +100,7 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
 
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             std::vector<StressResult>& results) {
-  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
-    stress(the_case, stage, candidates, precision, results);
-  }
+  for (const InputFormat format : kInputFormats) stress(the_case, stage, candidates, format, results);
 }
 
 std::vector<StressResult> stress(const ChosenSource& source, Stage stage,

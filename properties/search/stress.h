@@ -18,7 +18,7 @@ namespace raycheck::properties {
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
 /// The same in a format: from the case rounded to it, with the numbers made by `rays` rounded, too.
 RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays,
-                  scene::Precision precision);
+                  InputFormat format);
 
 /// A discrepancy and the case that shows it.
 struct Example {

@@ -35,7 +35,7 @@ double changed(double x, scene::Precision precision, Random& random) {
 
 /// A case with one or two of its numbers changed; empty if it leaves the format's range, or becomes
 /// invalid.
-std::optional<Case> neighbour(const Case& the_case, scene::Precision precision, Random& random) {
+std::optional<Case> neighbour(const Case& the_case, InputFormat format, Random& random) {
   Case result = the_case;
   std::int64_t count = 0;
   for_each_number(result.scene, [&](double&) { ++count; });
@@ -43,11 +43,11 @@ std::optional<Case> neighbour(const Case& the_case, scene::Precision precision, 
     const std::int64_t target = random.integer(0, count - 1);
     std::int64_t at = 0;
     for_each_number(result.scene, [&](double& x) {
-      if (at++ == target) x = changed(x, precision, random);
+      if (at++ == target) x = changed(x, format.precision, random);
     });
   }
   if (!scene::defects(result.scene).empty()) return std::nullopt;
-  return rounded_case(std::move(result), precision).the_case;
+  return rounded_case(std::move(result), format).the_case;
 }
 
 /// Keeps one ray and one sphere: error, kappa and outcome then belong to one answer.
@@ -75,7 +75,7 @@ class Climber {
     std::vector<WorstCase> best;
     for (int k = 0; k < options_.cases && !control_.interrupted(); ++k) {
       std::optional<Case> one =
-          alone(options_.source.make(random_.bits()), stage_, candidate_, candidate_.precision)
+          alone(options_.source.make(random_.bits()), stage_, candidate_, candidate_.input_format())
               .the_case;
       if (!one) continue;
       keep_first(*one);
@@ -91,7 +91,7 @@ class Climber {
 
   void climb(WorstCase& at, int steps) {
     for (int step = 0; step < steps && !control_.interrupted(); ++step) {
-      const std::optional<Case> next = neighbour(at.the_case, candidate_.precision, random_);
+      const std::optional<Case> next = neighbour(at.the_case, candidate_.input_format(), random_);
       if (!next) continue;
       std::optional<WorstCase> seen = look(*next);
       if (seen && seen->height > at.height) at = std::move(*seen);
@@ -101,7 +101,7 @@ class Climber {
   void shrink(WorstCase& at) {
     const double least = at.height / 2;
     smallest(at.the_case, std::numeric_limits<int>::max(), [&](const Case& next) {
-      if (control_.interrupted() || !is_of_format(next.scene, candidate_.precision)) return false;
+      if (control_.interrupted() || !is_of_format(next.scene, candidate_.input_format())) return false;
       std::optional<WorstCase> seen = look(next);
       if (!seen || seen->height < least || seen->stability.outcome != at.stability.outcome) {
         return false;

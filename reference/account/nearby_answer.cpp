@@ -244,7 +244,15 @@ class AnswerSearch {
 NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                           const Neighbourhood& around, const std::optional<double>& answer) {
   scene::require_valid(sphere);
-  if (!around.valid.is_usual()) return refuted_nearby(ray, sphere, around, answer);
+  if (!around.valid.is_usual()) {
+    NearbyAnswer found = refuted_nearby(ray, sphere, around, answer);
+    if (found.found == Nearby::kRefuted || ends_matter_nearby(ray, {&sphere, 1}, around)) {
+      return found;
+    }
+    Neighbourhood usual = around;
+    usual.valid = {};
+    return right_nearby(ray, sphere, usual, answer);
+  }
   if (is_far_from_right(ray, sphere, around, answer)) return {Nearby::kRefuted, {}};
   const NearestGuard guard;
   return search(ray, sphere, around, answer);

@@ -282,7 +282,13 @@ NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> sp
   if (claim.what == FirstMet::What::kSphere && claim.sphere >= spheres.size()) {
     throw std::invalid_argument("the scene has no such sphere");
   }
-  if (!around.valid.is_usual()) return refuted_nearby(ray, spheres, around, claim);
+  if (!around.valid.is_usual()) {
+    NearbyAnswer found = refuted_nearby(ray, spheres, around, claim);
+    if (found.found == Nearby::kRefuted || ends_matter_nearby(ray, spheres, around)) return found;
+    Neighbourhood usual = around;
+    usual.valid = {};
+    return right_nearby(ray, spheres, usual, claim);
+  }
   const NearestGuard guard;
   return search(ray, spheres, around, claim);
 }

@@ -24,7 +24,9 @@ struct Everywhere {
 class Box {
  public:
   Box(const ExactRay& ray, const Neighbourhood& around)
-      : ray_(ray.enclose(kBits, around.relative_change)), around_(around) {}
+      : ray_(ray.enclose(kBits, around.relative_change)),
+        around_(around),
+        length_(ray.source().camera ? Enclosure(1) : ray_.length()) {}
 
   Everywhere meets(const scene::Sphere& sphere) const {
     const auto under_root = ray_.half_chord_sq(sphere).certain_sign();
@@ -48,19 +50,46 @@ class Box {
     return {Everywhere::Meets::kNowhere, {}, {}, {}};
   }
 
+  /// Whether what counts may differ from what every root >= 0 would make count: neither are all
+  /// roots behind, where rays are met, nor do all lie in front and well inside the interval, the
+  /// smaller not culled.
+  bool ends_matter(const scene::Sphere& sphere) const {
+    const Enclosure half_chord_sq = ray_.half_chord_sq(sphere);
+    if (half_chord_sq.certain_sign() == -1) return false;
+    const Enclosure v = ray_.axial_distance(sphere), half_chord = sqrt(half_chord_sq);
+    const Enclosure first = v - half_chord, last = v + half_chord;
+    const scene::ValidRoots& valid = around_.valid;
+    if (last.certain_sign() == -1) return std::isinf(valid.t_min);
+    const auto above = [&](const Enclosure& distance, double t) {
+      return std::isinf(t) ? (t < 0 ? 1 : -1)
+                           : (distance - end_at(t, sphere) * length_of_unit()).certain_sign();
+    };
+    return first.certain_sign() != 1 || above(first, valid.t_min) != 1 ||
+           above(last, valid.t_max) != -1 || valid.culling == scene::Culling::kFrontFaces;
+  }
+
  private:
+  /// t in s or, if the ends are scene lengths, in these.
+  Enclosure end_at(double t, const scene::Sphere& sphere) const {
+    const Enclosure end(t, kBits);
+    return around_.valid.unit == scene::TUnit::kRadius
+               ? end * Enclosure::within(sphere.radius, around_.relative_change, kBits)
+               : end;
+  }
+  /// How long the unit of end_at() is along the ray.
+  Enclosure length_of_unit() const {
+    return around_.valid.unit == scene::TUnit::kLength ? Enclosure(1) : length_;
+  }
+
   /// Whether a root lies between t_min and t_max; empty where that is not the same everywhere.
   std::optional<bool> is_valid(const Enclosure& s, const scene::Sphere& sphere) const {
     const scene::ValidRoots& valid = around_.valid;
     const auto above = [&](double t) {
-      Enclosure end(t, kBits);
-      if (valid.unit == scene::TUnit::kRadius) {
-        end *= Enclosure::within(sphere.radius, around_.relative_change, kBits);
-      }
-      const auto sign = (s - end).certain_sign();
+      const Enclosure in_unit = valid.unit == scene::TUnit::kLength ? s * length_ : s;
+      const auto sign = (in_unit - end_at(t, sphere)).certain_sign();
       return sign == 0 ? std::nullopt : sign;
     };
-    const auto above_min = above(valid.t_min);
+    const auto above_min = std::isinf(valid.t_min) ? 1 : above(valid.t_min);
     if (!above_min) return {};
     if (*above_min < 0) return false;
     if (std::isinf(valid.t_max)) return true;
@@ -71,6 +100,7 @@ class Box {
 
   EnclosedRay ray_;
   const Neighbourhood& around_;
+  Enclosure length_;  ///< Of the direction that s counts.
 };
 
 using Meets = Everywhere::Meets;
@@ -87,7 +117,7 @@ bool is_certainly_less(const Enclosure& a, const Enclosure& b) {
 
 NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                             const Neighbourhood& around, const std::optional<double>& answer) {
-  if (answer && std::isfinite(*answer) && is_outside(around.valid, sphere.radius, *answer)) {
+  if (answer && std::isfinite(*answer) && is_outside(around.valid, ray, sphere, *answer)) {
     return refuted_if(true);
   }
   const Everywhere here = Box(ray, around).meets(sphere);
@@ -124,13 +154,27 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> 
   }));
 }
 
-bool is_outside(const scene::ValidRoots& valid, double radius, double s) {
-  // The product of two doubles has at most 106 bits, so a ball of kBits is exact.
+bool ends_matter_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                        const Neighbourhood& around) {
+  const Box box(ray, around);
+  return std::any_of(spheres.begin(), spheres.end(),
+                     [&](const scene::Sphere& sphere) { return box.ends_matter(sphere); });
+}
+
+bool is_outside(const scene::ValidRoots& valid, const ExactRay& ray, const scene::Sphere& sphere,
+                double s) {
   const auto above = [&](double t) {
-    if (valid.unit == scene::TUnit::kAbsolute) return s < t ? -1 : s > t ? 1 : 0;
-    return (Enclosure(s, kBits) - Enclosure(t, kBits) * Enclosure(radius, kBits))
+    if (std::isinf(t)) return t < 0 ? 1 : -1;
+    const bool is_radius = valid.unit == scene::TUnit::kRadius;
+    const bool is_length = valid.unit == scene::TUnit::kLength && !ray.source().camera;
+    if (!is_radius && !is_length) return s < t ? -1 : s > t ? 1 : 0;
+    // The product of two doubles has at most 106 bits, so a ball of kBits is exact; one of a length
+    // that holds the end holds nothing else that doubles can name.
+    const Enclosure at = Enclosure(s, kBits), end(t, kBits);
+    return (is_length ? at * ray.enclose(kBits).length() - end
+                      : at - end * Enclosure(sphere.radius, kBits))
         .certain_sign()
-        .value();
+        .value_or(0);
   };
   const int above_min = above(valid.t_min);
   if (above_min < 0 || (above_min == 0 && !valid.includes_min())) return true;

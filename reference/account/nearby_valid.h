@@ -10,10 +10,11 @@ namespace raycheck::reference {
 
 // What right_nearby() says of wrong answers where not every root >= 0 counts (scene::ValidRoots):
 // t_min and t_max are not inputs, and are taken exactly. A refutation is proven, by balls that hold
-// the roots for all inputs within the relative change; witnesses are not searched for, so the rest
-// is undecided: roots about as far from an end, from a tangent or from each other as the change is
-// wide. An answered s outside the interval is refuted: no inputs make it count. Domain: as
-// ExactRay; conventions without defects (scene/validate.h).
+// the roots for all inputs within the relative change. Where no end matters (below), witnesses are
+// searched for as if every root >= 0 counted; the rest is undecided: roots about as far from an end,
+// from a tangent or from each other as the change is wide. An answered s outside the interval is
+// refuted: no inputs make it count. Domain: as ExactRay; conventions without defects
+// (scene/validate.h).
 
 /// For the answer that a ray misses (empty), or meets a sphere at s.
 NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
@@ -23,9 +24,15 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
 NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                             const Neighbourhood& around, const FirstMet& claim);
 
-/// Whether an answered s lies outside t_min and t_max, by comparing doubles: s with t, or exactly
-/// with the product t r where t counts radii.
-/// Domain: s is finite, radius >= 0.
-bool is_outside(const scene::ValidRoots& valid, double radius, double s);
+/// Whether, for some inputs of the neighbourhood, another root of one of the spheres may count than
+/// if every root >= 0 did.
+bool ends_matter_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                        const Neighbourhood& around);
+
+/// Whether an answered s lies outside t_min and t_max, by comparing doubles: s with t, exactly with
+/// the product t r where t counts radii, or exactly |direction| s where it is a scene length.
+/// Domain: s is finite.
+bool is_outside(const scene::ValidRoots& valid, const ExactRay& ray, const scene::Sphere& sphere,
+                double s);
 
 }  // namespace raycheck::reference

@@ -28,14 +28,12 @@ Draft prepare(const Implementation& implementation, const ScenesOfFormats& scene
   const Candidate candidate = implementation.make();
   Draft draft;
   draft.report.precision = candidate.precision;
-  const bool is_single = candidate.precision == scene::Precision::kSingle;
-  const scene::Scene& given = scenes.of(scene::Precision::kDouble)->scene();
-  if (is_single) {
-    draft.report.rounded_numbers = scenes.single.changed;
-    draft.report.not_asked = scenes.single.reason;
-  }
-  const auto& cases = scenes.of(candidate.precision);
-  const scene::Scene& scene = cases ? cases->scene() : given;
+  const auto& [rounded, cases] = scenes.in(candidate.input_format());
+  draft.report.rounded_numbers = rounded.changed;
+  draft.report.made_unit = rounded.made_unit;
+  draft.report.not_asked = rounded.reason;
+  const scene::Scene& scene = cases ? cases->scene() : scenes.given().scene();
+  if (!(candidate.input_format() == properties::InputFormat{})) draft.report.asked = scene;
   draft.report.implementation = implementation;
   draft.report.name = candidate.name;
   draft.report.conventions = candidate.declared.over(scene.conventions);
@@ -66,9 +64,9 @@ std::vector<properties::Explanation> explained(const CandidateReport& report,
   }
 }
 
-CandidateReport finish(Draft draft, const scene::Scene& scene) {
+CandidateReport finish(Draft draft, const scene::Scene& given) {
   if (!draft.report.not_asked.empty()) return std::move(draft.report);
-  draft.report.explanations = explained(draft.report, scene);
+  draft.report.explanations = explained(draft.report, draft.report.asked.value_or(given));
   for (const Law& law : properties::laws()) {
     const auto found = draft.left_out.find(law.name);
     if (found != draft.left_out.end()) {
@@ -194,8 +192,8 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
     throw std::invalid_argument("pixels: " + options.path +
                                 " has given rays and no pixels; all its rays are judged");
   }
-  const ScenesOfFormats scenes(report.scene, options.pixels);
-  const SceneCases& cases = *scenes.of(scene::Precision::kDouble);
+  const ScenesOfFormats scenes(report.scene, options.pixels, implementations);
+  const SceneCases& cases = scenes.given();
   report.rays_in_scene = cases.rays_in_scene();
   std::vector<Draft> drafts;
   try {
@@ -213,14 +211,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   } catch (const scene::Interrupted&) {
     // The answer is what was judged so far.
   }
-  const bool has_single = std::any_of(drafts.begin(), drafts.end(), [](const Draft& draft) {
-    return draft.report.precision == scene::Precision::kSingle;
-  });
-  if (has_single && scenes.single.the_case) report.single_scene = scenes.single.the_case->scene;
-  for (Draft& draft : drafts) {
-    const scene::Scene& scene = report.scene_of(draft.report);
-    report.candidates.push_back(finish(std::move(draft), scene));
-  }
+  for (Draft& draft : drafts) report.candidates.push_back(finish(std::move(draft), report.scene));
   report.interrupted = control.interrupted();
   report.left_out = left_out_lines(report);
   return report;

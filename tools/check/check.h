@@ -83,6 +83,8 @@ struct CandidateReport {
   scene::Precision precision = scene::Precision::kDouble;
   /// How many numbers of the scene had to be rounded to that format.
   std::size_t rounded_numbers = 0;
+  std::size_t made_unit = 0;          ///< Given directions, for one that demands unit ones.
+  std::optional<scene::Scene> asked;  ///< The scene that it was asked about, where not the given one.
   std::string not_asked;  ///< Why it was not judged: the format cannot hold the scene; or empty.
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
   bool given_rays = false;    ///< It makes no rays: its answers about raycheck's own are judged.
@@ -115,8 +117,6 @@ struct CheckReport {
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
   std::vector<std::string> not_needed;    ///< For shading alone.
-  /// The scene in single precision, if a candidate was asked about it.
-  std::optional<scene::Scene> single_scene;
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;
@@ -129,7 +129,7 @@ struct CheckReport {
 
   /// The scene that a candidate was asked about, and judged by.
   const scene::Scene& scene_of(const CandidateReport& candidate) const {
-    return candidate.precision == scene::Precision::kSingle && single_scene ? *single_scene : scene;
+    return candidate.asked ? *candidate.asked : scene;
   }
   /// A count of verdicts, of all candidates together.
   template <class... Arguments>

@@ -49,6 +49,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["precision"] = name(candidate.precision);
   json["excluded"] = excluded_json(candidate);
   json["rounded_numbers"] = candidate.rounded_numbers;
+  json["made_unit"] = candidate.made_unit;
   json["not_asked"] = text_or_null(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);

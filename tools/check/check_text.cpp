@@ -99,8 +99,13 @@ std::string excluded_text(const CandidateReport& candidate) {
 }
 
 std::string precision_text(const CandidateReport& candidate) {
-  if (candidate.precision == scene::Precision::kDouble) return "";
-  std::string text = "  judged in single precision: u = 2^-24, ulp of float\n";
+  std::string text;
+  if (candidate.made_unit > 0) {
+    text = fmt::format("  demands unit directions: {} of the scene made unit, and judged as such\n",
+                       count_text(candidate.made_unit, "direction"));
+  }
+  if (candidate.precision == scene::Precision::kDouble) return text;
+  text += "  judged in single precision: u = 2^-24, ulp of float\n";
   if (candidate.rounded_numbers > 0) {
     text += fmt::format("  {}\n", rounded_numbers_text(candidate.rounded_numbers));
   }

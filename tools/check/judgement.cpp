@@ -61,9 +61,10 @@ Judgement::Judgement(std::optional<double> max_error, const ScenesOfFormats& sce
                      std::vector<Draft>& drafts)
     : max_error_(max_error), scenes_(scenes), drafts_(drafts) {
   for (const Draft& draft : drafts) {
-    const auto& cases = scenes.of(draft.report.precision);
+    const auto format = draft.report.implementation.input_format();
+    const auto& cases = scenes.in(format).cases;
     if (!cases || !cases->scene().camera) continue;
-    auto& plans = plans_[static_cast<std::size_t>(draft.report.precision)];
+    auto& plans = plans_[index_of(format)];
     const scene::Conventions conventions = properties::planned(draft.report.conventions);
     const bool is_planned =
         std::any_of(plans.begin(), plans.end(),
@@ -76,7 +77,7 @@ Judgement::Judgement(std::optional<double> max_error, const ScenesOfFormats& sce
 
 void Judgement::run(const RunControl& control, std::uint64_t& rays_judged,
                     const std::function<void()>& tell) {
-  const std::uint64_t rays = scenes_.of(scene::Precision::kDouble)->rays_judged();
+  const std::uint64_t rays = scenes_.given().rays_judged();
   const auto chunks = static_cast<std::int64_t>((rays + kChunk - 1) / kChunk);
   in_order<std::vector<ChunkVerdict>>(
       chunks, control,
@@ -111,9 +112,10 @@ void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& 
   }
   searchers_.resize(drafts_.size());
   if (!searchers_[k]) searchers_[k] = report.implementation.make();
-  const auto& cases = scenes_.of(report.precision);
+  const auto format = report.implementation.input_format();
+  const auto& cases = scenes_.in(format).cases;
   const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
-  properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
+  properties::SharedTruths truths(chunk, plans_[index_of(format)]);
   ++report.search.batches;
   ChunkVerdict found = judge_chunk(chunk, first, *searchers_[k],
                                    {.max_error = max_error_,
@@ -130,16 +132,16 @@ std::vector<ChunkVerdict> Judgement::judge(std::uint64_t first) {
     }
   }
   std::vector<ChunkVerdict> found(drafts_.size());
-  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
-    const auto& cases = scenes_.of(precision);
-    const bool is_asked = std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
-      return draft.report.precision == precision;
-    });
-    if (!cases || !is_asked) continue;
+  for (const properties::InputFormat format : properties::kInputFormats) {
+    const auto& cases = scenes_.in(format).cases;
+    const auto is_asked = [&](const Draft& draft) {
+      return draft.report.implementation.input_format() == format;
+    };
+    if (!cases || std::none_of(drafts_.begin(), drafts_.end(), is_asked)) continue;
     const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
-    properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(precision)]);
+    properties::SharedTruths truths(chunk, plans_[index_of(format)]);
     for (std::size_t k = 0; k < drafts_.size(); ++k) {
-      if (drafts_[k].report.precision != precision) continue;
+      if (!is_asked(drafts_[k])) continue;
       found[k] = judge_chunk(
           chunk, first, candidates[k],
           {.max_error = max_error_, .truth = truths.under(drafts_[k].report.conventions)});

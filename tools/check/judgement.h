@@ -36,20 +36,31 @@ struct Draft {
   ReasonsLeftOut left_out;
 };
 
-/// A scene in a format, and its rays.
-struct ScenesOfFormats {
-  ScenesOfFormats(const scene::Scene& given, std::optional<std::int64_t> pixels)
-      : cases{properties::SceneCases(given, pixels), {}} {
-    single = properties::rounded_case({given, {}}, scene::Precision::kSingle);
-    if (single.the_case) cases[1].emplace(single.the_case->scene, pixels);
+/// A scene in the formats that candidates are asked in.
+class ScenesOfFormats {
+ public:
+  struct InFormat {
+    properties::RoundedCase rounded;
+    /// Its rays; empty if the format cannot hold the scene.
+    std::optional<properties::SceneCases> cases;
+  };
+  /// In its own format, and in those of these.
+  ScenesOfFormats(const scene::Scene& given, std::optional<std::int64_t> pixels,
+                  const std::vector<Implementation>& implementations) {
+    const auto add = [&](properties::InputFormat format) {
+      InFormat& here = formats_[index_of(format)];
+      if (here.cases || !here.rounded.reason.empty()) return;
+      here.rounded = properties::rounded_case({given, {}}, format);
+      if (here.rounded.the_case) here.cases.emplace(here.rounded.the_case->scene, pixels);
+    };
+    add(properties::InputFormat());
+    for (const Implementation& one : implementations) add(one.input_format());
   }
-  /// Empty if the format cannot hold the scene.
-  const std::optional<properties::SceneCases>& of(scene::Precision precision) const {
-    return cases[static_cast<std::size_t>(precision)];
-  }
+  const InFormat& in(properties::InputFormat format) const { return formats_[index_of(format)]; }
+  const properties::SceneCases& given() const { return *in(properties::InputFormat()).cases; }
 
-  properties::RoundedCase single;
-  std::array<std::optional<properties::SceneCases>, 2> cases;
+ private:
+  std::array<InFormat, properties::kInputFormats.size()> formats_;
 };
 
 /// The verdict on one candidate on a chunk of the rays.
@@ -75,7 +86,8 @@ class Judgement {
   std::optional<double> max_error_;
   const ScenesOfFormats& scenes_;
   std::vector<Draft>& drafts_;
-  std::array<std::vector<scene::ScenePlan>, 2> plans_;  ///< By format.
+  /// By format.
+  std::array<std::vector<scene::ScenePlan>, properties::kInputFormats.size()> plans_;
   tbb::enumerable_thread_specific<std::vector<properties::Candidate>> candidates_;
   std::vector<std::optional<properties::Candidate>> searchers_;  ///< For those that have failed.
 };

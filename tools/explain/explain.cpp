@@ -197,10 +197,10 @@ scene::Scene asked_scene(const ExplainOptions& options, const std::optional<Cand
   if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
   if (!other) return scene;
   scene.conventions = other->declared.over(scene.conventions);
-  auto [rounded, reason, changed] = properties::rounded_case({scene, {}}, other->precision);
-  if (!rounded) throw std::invalid_argument(other->name + ": " + reason);
-  rounded_numbers = changed;
-  return std::move(rounded->scene);
+  properties::RoundedCase rounded = properties::rounded_case({scene, {}}, other->input_format());
+  if (!rounded.the_case) throw std::invalid_argument(other->name + ": " + rounded.reason);
+  rounded_numbers = rounded.changed;
+  return std::move(rounded.the_case->scene);
 }
 
 Subject subject_of(const scene::Scene& scene, const std::optional<reference::ExactCamera>& camera,

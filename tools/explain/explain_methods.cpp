@@ -180,19 +180,23 @@ void add_hit_steps(Trial& trial, const fast::IntersectMethod* own, MethodReport&
     off_s = reference::ulp_error(hit->parameter, exact.parameter(sphere, at), report.precision);
     off_point = reference::relative_error(hit->point, exact.point(sphere, at));
   }
-  MethodStep& s = steps.add("s", {hit->parameter}, off_s, Quantity::kParameter);
-  if (meets && roots) s.error_alone = error_alone(hit->parameter, *roots, exact, at.root);
+  const properties::Returns returns = trial.candidate().returns;
+  if (trial.exact_hit(0, 0) && properties::gives_parameter(returns)) {
+    report.ulp_error = reference::ulp_error(
+        hit->parameter, trial.exact_ray(0).parameter(sphere, trial.exact_intersection(0, 0)),
+        report.precision);
+  }
+  if (properties::gives_parameter(returns)) {
+    MethodStep& s = steps.add("s", {hit->parameter}, off_s, Quantity::kParameter);
+    if (meets && roots) s.error_alone = error_alone(hit->parameter, *roots, exact, at.root);
+  }
+  if (!properties::gives_point(returns)) return;
   MethodStep& point = steps.add("Q", numbers(hit->point), off_point, Quantity::kHitPoint);
   if (meets && std::isfinite(hit->parameter)) {
     point.error_alone = steps.in_u(reference::relative_error(
         hit->point,
         reference::enclose_exactly(ray.origin) -
             scaled(-Enclosure(hit->parameter, 256), reference::enclose_exactly(ray.direction))));
-  }
-  if (trial.exact_hit(0, 0)) {
-    report.ulp_error = reference::ulp_error(
-        hit->parameter, trial.exact_ray(0).parameter(sphere, trial.exact_intersection(0, 0)),
-        report.precision);
   }
 }
 

@@ -294,6 +294,8 @@ Candidate introduced(const External& external) {
       std::max(properties::kSmallestJudgedLength, external.introduction.smallest_length);
   candidate.smallest_camera_length = candidate.smallest_length;
   candidate.largest_length = external.introduction.largest_length;
+  candidate.unit_directions = external.introduction.unit_directions;
+  candidate.returns = external.introduction.returns;
   return candidate;
 }
 
@@ -348,6 +350,8 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   Candidate candidate = introduced(external);
   candidate.allow = [talk](double share) { talk->allow(share); };
   add_functions(talk, external.introduction.functions, candidate);
+  static_cast<properties::Functions&>(candidate) =
+      completed(static_cast<const properties::Functions&>(candidate), candidate.returns);
   return judged_in(external.precision, std::move(candidate));
 }
 

@@ -53,6 +53,7 @@ Implementation implementation_of(const External& external) {
       .source_file = external.source_file,
       .stages = stages_of(external.introduction.functions),
       .precision = external.precision,
+      .unit_directions = external.introduction.unit_directions,
       .make = [external] { return external_candidate(external); },
       .in_process = [external] { return calls_in_process(external); }};
   if (external.renderer) {

@@ -176,11 +176,11 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
 /// Rounds the scene to the format whose error is shown; returns how many numbers changed.
 std::size_t round_for(const ImageOptions& options, scene::Scene& scene) {
   if (options.what != Picture::kError) return 0;
-  auto [rounded, reason, changed] =
-      properties::rounded_case({scene, {}}, options.implementation.precision);
-  if (!rounded) throw std::invalid_argument(options.path + ": " + reason);
-  scene = std::move(rounded->scene);
-  return changed;
+  properties::RoundedCase rounded =
+      properties::rounded_case({scene, {}}, options.implementation.input_format());
+  if (!rounded.the_case) throw std::invalid_argument(options.path + ": " + rounded.reason);
+  scene = std::move(rounded.the_case->scene);
+  return rounded.changed;
 }
 
 void require_picture(const std::string& path, const scene::Camera& camera) {

@@ -121,7 +121,9 @@ std::string explanations_text(const std::vector<properties::Explanation>& explan
 std::string interval_text(const scene::ValidRoots& valid) {
   return fmt::format("{}{}, {}{}{}", valid.includes_min() ? '[' : '(', valid.t_min, valid.t_max,
                      valid.includes_max() ? ']' : ')',
-                     valid.unit == scene::TUnit::kRadius ? " radii" : "");
+                     valid.unit == scene::TUnit::kRadius   ? " radii"
+                     : valid.unit == scene::TUnit::kLength ? " along the ray, in scene lengths"
+                                                           : "");
 }
 
 std::string valid_roots_text(const scene::ValidRoots& valid) {

@@ -106,10 +106,10 @@ bool is_inside(const IntersectCall& call, const properties::Candidate& candidate
 /// The cases in a candidate's format, without those that it cannot hold.
 std::vector<Case> in_format_of(const properties::Candidate& candidate,
                                const std::vector<Case>& cases) {
-  if (candidate.precision == scene::Precision::kDouble) return cases;
+  if (candidate.input_format() == properties::InputFormat{}) return cases;
   std::vector<Case> rounded;
   for (const Case& one : cases) {
-    auto found = properties::rounded_case(one, candidate.precision).the_case;
+    auto found = properties::rounded_case(one, candidate.input_format()).the_case;
     if (found) rounded.push_back(*std::move(found));
   }
   return rounded;
@@ -145,14 +145,14 @@ scene::Ray placed_at(const IntersectCall& pair, const scene::Sphere& sphere) {
 /// The pairs in batches with one sphere each: the first pairs' spheres with all pairs' rays,
 /// rounded to a format.
 std::vector<IntersectCall> batches_of(const std::vector<IntersectCall>& pairs,
-                                      scene::Precision precision) {
+                                      properties::InputFormat format) {
   std::vector<IntersectCall> batches;
   for (std::size_t k = 0; k < std::min(kBatches, pairs.size()); ++k) {
     batches.push_back({{}, pairs[k].sphere, pairs[k].conventions});
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     IntersectCall& batch = batches[k % batches.size()];
-    batch.rays.push_back(properties::rounded_ray(placed_at(pairs[k], batch.sphere), precision));
+    batch.rays.push_back(properties::rounded_ray(placed_at(pairs[k], batch.sphere), format));
   }
   return batches;
 }
@@ -259,11 +259,12 @@ void time_all(const std::vector<Clocked>& clocked, std::vector<MethodCost>& cost
 }  // namespace
 
 void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
-  std::array<std::vector<IntersectCall>, scene::kFormats.size()> by_format = {pairs_of(cases), {}};
+  std::array<std::array<std::vector<IntersectCall>, 2>, scene::kFormats.size()> by_format;
   std::vector<Clocked> all;
   for (MethodCost& cost : costs) {
     const properties::Candidate candidate = cost.method.make();
-    std::vector<IntersectCall>& pairs = by_format[static_cast<std::size_t>(candidate.precision)];
+    std::vector<IntersectCall>& pairs =
+        by_format[static_cast<std::size_t>(candidate.precision)][candidate.unit_directions];
     if (pairs.empty()) pairs = pairs_of(in_format_of(candidate, cases));
     std::vector<IntersectCall> inside;
     for (const IntersectCall& pair : pairs) {
@@ -277,7 +278,7 @@ void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>&
     };
     all.push_back(clocked(
         cost, [](const InProcess& here) { return here.intersect; }, inside,
-        batches_of(inside, candidate.precision), judged));
+        batches_of(inside, candidate.input_format()), judged));
     all.back().items = inside.size();
   }
   time_all(all, costs);

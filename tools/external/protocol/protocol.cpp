@@ -89,6 +89,12 @@ void read_statement(std::string_view kind, Words& words, Introduction& introduct
         choose<scene::Precision>(words, scene::kPrecisionNames, "states no such precision");
   } else if (kind == "roots") {
     introduction.declared.valid = read_roots(words);
+  } else if (kind == "directions") {
+    introduction.unit_directions =
+        words.place_in(kDirectionsWords, "states no such directions") == 1;
+  } else if (kind == "returns") {
+    introduction.returns = choose<properties::Returns>(words, properties::kReturnsNames,
+                                                       "states that it returns no such thing");
   } else if (kind == "level") {
     introduction.level =
         choose<properties::Level>(words, properties::kLevelNames, "states no such level");

@@ -38,6 +38,9 @@ inline constexpr std::array<ConventionWords, 5> kConventionWords = {
 /// taken.
 inline constexpr std::array<std::string_view, 5> kEndsWords = {"[]", "[)", "(]", "()", "as-asked"};
 
+/// Which directions are accepted.
+inline constexpr std::array<std::string_view, 2> kDirectionsWords = {"any", "unit"};
+
 /// A malformed line: what() says which one and how.
 class ProtocolError : public std::runtime_error {
  public:

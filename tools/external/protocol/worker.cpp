@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "properties/level.h"
+#include "properties/returns.h"
 #include "scene/precision.h"
 #include "tools/external/protocol/frames.h"
 #include "tools/external/protocol/words.h"
@@ -257,6 +258,15 @@ void introduce_numbers(const raycheck_candidate& candidate, Reply& reply) {
   }
 }
 
+/// Missing in libraries of versions 1 to 3.
+void introduce_answers(const raycheck_candidate& candidate, Reply& reply) {
+  using raycheck::tools::kDirectionsWords;
+  reply << "directions " << name_in(kDirectionsWords, candidate.directions, "directions") << "\n"
+        << "returns "
+        << name_in(raycheck::properties::kReturnsNames, candidate.returns, "kind of answer")
+        << "\n";
+}
+
 void introduce(const raycheck_candidate& candidate, Reply& reply) {
   reply << "raycheck 1 " << (candidate.name != nullptr ? candidate.name : "-") << "\n";
   const std::array<bool, 6> has = {candidate.frame != nullptr,     candidate.pixel_point != nullptr,
@@ -274,6 +284,7 @@ void introduce(const raycheck_candidate& candidate, Reply& reply) {
   }
   if (candidate.version >= 2) introduce_contract(candidate, reply);
   if (candidate.version >= 3) introduce_numbers(candidate, reply);
+  if (candidate.version >= 4) introduce_answers(candidate, reply);
   reply << "ready\n";
   reply.send();
 }

@@ -160,7 +160,7 @@ Case simplest(const FailedCase& first, const Examinee& who, const properties::Fa
   if (who.pictures) start.pixels.clear();
   return whole(properties::smallest(std::move(start), tries, [&](const Case& next) {
     if (is_late() || !is_alike(next.scene, from.scene)) return false;
-    if (!properties::is_of_format(next.scene, who.candidate.precision)) return false;
+    if (!properties::is_of_format(next.scene, who.candidate.input_format())) return false;
     const Case judged = whole(next);
     Trial trial(judged, who.candidate, who.options());
     const Verdict verdict = apply(*first.broken, trial);

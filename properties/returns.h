@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace raycheck::properties {
+
+/// What an implementation returns of a hit: s and Q; s; Q; the distance of Q along the ray, or its
+/// square; or nothing but that it is one.
+enum class Returns { kHit, kParameter, kPoint, kDistance, kSquaredDistance, kClass };
+inline constexpr std::array<std::string_view, 6> kReturnsNames = {
+    "hit", "parameter", "point", "distance", "squared-distance", "class"};
+constexpr auto& names_of(Returns /*of*/) { return kReturnsNames; }
+constexpr bool gives_point(Returns returns) {
+  return returns == Returns::kHit || returns == Returns::kPoint;
+}
+constexpr bool gives_parameter(Returns returns) {
+  return returns != Returns::kPoint && returns != Returns::kClass;
+}
+
+}  // namespace raycheck::properties
