@@ -190,15 +190,4 @@ void require_disjoint(const std::string& out, const std::vector<Submission>& sub
   }
 }
 
-std::string digest(const Submission& submission, const SubmissionLimits& limits) {
-  try {
-    return digest_of(paths_of(submission.path, limits));
-  } catch (const std::system_error& error) {
-    if (is_of_the_machine(error.code())) throw;
-    return digest({error.what()});
-  } catch (const std::exception& error) {
-    return digest({error.what()});
-  }
-}
-
 }  // namespace raycheck::tools

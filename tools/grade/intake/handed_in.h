@@ -32,10 +32,6 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
 /// contains or lies in a submission, also through links. It need not exist.
 void require_disjoint(const std::string& out, const std::vector<Submission>& submissions);
 
-/// A digest of its files' names and contents or, if these cannot be read, of the reason.
-/// Errors: std::system_error if that is the machine's fault (is_of_the_machine).
-std::string digest(const Submission& submission, const SubmissionLimits& limits);
-
 /// A submitted file.
 struct HandedInFile {
   std::string text;   ///< Its first 4 MiB.

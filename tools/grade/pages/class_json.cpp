@@ -9,7 +9,6 @@ std::string class_json(const ClassGrade& graded) {
   Json json = json_header("grade");
   json["rubric"] = graded.rubric.title;
   json["interrupted"] = graded.interrupted;
-  json["reused"] = graded.reused;
   json["not_graded"] = graded.not_graded;
   json["submissions"] = list_json(graded.submissions, record_json);
   return json_text(json);

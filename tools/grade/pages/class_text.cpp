@@ -69,7 +69,6 @@ std::string class_text(const ClassGrade& graded) {
     text += fmt::format(", {} of them for causes outside: the same command tries again",
                         graded.not_graded);
   }
-  if (graded.reused > 0) text += fmt::format(", {} of them by an earlier run", graded.reused);
   if (graded.times) text += fmt::format(" ({})", times_text(*graded.times));
   return text + "\n";
 }

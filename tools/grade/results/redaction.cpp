@@ -49,7 +49,6 @@ StudentGrade student_grade(const Rubric& rubric, const SubmissionGrade& grade, H
                       {},
                       0};
   result.submission.seed = 0;
-  result.submission.key.clear();
   result.submission.items.clear();
   for (std::size_t k = 0; k < grade.items.size(); ++k) {
     const Item& item = rubric.items[k];

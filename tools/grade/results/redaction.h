@@ -20,7 +20,7 @@ struct StudentGrade {
   std::string rubric;              ///< The name of its file.
   std::string dialect;             ///< What overrode its [driver]; or empty.
   std::string title;               ///< Of the rubric.
-  SubmissionGrade submission;      ///< With visible items only; without seed and key.
+  SubmissionGrade submission;      ///< With visible items only; without the seed.
   std::vector<const Item*> items;  ///< The rubric's, one for each of these.
   std::size_t unlisted = 0;        ///< Items in the score that are not among them.
 };

@@ -167,7 +167,6 @@ struct OpaqueFile {
 
 struct SubmissionGrade {
   std::string name;
-  std::string key;                       ///< Of everything the grade depends on.
   std::optional<CandidateSpec> program;  ///< As it was run; absent if none was found.
   /// The shell command that built it, in a copy of its folder; empty: nothing had to be built, or
   /// raycheck compiled it.
@@ -204,7 +203,6 @@ struct ClassGrade {
   std::string out;                           ///< Where the results are; empty: nowhere.
   std::vector<SubmissionGrade> submissions;  ///< In the given order, as far as reached.
   std::optional<LayersHere> isolation = {};  ///< Absent: none was run.
-  std::uint64_t reused = 0;                  ///< Those graded by an earlier run.
   std::uint64_t not_graded = 0;              ///< For outside causes, which may be gone next time.
   bool interrupted = false;
   std::optional<GradingTimes> times = {};  ///< Absent: nothing was run.
