@@ -15,7 +15,6 @@
 #include "tools/external/sandbox/launch.h"
 #include "tools/grade/intake/handed_in.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/run/in_order.h"

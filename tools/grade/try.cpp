@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "tools/grade/grade.h"
-#include "tools/grade/pages/wording.h"
+#include "tools/grade/pages/views.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
