@@ -6,21 +6,17 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "properties/mistakes/picture_causes.h"
 #include "scene/interruption.h"
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
-#include "tools/grade/pages/wording.h"
+#include "tools/grade/pages/views.h"
 #include "tools/grade/results/own_files.h"
 #include "tools/grade/results/record.h"
-#include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric_files.h"
 #include "tools/grade/store/store.h"
@@ -106,6 +102,34 @@ std::vector<std::string_view> names_of_class_files() {
   return names;
 }
 
+/// The names that the files for a student may have.
+std::vector<std::string> names_for_student(const Rubric& rubric) {
+  std::vector<std::string> names = {kReportFile, kFiguresFile};
+  for (const Item& item : rubric.items) {
+    for (const char* ending : {kSceneEnding, kDriverEnding}) {
+      names.push_back(file_name(item.name) + ending);
+    }
+  }
+  return names;
+}
+
+/// These files, by name: pages, and the failing cases as TOML and as driver files.
+std::map<std::string, std::string> files_for_student(const StudentGrade& shown) {
+  std::map<std::string, std::string> files;
+  for (std::size_t k = 0; k < shown.items.size(); ++k) {
+    const auto& failing = shown.submission.items[k].failing;
+    if (!failing) continue;
+    const std::string name = file_name(shown.items[k]->name);
+    files[name + kSceneEnding] = scene_text(*failing);
+    const std::string driver = driver_file_text(*failing, shown.submission.driver);
+    if (!driver.empty()) files[name + kDriverEnding] = driver;
+  }
+  StudentPages pages = student_pages(shown);
+  files[kReportFile] = std::move(pages.report);
+  if (!pages.figures.empty()) files[kFiguresFile] = std::move(pages.figures);
+  return files;
+}
+
 /// Grades a class once, into its folder of results.
 class ClassRun {
  public:
@@ -115,14 +139,14 @@ class ClassRun {
         here_(chosen_layers(options.sandbox)),
         layers_(here_.layers),
         submissions_(find_submissions(options.submissions, names_of_class_files())) {
-    if (writes()) {
+    if (!options.out.empty()) {
       require_disjoint(options_.out, submissions_);
       own_.emplace(options_.out);
       require_place();
       for (const Submission& submission : submissions_) own_->make_folder(submission.name);
-      store_.emplace(options_.out);
+      if (!options.for_student) store_.emplace(options_.out);
     }
-    test_environment(rubric_, layers_, writes() ? fs::path(options_.out) / kStoreFolder : "");
+    test_environment(rubric_, layers_, store_ ? fs::path(options_.out) / kStoreFolder : "");
   }
 
   ClassGrade grade(const RunControl& control) {
@@ -131,7 +155,7 @@ class ClassRun {
         submissions_, control, "graded",
         [&](const Submission& one, bool alone) { return graded(one, control, alone); });
     for (Graded& one : all) {
-      one.reused ? void(++result.reused) : add_times(one.grade, result.times);
+      add_times(one.grade, result.times);
       if (!one.outside.empty()) ++result.not_graded;
       result.submissions.push_back(std::move(one.grade));
     }
@@ -139,27 +163,23 @@ class ClassRun {
     result.out = options_.out;
     result.isolation = here_;
     result.interrupted = control.interrupted();
-    if (!writes()) return result;
+    if (!store_) return result;
     for (const ClassView& file : kClassFiles) own_->write(file.name, file.render(result));
     return result;
   }
 
  private:
-  bool writes() const { return !options_.out.empty(); }
-
   /// Checks before grading that no foreign file is where results may be written.
   void require_place() const {
-    for (const ClassView& file : kClassFiles) own_->require_own(file.name);
     std::vector<std::string> names = names_for_student(rubric_);
-    names.emplace_back(kRecordFile);
+    if (!options_.for_student) {
+      for (const ClassView& file : kClassFiles) own_->require_own(file.name);
+      names.emplace_back(kRecordFile);
+    }
     if (options_.results != nullptr) names.emplace_back(kResultsFile);
     for (const Submission& submission : submissions_) {
       for (const std::string& name : names) own_->require_own(fs::path(submission.name) / name);
     }
-  }
-
-  fs::path folder_of(const Submission& submission) const {
-    return fs::path(options_.out) / submission.name;
   }
 
   static void add_times(const SubmissionGrade& grade, std::optional<GradingTimes>& times) {
@@ -169,43 +189,19 @@ class ClassRun {
     times->stored_builds += grade.build_is_stored ? 1 : 0;
   }
 
-  /// Of a submission whose files are `digested`.
-  SubmissionGrade new_grade(const Submission& submission, const std::string& digested) const {
-    SubmissionGrade grade;
-    grade.name = submission.name;
-    grade.seed = options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
-    grade.key = digest({std::string(kVersion), std::string(kRecordShape), rubric_.digest, digested,
-                        std::to_string(grade.seed), layers_.text()});
-    grade.isolation = layers_;
-    return grade;
-  }
-
   struct Graded {
     SubmissionGrade grade;
-    bool reused = false;
     std::string outside = {};  ///< The external cause why it has no grade; empty: none.
   };
 
   Graded graded(const Submission& submission, const RunControl& control, bool alone) {
     Graded one;
-    std::string digested;
-    try {
-      digested = digest(submission, rubric_.limits);
-    } catch (const std::system_error& error) {
-      one.outside = error.what();
-    }
-    one.grade = new_grade(submission, digested);
-    if (!one.outside.empty()) {
-      refuse_for(one.outside, one.grade);
-    } else if (writes()) {
-      if (auto known = record_of(submission, one.grade.key)) {
-        one.grade = std::move(*known);
-        one.reused = true;
-      }
-    }
-    if (!one.reused && one.outside.empty())
-      one.outside = grade_one(submission, control, alone, one.grade);
-    if (writes()) write(submission, one.grade);
+    one.grade.name = submission.name;
+    one.grade.seed =
+        options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
+    one.grade.isolation = layers_;
+    one.outside = grade_one(submission, control, alone, one.grade);
+    if (own_) write(submission, one.grade);
     return one;
   }
 
@@ -255,30 +251,9 @@ class ClassRun {
     const std::string cause = surroundings->cause();
     if (!cause.empty()) {
       grade = before;
-      refuse_for(cause, grade);
+      refuse(rubric_, outside_refusal(cause), grade);
     }
     return cause;
-  }
-
-  void refuse_for(const std::string& cause, SubmissionGrade& grade) const {
-    refuse(rubric_, outside_refusal(cause), grade);
-  }
-
-  /// The grade finished by an earlier run, if it depended on the same inputs as `key`.
-  std::optional<SubmissionGrade> record_of(const Submission& submission,
-                                           const std::string& key) const {
-    std::ifstream file(folder_of(submission) / kRecordFile, std::ios::binary);
-    if (!file) return {};
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    try {
-      SubmissionGrade grade = read_record(text);
-      grade.name = submission.name;
-      grade.isolation = layers_;  // the key says so
-      if (grade.finished && grade.key == key) return grade;
-    } catch (const std::exception&) {
-      // no record, then
-    }
-    return {};
   }
 
   void write(const Submission& submission, const SubmissionGrade& grade) {
@@ -286,7 +261,7 @@ class ClassRun {
     if (const ResultsFormat* results = options_.results) {
       files[kResultsFile] = results->render(student_grade(rubric_, grade, results->hidden_by));
     }
-    files[kRecordFile] = json_text(record_json(grade));
+    if (!options_.for_student) files[kRecordFile] = json_text(record_json(grade));
     own_->replace(submission.name, files);
   }
 
@@ -295,37 +270,11 @@ class ClassRun {
   LayersHere here_;
   Layers layers_;
   std::vector<Submission> submissions_;
-  std::optional<OwnFiles> own_;  ///< Where results are written, and so the store.
-  std::optional<Store> store_;
+  std::optional<OwnFiles> own_;  ///< Where results are written, if they are.
+  std::optional<Store> store_;   ///< Likewise for a class.
 };
 
 }  // namespace
-
-std::vector<std::string> names_for_student(const Rubric& rubric) {
-  std::vector<std::string> names = {kReportFile, kFiguresFile};
-  for (const Item& item : rubric.items) {
-    for (const char* ending : {kSceneEnding, kDriverEnding}) {
-      names.push_back(file_name(item.name) + ending);
-    }
-  }
-  return names;
-}
-
-std::map<std::string, std::string> files_for_student(const StudentGrade& shown) {
-  std::map<std::string, std::string> files;
-  for (std::size_t k = 0; k < shown.items.size(); ++k) {
-    const auto& failing = shown.submission.items[k].failing;
-    if (!failing) continue;
-    const std::string name = file_name(shown.items[k]->name);
-    files[name + kSceneEnding] = scene_text(*failing);
-    const std::string driver = driver_file_text(*failing, shown.submission.driver);
-    if (!driver.empty()) files[name + kDriverEnding] = driver;
-  }
-  StudentPages pages = student_pages(shown);
-  files[kReportFile] = std::move(pages.report);
-  if (!pages.figures.empty()) files[kFiguresFile] = std::move(pages.figures);
-  return files;
-}
 
 ClassGrade grade(const GradeOptions& options, const RunControl& control) {
   return ClassRun(options).grade(control);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,7 +15,6 @@
 #include "tools/external/sandbox/launch.h"
 #include "tools/grade/intake/handed_in.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/run/in_order.h"
@@ -26,7 +25,8 @@ struct GradeOptions {
   std::string rubric = {};
   std::string dialect = {};  ///< Replaces the rubric's [driver]; see driver_rule().
   std::vector<std::string> submissions = {};
-  std::string out = {};  ///< The folder, made if missing. Empty: nothing is written.
+  std::string out = {};      ///< The folder, made if missing. Empty: nothing is written.
+  bool for_student = false;  ///< Of one submission, only what its student gets is written.
   std::uint64_t seed = 1;
   std::optional<std::string> secret = {};  ///< Seeds follow from it and the submissions' names.
   Sandbox sandbox = Sandbox::kRequire;
@@ -36,19 +36,11 @@ struct GradeOptions {
 
 /// Grades every submission: OUT/NAME/ has its report.html, figures.html and the failing scenes for
 /// the student, and result.json for instructors, as soon as it is done; OUT gets the class pages at
-/// the end. Submissions that an earlier run into the same folder finished, with the same files,
-/// rubric and seed, are not graded again; for changed ones, stored builds and answers are reused
-/// (store.h). Files that raycheck did not write are neither replaced nor removed. Errors, before
-/// anything is written: what load_rubric(), find_submissions(), chosen_layers(), require_disjoint()
-/// and OwnFiles::require_own() throw.
+/// the end. What an earlier run into the same folder built and asked is neither built nor asked
+/// again (store.h). Files that raycheck did not write are neither replaced nor removed. Errors,
+/// before anything is written: what load_rubric(), find_submissions(), chosen_layers(),
+/// require_disjoint() and OwnFiles::require_own() throw.
 ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {});
-
-/// The files for a student, by name: a page, the failing scenes as TOML and as driver files, and
-/// figures of those that ask for functions.
-std::map<std::string, std::string> files_for_student(const StudentGrade& shown);
-
-/// The names that these files may have.
-std::vector<std::string> names_for_student(const Rubric& rubric);
 
 /// Does something for every submission, in their order; what fails for a cause outside it
 /// (`outside` of a result says which) is done again at the end, when nothing runs beside it.
@@ -76,6 +68,25 @@ std::vector<Result> done_for_each(
   }
   return all;
 }
+
+/// The part of a submission's grade that a student may see.
+struct TryReport {
+  std::shared_ptr<const Rubric> rubric;  ///< What `shown` refers to.
+  StudentGrade shown;
+  std::string folder;  ///< Where the page and the failing cases are; empty: nowhere.
+  bool interrupted = false;
+
+  /// Whether every item that is shown, and was asked, holds.
+  bool holds() const;
+};
+
+/// Grades one submission as grade() does with the same rubric and seed, for its author: asks every
+/// item, and shows those that students may see. `out`: the parent of the submission's folder of
+/// results; empty: nothing is written.
+/// Errors: as grade().
+TryReport try_submission(GradeOptions options, const properties::RunControl& control = {});
+
+std::string try_text(const TryReport& report);
 
 /// Tries the rubric on raycheck's own methods, as a library and as a renderer: the grade of a
 /// correct submission.

@@ -13,7 +13,6 @@
 #include "tools/commands.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/pages/wording.h"
 #include "tools/grade/probe.h"
 #include "tools/terminal.h"
 

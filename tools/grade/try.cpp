@@ -1,16 +1,11 @@
-#include "tools/grade/try.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <utility>
-#include <vector>
 
-#include "tools/grade/intake/prepare.h"
-#include "tools/grade/pages/wording.h"
-#include "tools/grade/results/own_files.h"
+#include "tools/grade/grade.h"
+#include "tools/grade/pages/views.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -23,28 +18,16 @@ bool TryReport::holds() const {
          });
 }
 
-TryReport try_submission(const GradeOptions& options, const properties::RunControl& control) {
-  const std::vector<Submission> submissions = find_submissions(options.submissions, {});
-  std::optional<OwnFiles> own;
-  const std::filesystem::path name = submissions.front().name;
-  if (!options.out.empty()) {
-    const Rubric rubric = load_rubric(options.rubric, options.dialect);
-    require_disjoint(options.out, submissions);
-    own.emplace(options.out);
-    for (const std::string& file : names_for_student(rubric)) own->require_own(name / file);
-    own->make_folder(name);
-  }
-  GradeOptions unwritten = options;
-  unwritten.out.clear();
-  ClassGrade graded = grade(unwritten, control);
+TryReport try_submission(GradeOptions options, const properties::RunControl& control) {
+  options.for_student = true;
+  ClassGrade graded = grade(options, control);
   TryReport report;
   report.interrupted = graded.interrupted;
   report.rubric = std::make_shared<const Rubric>(std::move(graded.rubric));
   if (graded.submissions.empty()) return report;
   report.shown = student_grade(*report.rubric, graded.submissions.front(), HiddenBy::kUs);
-  if (!own) return report;
-  own->replace(name, files_for_student(report.shown));
-  report.folder = (std::filesystem::path(options.out) / name).string();
+  if (options.out.empty()) return report;
+  report.folder = (std::filesystem::path(options.out) / graded.submissions.front().name).string();
   return report;
 }
 

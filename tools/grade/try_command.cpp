@@ -3,7 +3,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/grade/try.h"
+#include "tools/grade/grade.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {

@@ -150,12 +150,11 @@ TEST(Pictures, that_are_withheld_are_not_there) {
 }
 
 /// The commands beside them are run by home_test.cpp.
-TEST(Pictures, are_those_of_the_record_later_with_commands_that_repeat_them) {
+TEST(Pictures, are_the_same_later_with_commands_that_repeat_them) {
   const Grading grading;
   failing(grading, "mirrored");
   const std::string page = grading.file("mine", "report.html");
-  expect_parts(grading.grade(grading.path("rubric.toml"), {grading.path("submissions/mine")}).out,
-               {"1 of them by an earlier run"});
+  grading.grade(grading.path("rubric.toml"), {grading.path("submissions/mine")});
   EXPECT_EQ(grading.file("mine", "report.html"), page);
   expect_parts(page, {"<pre class=\"command\">./mirrored.rt seen.txt out.ppm</pre>",
                       "<pre class=\"command\">raycheck try rubric.toml .</pre>"});

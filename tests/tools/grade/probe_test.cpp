@@ -306,7 +306,6 @@ TEST_F(Probe, reads_what_the_dialect_says_in_place_of_the_rubrics) {
   };
   EXPECT_EQ(form_of(as_2018, ""), "A20");
   EXPECT_EQ(form_of(as_2018, "--dialect auto"), "A20");
-  // Not the record of the run before, whose rubric and files are the same.
   EXPECT_EQ(form_of(as_2018, "--dialect B:17:no-light"), "B17");
   EXPECT_EQ(form_of(as_2018, ""), "A20");
 }

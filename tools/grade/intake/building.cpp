@@ -35,9 +35,8 @@ std::string head_of(const fs::path& path) {
   return file_bytes(path, kFirstBytes);
 }
 
-bool is_executable(const fs::path& path) {
-  return (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none &&
-         path.filename().string().find(".so") == std::string::npos &&
+bool is_program(const fs::path& path) {
+  return is_executable(path) && path.filename().string().find(".so") == std::string::npos &&
          is_program_here(head_of(path));
 }
 
@@ -47,7 +46,7 @@ std::vector<std::string> made_programs(const fs::path& folder,
                                        const std::vector<std::string>& likely) {
   std::set<std::tuple<bool, std::ptrdiff_t, int, fs::file_time_type::duration, std::string>> found;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file() || !is_executable(entry.path())) continue;
+    if (!entry.is_regular_file() || !is_program(entry.path())) continue;
     const std::string name = entry.path().filename().string();
     const std::string path = fs::relative(entry.path(), folder).string();
     const int rank = likelihood_rank(name);

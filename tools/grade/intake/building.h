@@ -48,14 +48,10 @@ std::string java_main_class(const HandedInFiles& files);
 std::string java_words(const std::string& folder, const std::vector<std::string>& jars,
                        const std::string& main_class);
 
-/// The parts of build_plan(); each adds its ways after those before it.
+/// Parts of build_plan(); each adds its ways after those before it.
 void plan_make(const HandedInFiles& files, BuildPlan& plan);
 void plan_cmake(const HandedInFiles& files, BuildPlan& plan);
 void plan_c_family(const HandedInFiles& files, BuildPlan& plan);
-void plan_java(const HandedInFiles& files, BuildPlan& plan);
-void plan_javascript(const HandedInFiles& files, BuildPlan& plan);
-void plan_python(const HandedInFiles& files, BuildPlan& plan);
-void plan_built_before(const HandedInFiles& files, BuildPlan& plan);
 
 /// Whether a file is a program or library of Linux (ELF), or one of this machine that can be
 /// started.

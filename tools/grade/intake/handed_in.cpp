@@ -4,15 +4,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <map>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/store/store.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {
@@ -31,16 +39,11 @@ constexpr std::array<std::string_view, 4> kLeftFiles = {".ds_store", "thumbs.db"
 constexpr std::array<std::string_view, 6> kLeftEndings = {".o",   ".obj", ".gch",
                                                           ".pch", ".pyc", ".pdb"};
 
-template <std::size_t N>
-bool is_among(const std::array<std::string_view, N>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 bool is_left_behind(const fs::path& path, bool is_folder) {
   const std::string name = lower_case(path.filename().string());
-  if (is_folder) return is_among(kLeftFolders, name) || fs::exists(path / "pyvenv.cfg");
-  return name.starts_with("._") || is_among(kLeftFiles, name) ||
-         is_among(kLeftEndings, fs::path(name).extension().string());
+  if (is_folder) return is_one_of(kLeftFolders, name) || fs::exists(path / "pyvenv.cfg");
+  return name.starts_with("._") || is_one_of(kLeftFiles, name) ||
+         is_one_of(kLeftEndings, fs::path(name).extension().string());
 }
 
 /// Absolute, with links resolved as far as the path exists.
@@ -120,9 +123,7 @@ std::string digest_of(const HandedInPaths& paths) {
   std::vector<std::string> texts = paths.folders;
   for (const auto& [name, path] : paths.files) {
     texts.push_back(name);
-    const bool runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
-    texts.emplace_back(runs ? "runs" : "");
-    texts.push_back(file_bytes(path));
+    texts.push_back(file_digest(path));
   }
   return digest(texts);
 }
@@ -130,9 +131,7 @@ std::string digest_of(const HandedInPaths& paths) {
 HandedInFiles read_files(const std::map<std::string, fs::path>& paths) {
   HandedInFiles files;
   for (const auto& [name, path] : paths) {
-    HandedInFile& file = files[name];
-    file.text = file_bytes(path, kReadOfFile);
-    file.runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
+    files[name] = {file_bytes(path, kReadOfFile), is_executable(path)};
   }
   return files;
 }
@@ -151,7 +150,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
     }
     const bool is_file = fs::is_regular_file(fs::symlink_status(path));
     const std::string name = is_file ? path.stem().string() : path.filename().string();
-    if (std::find(reserved.begin(), reserved.end(), name) != reserved.end()) {
+    if (is_one_of(reserved, name)) {
       throw std::invalid_argument(
           fmt::format("{}: rename it; the results of the class are called so", given));
     }
@@ -190,15 +189,201 @@ void require_disjoint(const std::string& out, const std::vector<Submission>& sub
   }
 }
 
-std::string digest(const Submission& submission, const SubmissionLimits& limits) {
-  try {
-    return digest_of(paths_of(submission.path, limits));
-  } catch (const std::system_error& error) {
-    if (is_of_the_machine(error.code())) throw;
-    return digest({error.what()});
-  } catch (const std::exception& error) {
-    return digest({error.what()});
+namespace {
+
+/// A text, or a list of its lines.
+std::string joined(const Json& source) {
+  if (source.is_string()) return source.get<std::string>();
+  std::string text;
+  for (const Json& line : source) text += line.get<std::string>();
+  return text;
+}
+
+/// Cell magics whose cell is still Python.
+bool is_python_cell(const std::string& cell) {
+  std::istringstream words(cell);
+  std::string first;
+  words >> first;
+  return !first.starts_with("%%") || first == "%%time" || first == "%%timeit" ||
+         first == "%%capture" || first == "%%prun";
+}
+
+/// `%matplotlib inline`, `!pip install`, `?help`; not the rest of a formula.
+bool is_magic(std::string_view line) {
+  const char next = line.size() > 1 ? line[1] : ' ';
+  return (line[0] == '%' && (next == '%' || std::isalpha(static_cast<unsigned char>(next)) != 0)) ||
+         (line[0] == '!' && next != '=') || line[0] == '?';
+}
+
+std::string without_magics(const std::string& cell) {
+  std::istringstream lines(cell);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find_first_not_of(" \t");
+    const bool drops = at != std::string::npos && is_magic(std::string_view(line).substr(at));
+    text += (drops ? line.substr(0, at) + "pass" : line) + "\n";
   }
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> notebook_module(std::string_view text) try {
+  const Json notebook = Json::parse(text);
+  std::string module;
+  for (const Json& cell : notebook.at("cells")) {
+    if (cell.at("cell_type") != "code") continue;
+    const std::string code = joined(cell.at("source"));
+    if (is_python_cell(code)) module += without_magics(code) + "\n";
+  }
+  return module;
+} catch (const Json::exception&) {
+  return {};
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 9> kPictureEndings = {
+    ".ppm", ".pnm", ".pgm", ".pbm", ".png", ".jpg", ".jpeg", ".gif", ".bmp"};
+
+/// At most this many folders and files of a submission lie in the folder of each run, those nearer
+/// to the top first.
+constexpr std::size_t kMostInRunFolder = 100;
+/// Files up to this size are copied there until the copies reach the total; others are linked.
+constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;
+constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
+
+/// Whether a run uses that name for another file.
+bool is_taken(const std::string& path) {
+  const std::string top = path.substr(0, path.find('/'));
+  return top == kSceneFile || top == kImageFile;
+}
+
+/// Nearer to the top first, so that a folder comes before what lies in it.
+bool is_nearer(const std::string& a, const std::string& b) {
+  const auto key = [](const std::string& path) {
+    return std::tuple<std::ptrdiff_t, const std::string&>(std::count(path.begin(), path.end(), '/'),
+                                                          path);
+  };
+  return key(a) < key(b);
+}
+
+/// Files other than pictures, programs and archives are listed from this size on.
+constexpr std::uintmax_t kLargeFile = std::uintmax_t{256} << 10;
+/// No one writes longer lines by hand.
+constexpr std::size_t kLongLine = 4000;
+
+struct Beginning {
+  std::string_view bytes;
+  std::string_view kind;
+};
+constexpr std::string_view kPicture = "picture";
+constexpr Beginning kBeginnings[] = {{"\x7f"
+                                      "ELF",
+                                      "program or library"},
+                                     {"MZ", "Windows program"},
+                                     {"\xcf\xfa\xed\xfe", "macOS program"},
+                                     {"\xca\xfe\xba\xbe", "Java class"},
+                                     {"!<arch>\n", "static library"},
+                                     {"PK\x03\x04", "archive"},
+                                     {"\x1f\x8b", "compressed"},
+                                     {"\xfd"
+                                      "7zXZ",
+                                      "compressed"},
+                                     {"\x89PNG", kPicture},
+                                     {"\xff\xd8\xff", kPicture},
+                                     {"GIF8", kPicture},
+                                     {"BM", kPicture}};
+
+/// The beginnings of PNG and of PPM in Base64.
+constexpr std::string_view kEmbedded[] = {"iVBORw0KGgo", "UDYK", "UDMK"};
+
+/// PPM and its kin: P1 to P6, then white space.
+bool is_portable_picture(std::string_view text) {
+  return text.size() > 2 && text[0] == 'P' && text[1] >= '1' && text[1] <= '6' &&
+         std::isspace(static_cast<unsigned char>(text[2])) != 0;
+}
+
+bool has_long_line(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (end - at > kLongLine) return true;
+    at = end + 1;
+  }
+  return false;
+}
+
+/// Empty for files that are not opaque.
+std::string kind_of(std::string_view text, std::uintmax_t bytes) {
+  for (const Beginning& one : kBeginnings) {
+    if (text.starts_with(one.bytes)) return std::string(one.kind);
+  }
+  if (is_portable_picture(text)) return std::string(kPicture);
+  const bool has_picture = std::any_of(
+      std::begin(kEmbedded), std::end(kEmbedded),
+      [&](std::string_view begin) { return text.find(begin) != std::string_view::npos; });
+  if (has_picture) return "text with a picture in it";
+  if (has_long_line(text)) return "text with very long lines";
+  return bytes >= kLargeFile ? "large file" : "";
+}
+
+/// Whether a file begins as a picture does.
+bool is_picture(std::string_view text) {
+  return is_portable_picture(text) ||
+         std::any_of(std::begin(kBeginnings), std::end(kBeginnings), [&](const Beginning& one) {
+           return one.kind == kPicture && text.starts_with(one.bytes);
+         });
+}
+
+}  // namespace
+
+std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
+                                                 const std::vector<std::string>& folders,
+                                                 std::shared_ptr<const PrivateFolder> copy) {
+  const Vendored vendored = vendored_in(files);
+  const auto is_left_out = [&](const std::string& path) {
+    return is_taken(path) || vendored.has(path + "/");
+  };
+  StartingFolder start;
+  std::vector<std::string> names;
+  for (const std::string& folder : folders) {
+    if (!is_left_out(folder)) start.folders.push_back(folder);
+  }
+  for (const auto& [name, file] : files) {
+    if (is_left_out(name) || is_one_of(kPictureEndings, ending_of(name)) || is_picture(file.text))
+      continue;
+    names.push_back(name);
+  }
+  std::sort(start.folders.begin(), start.folders.end(), is_nearer);
+  start.folders.resize(std::min(start.folders.size(), kMostInRunFolder));
+  std::sort(names.begin(), names.end(), is_nearer);
+  const std::set<std::string> made(start.folders.begin(), start.folders.end());
+  std::size_t copied = 0;
+  for (const std::string& name : names) {
+    const std::size_t count = start.folders.size() + start.files.size() + start.links.size();
+    if (count >= kMostInRunFolder) break;
+    if (!folder_of(name).empty() && !made.contains(folder_of(name))) continue;
+    const HandedInFile& file = files.at(name);
+    if (file.text.size() <= kMostOfCopy && copied + file.text.size() <= kMostOfCopies) {
+      copied += file.text.size();
+      start.files.push_back({name, file.text, file.runs});
+    } else {
+      start.links.push_back(name);
+    }
+  }
+  start.linked = std::move(copy);
+  return std::make_shared<const StartingFolder>(std::move(start));
+}
+
+std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
+                                     const std::map<std::string, fs::path>& paths) {
+  std::vector<OpaqueFile> found;
+  for (const auto& [name, path] : paths) {
+    const std::uintmax_t bytes = fs::file_size(path);
+    const std::string kind = kind_of(files.at(name).text, bytes);
+    if (!kind.empty()) found.push_back({name, kind, bytes});
+  }
+  return found;
 }
 
 }  // namespace raycheck::tools

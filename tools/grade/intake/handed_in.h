@@ -32,10 +32,6 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
 /// contains or lies in a submission, also through links. It need not exist.
 void require_disjoint(const std::string& out, const std::vector<Submission>& submissions);
 
-/// A digest of its files' names and contents or, if these cannot be read, of the reason.
-/// Errors: std::system_error if that is the machine's fault (is_of_the_machine).
-std::string digest(const Submission& submission, const SubmissionLimits& limits);
-
 /// A submitted file.
 struct HandedInFile {
   std::string text;   ///< Its first 4 MiB.
@@ -72,26 +68,11 @@ HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& pat
 /// `pass`, cells of other languages (%%bash) are left out. Empty if the text is not a notebook.
 std::optional<std::string> notebook_module(std::string_view text);
 
-/// Files other than pictures, programs and archives are listed from this size on.
-inline constexpr std::uintmax_t kLargeFile = std::uintmax_t{256} << 10;
-/// No one writes longer lines by hand.
-inline constexpr std::size_t kLongLine = 4000;
-
-/// Whether a file begins as a picture does.
-bool is_picture(std::string_view text);
-
 /// Files that cannot be understood by reading them, and may contain answers computed elsewhere:
 /// programs, libraries, archives, pictures, large files, and texts with lines that no one wrote.
 /// None is forbidden. `paths`: where the files lie.
 std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
                                      const std::map<std::string, std::filesystem::path>& paths);
-
-/// At most this many folders and files of a submission lie in the folder of each run, those nearer
-/// to the top first.
-inline constexpr std::size_t kMostInRunFolder = 100;
-/// Files up to this size are copied there until the copies reach the total; others are linked.
-inline constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;
-inline constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
 
 /// The folder in which a submission's renderer runs: it has the submission's folders and files, but
 /// no picture, which could be taken for its output, no file named like the driver file or the

@@ -22,9 +22,7 @@ constexpr std::size_t kMostMains = 3;
 std::vector<std::string> include_folders(const HandedInFiles& files, const Vendored& vendored) {
   std::vector<std::string> folders = {"."};
   const auto add = [&](const std::string& folder) {
-    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
-      folders.push_back(folder);
-    }
+    if (!is_one_of(folders, folder)) folders.push_back(folder);
   };
   for (const auto& [name, file] : files) {
     const bool is_header = is_c_family(name) && !is_c_or_cpp(name);
@@ -86,7 +84,7 @@ std::string top_file(const HandedInFiles& files, const std::vector<std::string>&
     return std::count(name.begin(), name.end(), '/');
   };
   for (const auto& [name, file] : files) {
-    const bool is_named = std::find(names.begin(), names.end(), base_of(name)) != names.end();
+    const bool is_named = is_one_of(names, base_of(name));
     const bool is_generated = file.text.find("CMAKE generated file") != std::string::npos;
     if (is_named && !is_generated && !vendored.has(name) && !is_aside(name)) found.push_back(name);
   }
@@ -100,7 +98,7 @@ std::string top_file(const HandedInFiles& files, const std::vector<std::string>&
   // make prefers them in this order.
   for (const std::string& name : names) {
     const std::string path = folder.empty() ? name : folder + "/" + name;
-    if (std::find(found.begin(), found.end(), path) != found.end()) return path;
+    if (is_one_of(found, path)) return path;
   }
   return found.front();
 }

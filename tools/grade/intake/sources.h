@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,11 @@ std::string shell_words(const std::vector<std::string>& names);
 
 /// A file name as one of a candidate's words, which are split outside quotes.
 std::string candidate_word(const std::string& name);
+
+template <class Names>
+bool is_one_of(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
 
 /// In lower case, ASCII only.
 std::string lower_case(std::string text);

@@ -6,7 +6,7 @@
 
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/trial.h"
-#include "tools/grade/judging/item_causes.h"
+#include "tools/grade/judging/item_trial.h"
 
 namespace raycheck::tools {
 namespace {

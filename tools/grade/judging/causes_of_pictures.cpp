@@ -6,7 +6,7 @@
 #include "properties/mistakes/picture_causes.h"
 #include "properties/mistakes/picture_evidence.h"
 #include "properties/mistakes/shape_cause.h"
-#include "tools/grade/judging/item_causes.h"
+#include "tools/grade/judging/item_trial.h"
 
 namespace raycheck::tools {
 namespace {

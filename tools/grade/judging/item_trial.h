@@ -1,20 +1,55 @@
 #pragma once
 
-// One item: its cases asked and judged, and the smallest that fails; its points follow once all
-// items are known. Internal to grading.
-
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "properties/candidate.h"
+#include "properties/case.h"
+#include "properties/mistakes/fault.h"
 #include "properties/mistakes/picture_causes.h"
 #include "properties/trial.h"
 #include "tools/external/external_candidate.h"
-#include "tools/grade/judging/item_cases.h"
+#include "tools/grade/judging/judge.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {
+
+/// A case of an item, and its origin.
+struct ItemCase {
+  properties::Case the_case;
+  CaseOrigin origin;
+};
+
+/// The cases of an item, by their numbers: its scenes (for pictures varied as the item says), then
+/// random ones. All follow from a seed.
+class ItemCases {
+ public:
+  /// `declared`: the conventions under which the submission is judged, in a format that every case
+  /// is rounded to.
+  ItemCases(const ItemTask& task, bool pictures, std::uint64_t seed,
+            const properties::DeclaredConventions& declared,
+            scene::Precision precision = scene::Precision::kDouble);
+
+  std::size_t size() const { return task_.scenes.size() + seeds_.size(); }
+  /// Empty if there is nothing to ask: the format cannot hold the case, for example.
+  std::optional<ItemCase> operator[](std::size_t k) const;
+
+ private:
+  ItemCase of_scene(std::size_t k) const;
+  std::optional<ItemCase> of_source(std::size_t k) const;
+
+  const ItemTask& task_;
+  bool pictures_;
+  const properties::DeclaredConventions& declared_;
+  scene::Precision precision_;
+  std::vector<std::uint64_t> scene_seeds_;
+  std::vector<std::uint64_t> seeds_;
+};
 
 /// The candidate for an item, in the item's own units, and how strictly it is judged.
 struct Examinee {
@@ -75,5 +110,37 @@ properties::Case simplest(const FailedCase& first, const Examinee& who,
 /// more.
 std::optional<FailingCase> failing_case(const properties::Case& the_case, const FailedCase& first,
                                         const Examinee& examinee);
+
+/// What items fail by that is no mistake in a formula; of each kind a submission has one.
+enum class OtherCause { kRoundings, kSidesExchanged, kShapeOfScenes };
+
+/// Why an item fails.
+struct ItemCause {
+  properties::Fault fault = {};         ///< Of its wrong answers. Empty: unknown.
+  std::vector<OtherCause> others = {};  ///< What else it fails by.
+  /// Nothing else is wrong with it, and enough is seen to say so.
+  bool is_all = false;
+};
+
+/// The step that an item is about, which its laws judge first; empty if it is about several.
+std::optional<properties::Step> step_of(const Item& item);
+
+/// Finds the causes of a renderer's wrong pictures, over all items together, and names them in
+/// each. If it is unknown which form of driver files is read, nothing is named that another form
+/// explains; if it was found by trial, a mistake that is another one in another form is worded as
+/// both. Domain: a trial for each item of the rubric.
+std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
+                                          scene::Dialect dialect, std::vector<ItemTrial>& trials);
+
+/// The same for functions.
+std::vector<ItemCause> causes_of_functions(const Rubric& rubric,
+                                           const properties::Candidate& candidate,
+                                           std::vector<ItemTrial>& trials);
+
+/// Lets each mistake, and all else that is known, cost one item alone: of those that
+/// fail by it the first that asks about the step where it is made, or else the first. The others
+/// that have nothing else wrong follow.
+void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
+                 std::vector<ItemTrial>& trials);
 
 }  // namespace raycheck::tools

@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "tools/grade/pages/views.h"
-#include "tools/grade/pages/wording.h"
-#include "tools/grade/results/statistics.h"
+#include "tools/grade/results/result.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

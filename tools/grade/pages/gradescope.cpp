@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include "tools/grade/pages/views.h"
-#include "tools/grade/pages/wording.h"
 #include "tools/report/json.h"
 #include "tools/report/words.h"
 

@@ -1,11 +1,19 @@
 #include <fmt/core.h>
 
+#include <array>
 #include <cctype>
 #include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
 
-#include "tools/grade/pages/wording.h"
+#include "tools/grade/pages/views.h"
+#include "tools/report/picture_file.h"
+#include "tools/report/spelling.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
+
 namespace {
 
 constexpr std::string_view kStyle = R"(
@@ -60,6 +68,187 @@ std::string download(std::string_view file, std::string_view text) {
     }
   }
   return fmt::format("<a download=\"{0}\" href=\"{1}\">{0}</a>", escaped(file), address);
+}
+
+namespace {
+
+using properties::ImageAnswer;
+using properties::kSomeSphere;
+using Sphere = ImageAnswer::value_type;
+
+/// Okabe and Ito's colours, which colour-blind readers tell apart; black is the background.
+constexpr std::array<Colour, 7> kColours = {{{230, 159, 0},
+                                             {86, 180, 233},
+                                             {0, 158, 115},
+                                             {240, 228, 66},
+                                             {0, 114, 178},
+                                             {213, 94, 0},
+                                             {204, 121, 167}}};
+constexpr Colour kSomeColour = {255, 255, 255};
+constexpr Colour kQuiet = {60, 60, 60};
+
+/// The largest height of a picture on a page, in rem.
+constexpr double kTallest = 20;
+
+/// A pixel in the picture of differences is a mark this many pixels across and down, so that marks
+/// differ by their shapes, too.
+constexpr int kMark = 7;
+struct Mark {
+  Colour colour;
+  std::array<const char*, kMark> shape;
+  const char* sign;
+  const char* meaning;
+};
+constexpr Mark kMissing = {
+    {230, 159, 0},
+    {".......", ".#####.", ".#...#.", ".#...#.", ".#...#.", ".#####.", "......."},
+    "&#9633;",
+    "a sphere is missing"};
+constexpr Mark kSurplus = {
+    {86, 180, 233},
+    {".......", ".#...#.", "..#.#..", "...#...", "..#.#..", ".#...#.", "......."},
+    "&#10005;",
+    "a sphere is shown where none is"};
+constexpr Mark kOther = {
+    {240, 228, 66},
+    {".......", ".......", ".#####.", ".......", ".#####.", ".......", "......."},
+    "=",
+    "another sphere is shown"};
+
+/// Null if the pixel is right.
+const Mark* mark_of(const Sphere& got, const Sphere& exact) {
+  if (got == exact || (got == kSomeSphere && exact)) return nullptr;
+  return !got ? &kMissing : !exact ? &kSurplus : &kOther;
+}
+
+/// A picture by the case's camera, top line first.
+struct Canvas {
+  explicit Canvas(const FailingCase& failing)
+      : width(failing.the_case.scene.camera->width),
+        height(failing.the_case.scene.camera->height),
+        bottom_first(failing.the_case.scene.conventions.rows == scene::Rows::kBottomFirst) {}
+
+  /// The pixel in column x of line y.
+  std::size_t at(std::int64_t x, std::int64_t y) const {
+    return static_cast<std::size_t>((bottom_first ? height - 1 - y : y) * width + x);
+  }
+
+  std::int64_t width, height;
+  bool bottom_first;
+};
+
+Colour colour_of(const Sphere& sphere) {
+  if (!sphere) return {};
+  return *sphere == kSomeSphere ? kSomeColour : kColours[*sphere % kColours.size()];
+}
+
+std::string image_html(std::int64_t width, std::int64_t height, const std::vector<Colour>& pixels,
+                       const std::string& alt, const std::string& caption) {
+  return fmt::format(
+      "<figure><img width=\"{}\" height=\"{}\" style=\"width: min(100%, {:.2f}rem)\" alt=\"{}\" "
+      "src=\"{}\"><figcaption>{}</figcaption></figure>\n",
+      width, height, kTallest * static_cast<double>(width) / static_cast<double>(height),
+      escaped(alt), data_address("image/png", png_bytes(width, height, pixels)), caption);
+}
+
+/// "sphere 0", "a sphere"
+std::string name_of(std::size_t sphere) {
+  return sphere == kSomeSphere ? "a sphere" : fmt::format("sphere {}", sphere);
+}
+
+std::set<std::size_t> spheres_of(const ImageAnswer& image) {
+  std::set<std::size_t> shown;
+  for (const Sphere& sphere : image) {
+    if (sphere) shown.insert(*sphere);
+  }
+  return shown;
+}
+
+std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::string_view whose) {
+  std::vector<Colour> pixels;
+  for (std::int64_t y = 0; y < canvas.height; ++y) {
+    for (std::int64_t x = 0; x < canvas.width; ++x) {
+      pixels.push_back(colour_of(image[canvas.at(x, y)]));
+    }
+  }
+  const std::set<std::size_t> spheres = spheres_of(image);
+  std::string shown;
+  for (const std::size_t sphere : spheres) shown += (shown.empty() ? "" : ", ") + name_of(sphere);
+  return image_html(canvas.width, canvas.height, pixels,
+                    fmt::format("{}, {} by {} pixels: {}", whose, canvas.width, canvas.height,
+                                shown.empty() ? "no sphere, black" : shown),
+                    std::string(whose) + (shown.empty() ? ": no sphere" : ""));
+}
+
+std::string difference_html(const FailingCase& failing, std::string_view whose) {
+  const Canvas canvas(failing);
+  const ComparedPictures& pictures = *failing.pictures;
+  std::vector<Colour> pixels(static_cast<std::size_t>(canvas.width * canvas.height) * kMark *
+                             kMark);
+  std::set<const Mark*> used;
+  for (std::int64_t y = 0; y < canvas.height * kMark; ++y) {
+    for (std::int64_t x = 0; x < canvas.width * kMark; ++x) {
+      const std::size_t at = canvas.at(x / kMark, y / kMark);
+      const Sphere& exact = (*pictures.exact)[at];
+      Colour& pixel = pixels[static_cast<std::size_t>(y * canvas.width * kMark + x)];
+      pixel = exact ? kQuiet : Colour{};
+      const Mark* const mark = mark_of(pictures.got[at], exact);
+      if (mark == nullptr) continue;
+      used.insert(mark);
+      if (mark->shape[static_cast<std::size_t>(y % kMark)][x % kMark] == '#') pixel = mark->colour;
+    }
+  }
+  std::string caption = "difference";
+  for (const Mark* const mark : {&kMissing, &kSurplus, &kOther}) {
+    if (!used.contains(mark)) continue;
+    caption += fmt::format("<br>{} {}", mark->sign, mark->meaning);
+  }
+  return image_html(canvas.width * kMark, canvas.height * kMark, pixels,
+                    difference_text(failing, whose), caption);
+}
+
+/// Which colour is which sphere; empty if pictures do not tell.
+std::string legend_html(const ComparedPictures& pictures) {
+  std::set<std::size_t> shown = spheres_of(pictures.got);
+  if (pictures.exact) shown.merge(spheres_of(*pictures.exact));
+  if (shown.empty() || *shown.begin() == kSomeSphere) return "";
+  std::string html;
+  for (const std::size_t sphere : shown) {
+    const auto [red, green, blue] = colour_of(sphere);
+    html +=
+        fmt::format("<span class=\"swatch\" style=\"background: #{:02x}{:02x}{:02x}\"></span> {} ",
+                    red, green, blue, name_of(sphere));
+  }
+  return "<p>" + html + "</p>\n";
+}
+
+}  // namespace
+
+std::string difference_text(const FailingCase& failing, std::string_view whose) {
+  if (!failing.pictures || !failing.pictures->exact) return "";
+  const ComparedPictures& pictures = *failing.pictures;
+  std::size_t wrong = 0;
+  for (std::size_t k = 0; k < pictures.got.size(); ++k) {
+    wrong += mark_of(pictures.got[k], (*pictures.exact)[k]) != nullptr ? 1 : 0;
+  }
+  const std::string text = fmt::format(
+      "{} of {} differ{}", wrong, count_text(pictures.got.size(), "pixel"), wrong == 1 ? "s" : "");
+  const bool shows_none = wrong > 0 && spheres_of(pictures.got).empty();
+  return shows_none ? fmt::format("{}: {} shows no sphere", text, whose) : text;
+}
+
+std::string pictures_html(const FailingCase& failing, std::string_view whose) {
+  if (!failing.pictures) return "";
+  const Canvas canvas(failing);
+  const ComparedPictures& pictures = *failing.pictures;
+  std::string html = "<div class=\"pictures\">\n" + drawn_html(canvas, pictures.got, whose);
+  if (pictures.exact) {
+    html += drawn_html(canvas, *pictures.exact, "expected") + difference_html(failing, whose);
+  }
+  html += "</div>\n";
+  const std::string difference = difference_text(failing, whose);
+  if (!difference.empty()) html += "<p>" + escaped(difference) + "</p>\n";
+  return html + legend_html(pictures);
 }
 
 }  // namespace raycheck::tools

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "tools/grade/pages/views.h"
-#include "tools/grade/pages/wording.h"
 #include "tools/report/json.h"
 #include "tools/report/words.h"
 

@@ -2,9 +2,11 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 
@@ -49,5 +51,103 @@ struct StudentPages {
   std::string report, figures;
 };
 StudentPages student_pages(const StudentGrade& grade);
+
+/// At most two decimals, without trailing zeros: "7", "2.5".
+std::string points_text(double points);
+
+/// "scene frame.toml", "course, random case 7"
+std::string origin_text(const CaseOrigin& origin);
+
+/// "class, pixel (3, 4), sphere 0: missed"
+std::string answer_text(const WrongAnswer& answer);
+/// The numbers, or "miss"; empty: none, or withheld.
+std::string got_text(const WrongAnswer& answer);
+std::string exact_text(const WrongAnswer& answer);
+
+/// Empty where there is none.
+std::string reason_text(const ItemReason& reason);
+
+/// "the far root is taken for the near one: 12 of 12 wrong answers are right that way"
+std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake);
+
+/// The mistake that explains most items; empty where none is known.
+std::string mistake_text(const SubmissionGrade& grade);
+
+/// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
+std::string state_text(const ItemGrade& grade);
+
+/// "time is up after 60 s: robustness not judged"; empty if everything was asked.
+std::string time_up_text(const SubmissionGrade& grade);
+
+/// What a submission has, its bonus aside; "-" of one that could not be judged and for which the
+/// rubric gives no points.
+std::string score_text(const SubmissionGrade& grade);
+/// " of 100, bonus 7.5"
+std::string of_points_text(const SubmissionGrade& grade);
+
+/// "could not be judged: 'make' exited with 2". Domain: a submission that could not.
+std::string not_judged_text(const SubmissionGrade& grade);
+
+/// Why nothing could be run, with the compiler's output.
+std::string refusal_text(const Refusal& refused);
+
+/// The sentence of a failing case's law.
+std::string law_text(const FailingCase& failing);
+/// The case as a TOML scene; as a driver file; empty without a camera.
+std::string scene_text(const FailingCase& failing);
+std::string driver_file_text(const FailingCase& failing, const DriverForm& form);
+
+/// "built in 3.2 s, 4 from the store, judged in 0.5 s"
+std::string times_text(const GradingTimes& times);
+
+/// What isolated submissions: "isolated by: seccomp, bubblewrap", with what did not work here, and
+/// why.
+std::string isolation_text(const LayersHere& isolation);
+
+/// A name without terminal control sequences.
+std::string line_text(const std::string& name);
+
+/// A line per item, and the mistake, for reading one submission; `items` are its items.
+std::string submission_text(const std::vector<const Item*>& items, const SubmissionGrade& grade);
+
+/// What item k asked, and its outcome, in lines.
+std::string item_text(const StudentGrade& all, std::size_t k);
+
+/// A command line, and what it is for.
+struct HomeCommand {
+  std::string purpose;
+  std::string words;
+};
+
+/// Commands that build the submission as it was built here, and repeat item k's failing case, with
+/// its files beside the submission's; empty if it has none.
+std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);
+
+/// Grades the submission again, as far as students may see, in its folder.
+HomeCommand command_for_all(const StudentGrade& grade);
+
+/// Whether item k has a figure: it asks for functions, and fails on a case whose exact answer the
+/// student is told.
+bool has_figure(const StudentGrade& grade, std::size_t k);
+bool has_figures(const StudentGrade& grade);
+/// The page of all figures, with the submission's answers: nothing is run. Empty: there are none.
+std::string figures_page(const StudentGrade& grade);
+/// The link to an item's figure, by its index among those with figures.
+std::string figure_address(std::size_t finding);
+
+/// A self-contained page, for narrow and wide screens.
+std::string page(std::string_view title, std::string_view body);
+
+/// A link that saves a text as a file.
+std::string download(std::string_view file, std::string_view text);
+
+/// "12 of 441 pixels differ: yours shows no sphere", `whose` being "yours"; empty if there are no
+/// pictures, or the exact one is withheld.
+std::string difference_text(const FailingCase& failing, std::string_view whose = "yours");
+
+/// The submission's picture, the expected one and their differences, side by side: spheres in
+/// colours that colour-blind readers can distinguish, differences as marks. Withheld ones are left
+/// out; empty if there are no pictures.
+std::string pictures_html(const FailingCase& failing, std::string_view whose = "yours");
 
 }  // namespace raycheck::tools

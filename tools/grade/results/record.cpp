@@ -1,284 +1,168 @@
 #include "tools/grade/results/record.h"
 
-#include <algorithm>
-#include <limits>
-#include <span>
-#include <stdexcept>
-
-#include "properties/laws/law.h"
-#include "scene/files/scene_file.h"
 #include "scene/number.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
 
-using NamesOfEnum = std::span<const std::string_view>;
-
-NamesOfEnum names_of(properties::Wrong /*of*/) { return properties::kWrongNames; }
-NamesOfEnum names_of(ItemState /*of*/) { return kItemStateNames; }
-NamesOfEnum names_of(ItemReason::Kind /*of*/) { return kReasonNames; }
-NamesOfEnum names_of(scene::Dialect /*of*/) { return scene::kDialectNames; }
-NamesOfEnum names_of(DriverLight /*of*/) { return kDriverLightNames; }
-NamesOfEnum names_of(DriverNumbers /*of*/) { return kDriverNumberNames; }
-NamesOfEnum names_of(properties::Quantity /*of*/) {
-  static const auto names = [] {
-    std::array<std::string_view, properties::kQuantityCount> all;
-    std::transform(properties::kQuantities.begin(), properties::kQuantities.end(), all.begin(),
-                   [](const auto& quantity) { return quantity.name; });
-    return all;
-  }();
-  return names;
+template <class Triple>
+Json triple_json(const Triple& v) {
+  return hexfloats({v.x, v.y, v.z});
 }
 
-template <class Type>
-concept HasNames = std::is_enum_v<Type>;
-template <class Type>
-concept IsTriple = requires(Type v) {
-  v.x + v.y + v.z;
-};
-template <class Type>
-concept IsPlain = std::is_arithmetic_v<Type> || std::same_as<Type, std::string>;
-
-/// A number that is written with all its digits, as those of lists are.
-struct AllDigits {
-  double& number;
-};
-
-/// Writes the fields that list_fields() names of a value.
-struct FieldWriter {
-  Json json = Json::object();
-
-  void operator()(const char* name, const auto& value, auto&&... more) {
-    json[name] = written(value);
-    if constexpr (sizeof...(more) > 0) (*this)(more...);
-  }
-  /// Whether there is a field, by what is to be written.
-  static bool has(const char* /*name*/, bool is_there) { return is_there; }
-
-  static Json written(const IsPlain auto& value) { return value; }
-  static Json written(const HasNames auto& value) {
-    return names_of(value)[static_cast<std::size_t>(value)];
-  }
-  static Json written(AllDigits value) { return scene::hexfloat(value.number); }
-  static Json written(const std::vector<double>& numbers) { return hexfloats(numbers); }
-  static Json written(const std::optional<double>& error) { return error_json(error); }
-  static Json written(const IsTriple auto& v) { return hexfloats({v.x, v.y, v.z}); }
-  static Json written(const scene::Pixel& pixel) { return {pixel.i, pixel.j}; }
-  static Json written(const scene::Scene& scene) { return scene::write_toml(scene); }
-  static Json written(const CandidateSpec& program) { return program.text(); }
-  static Json written(const Layers& isolation) { return isolation.text(); }
-  static Json written(const properties::ImageAnswer& image) { return runs_of(image); }
-  template <class Value>
-  static Json written(const std::optional<Value>& value) {
-    return value ? written(*value) : Json(nullptr);
-  }
-  template <class Value>
-  static Json written(const std::vector<Value>& values) {
-    return list_json(values, [](const Value& value) { return written(value); });
-  }
-  template <class Key, class Value>
-  static Json written(const std::map<Key, Value>& values) {
-    return list_json(values,
-                     [](const auto& entry) { return written(std::pair<Key, Value>(entry)); });
-  }
-  template <class Value>
-  static Json written(const Value& value) {
-    FieldWriter fields;
-    Value copy = value;  // lists are of fields that may be read, too
-    list_fields(fields, copy);
-    return std::move(fields.json);
-  }
-};
-
-/// Reads them. Errors: std::exception where there is no such field, or something else in it.
-struct FieldReader {
-  const Json& json;
-
-  void operator()(const char* name, auto&& value, auto&&... more) {
-    read(json.at(name), value);
-    if constexpr (sizeof...(more) > 0) (*this)(more...);
-  }
-  bool has(const char* name, bool /*is_there*/) const { return json.contains(name); }
-
-  static void read(const Json& from, IsPlain auto& value) { from.get_to(value); }
-  static void read(const Json& from, HasNames auto& value) {
-    const auto names = names_of(value);
-    const auto found = std::find(names.begin(), names.end(), from.get<std::string>());
-    if (found == names.end()) throw std::invalid_argument(from.dump() + ": no such name");
-    value = static_cast<std::remove_reference_t<decltype(value)>>(found - names.begin());
-  }
-  static void read(const Json& from, AllDigits value) {
-    const auto number = scene::parse_number(from.get<std::string>());
-    if (!number) throw std::invalid_argument("no number");
-    value.number = *number;
-  }
-  static void read(const Json& from, std::vector<double>& numbers) {
-    numbers.clear();
-    for (const Json& one : from) read(one, AllDigits{numbers.emplace_back()});
-  }
-  static void read(const Json& from, std::optional<double>& error) {
-    if (from.is_null()) return;
-    error = from.is_string() ? std::numeric_limits<double>::infinity() : from.get<double>();
-  }
-  static void read(const Json& from, IsTriple auto& v) {
-    std::vector<double> numbers;
-    read(from, numbers);
-    if (numbers.size() != 3) throw std::invalid_argument("not three numbers");
-    v = {numbers[0], numbers[1], numbers[2]};
-  }
-  static void read(const Json& from, scene::Pixel& pixel) { pixel = {from.at(0), from.at(1)}; }
-  static void read(const Json& from, scene::Scene& scene) {
-    scene = scene::read_toml(from.get<std::string>(), "scene").scene;
-  }
-  static void read(const Json& from, CandidateSpec& program) {
-    program = parse_candidate(from.get<std::string>());
-  }
-  static void read(const Json& /*from*/, Layers& /*isolation*/) {}
-  static void read(const Json& from, properties::ImageAnswer& image) {
-    image = image_of(from.get<std::string>());
-  }
-  template <class Value>
-  static void read(const Json& from, std::optional<Value>& value) {
-    if (!from.is_null()) read(from, value.emplace());
-  }
-  template <class Value>
-  static void read(const Json& from, std::vector<Value>& values) {
-    values.clear();
-    for (const Json& one : from) read(one, values.emplace_back());
-  }
-  template <class Key, class Value>
-  static void read(const Json& from, std::map<Key, Value>& values) {
-    values.clear();
-    for (const Json& one : from) {
-      std::pair<Key, Value> entry;
-      read(one, entry);
-      values.insert(std::move(entry));
+/// A picture as runs of equal pixels: "12x- 3x0 4x?" are twelve without a sphere, three of sphere
+/// 0, and four of some sphere.
+std::string runs_of(const properties::ImageAnswer& image) {
+  std::string text;
+  for (std::size_t k = 0, count = 1; k < image.size(); k += count, count = 1) {
+    while (k + count < image.size() && image[k + count] == image[k]) ++count;
+    text += (text.empty() ? "" : " ") + std::to_string(count) + "x";
+    if (!image[k]) {
+      text += "-";
+    } else {
+      text += *image[k] == properties::kSomeSphere ? "?" : std::to_string(*image[k]);
     }
   }
-  template <class Value>
-  static void read(const Json& from, Value& value) {
-    FieldReader fields{from};
-    list_fields(fields, value);
-  }
-};
-
-void list_fields(auto& fields, DriverForm& form) {
-  fields("dialect", form.dialect, "sphere_numbers", form.sphere_numbers, "extra_lines",
-         form.extra_lines, "light", form.light, "numbers", form.numbers, "order", form.order);
+  return text;
 }
 
-void list_fields(auto& fields, CaseOrigin& origin) {
-  if (fields.has("scene", !origin.scene.empty())) return fields("scene", origin.scene);
-  fields("source", origin.source, "case", origin.number);
+Json origin_json(const CaseOrigin& origin) {
+  if (!origin.scene.empty()) return {{"scene", origin.scene}};
+  return {{"source", origin.source}, {"case", origin.number}};
 }
 
-void list_fields(auto& fields, WrongAnswer& answer) {
-  fields("quantity", answer.quantity, "pixel", answer.place.pixel, "ray", answer.place.ray,
-         "sphere", answer.place.sphere, "part", answer.part, "wrong", answer.wrong, "symbol",
-         answer.symbol, "got", answer.got, "exact", answer.exact, "error", answer.error);
-  std::string unit(unit_name(answer.quantity, answer.precision));
-  fields("unit", unit);
-  if (unit != info(answer.quantity).unit) answer.precision = scene::Precision::kSingle;
-  fields("condition", answer.condition);
+Json answer_json(const WrongAnswer& answer) {
+  Json json = {{"quantity", info(answer.quantity).name}};
+  json.update(place_json(answer.place));
+  json["part"] = answer.part;
+  json["wrong"] = name(answer.wrong);
+  json["symbol"] = answer.symbol;
+  json["got"] = hexfloats(answer.got);
+  json["exact"] = or_null(answer.exact, hexfloats);
+  json["error"] = error_json(answer.error);
+  json["unit"] = unit_name(answer.quantity, answer.precision);
+  json["condition"] = error_json(answer.condition);
+  return json;
 }
 
-void list_fields(auto& fields, ComparedPictures& pictures) {
-  fields("got", pictures.got, "exact", pictures.exact);
+Json pictures_json(const ComparedPictures& pictures) {
+  return {{"got", runs_of(pictures.got)}, {"exact", or_null(pictures.exact, runs_of)}};
 }
 
-void list_fields(auto& fields, properties::FrameAnswer& frame) {
-  fields("U", frame.U, "V", frame.V, "W", frame.W);
+Json frame_json(const properties::FrameAnswer& frame) {
+  return {{"U", triple_json(frame.U)}, {"V", triple_json(frame.V)}, {"W", triple_json(frame.W)}};
 }
 
-void list_fields(auto& fields, scene::Ray& ray) {
-  fields("origin", ray.origin, "direction", ray.direction);
+Json ray_json(const scene::Ray& ray) {
+  return {{"origin", triple_json(ray.origin)}, {"direction", triple_json(ray.direction)}};
 }
 
-void list_fields(auto& fields, std::pair<std::size_t, properties::HitAnswer>& hit) {
-  fields("sphere", hit.first, "s", AllDigits{hit.second.parameter}, "Q", hit.second.point);
+Json hits_json(const std::map<std::size_t, properties::HitAnswer>& hits) {
+  return list_json(hits, [](const auto& hit) -> Json {
+    return {{"sphere", hit.first},
+            {"s", scene::hexfloat(hit.second.parameter)},
+            {"Q", triple_json(hit.second.point)}};
+  });
 }
 
-void list_fields(auto& fields, RayAnswers& answers) {
-  fields("frame", answers.frame, "pixel_point", answers.pixel_point, "ray", answers.ray, "hits",
-         answers.hits);
+Json answers_json(const RayAnswers& answers) {
+  return {{"frame", or_null(answers.frame, frame_json)},
+          {"pixel_point", or_null(answers.pixel_point, triple_json<scene::Point3>)},
+          {"ray", or_null(answers.ray, ray_json)},
+          {"hits", or_null(answers.hits, hits_json)}};
 }
 
-void list_fields(auto& fields, FailingCase& failing) {
-  fields("law", failing.law);
-  if (properties::find_law(failing.law) == nullptr) throw std::invalid_argument("no such law");
-  fields("origin", failing.origin, "step", failing.step, "answer", failing.answer, "scene",
-         failing.the_case.scene, "pixels", failing.the_case.pixels, "pictures", failing.pictures,
-         "answers", failing.answers);
-  if (!failing.pictures) return;
-  const auto& camera = failing.the_case.scene.camera;
-  const auto pixels = camera ? static_cast<std::size_t>(camera->width * camera->height) : 0;
-  const auto& [got, exact] = *failing.pictures;
-  if (got.size() != pixels || (exact && exact->size() != pixels)) {
-    throw std::invalid_argument("a picture of another size");
-  }
+Json failing_json(const FailingCase& failing) {
+  const auto pixel_json = [](const scene::Pixel& pixel) { return Json{pixel.i, pixel.j}; };
+  return {{"law", failing.law},
+          {"origin", origin_json(failing.origin)},
+          {"step", or_null(failing.step)},
+          {"answer", answer_json(failing.answer)},
+          {"scene", scene::write_toml(failing.the_case.scene)},
+          {"pixels", list_json(failing.the_case.pixels, pixel_json)},
+          {"pictures", or_null(failing.pictures, pictures_json)},
+          {"answers", or_null(failing.answers, answers_json)}};
 }
 
-void list_fields(auto& fields, FirstWrongAnswer& first) {
-  fields("origin", first.origin, "answer", first.answer);
+Json first_wrong_json(const FirstWrongAnswer& first) {
+  return {{"origin", origin_json(first.origin)}, {"answer", answer_json(first.answer)}};
 }
 
-void list_fields(auto& fields, ItemReason& reason) {
+Json reason_json(const ItemReason& reason) {
   using Kind = ItemReason::Kind;
-  fields("kind", reason.kind);
+  if (reason.kind == Kind::kNone) return nullptr;
+  Json json = {{"kind", kReasonNames[static_cast<std::size_t>(reason.kind)]}};
   const auto is = [&](Kind kind) { return reason.kind == kind; };
-  if (is(Kind::kNeeds) || is(Kind::kFollows)) fields("item", reason.item);
-  if (is(Kind::kNeeds)) fields("state", reason.state);
-  if (is(Kind::kTimeUp)) fields("seconds", reason.seconds);
-  if (is(Kind::kUnanswered)) fields("law", reason.law);
-  if (is(Kind::kUnanswered)) fields("said", reason.said);
-  if (is(Kind::kNeverRight)) fields("quantity", reason.quantity);
+  if (is(Kind::kNeeds) || is(Kind::kFollows)) json["item"] = reason.item;
+  if (is(Kind::kNeeds)) json["state"] = name(reason.state);
+  if (is(Kind::kTimeUp)) json["seconds"] = reason.seconds;
+  if (is(Kind::kUnanswered)) json["law"] = reason.law;
+  if (is(Kind::kUnanswered)) json["said"] = reason.said;
+  if (is(Kind::kNeverRight)) json["quantity"] = reason.quantity;
+  return json;
 }
 
-void list_fields(auto& fields, ExplainingMistake& mistake) {
-  fields("sentence", mistake.sentence, "wrong", mistake.wrong, "explained", mistake.explained);
-  mistake.parts = mistake.each();
-  fields("each", mistake.parts);
+Json mistake_json(const ExplainingMistake& mistake) {
+  return {{"sentence", mistake.sentence},
+          {"wrong", mistake.wrong},
+          {"explained", mistake.explained},
+          {"each", mistake.each()}};
 }
 
-void list_fields(auto& fields, ItemGrade& item) {
-  fields("name", item.name, "state", item.state);
-  std::optional<ItemReason> reason;
-  if (item.reason.kind != ItemReason::Kind::kNone) reason = item.reason;
-  fields("reason", reason);
-  item.reason = reason.value_or(ItemReason{});
-  fields("points", item.points, "score", item.score, "bonus", item.bonus, "pictures", item.pictures,
-         "cases", item.cases, "held", item.held, "comparisons", item.comparisons, "mistakes",
-         item.mistakes, "failing", item.failing, "first_wrong", item.first_wrong);
+Json item_json(const ItemGrade& item) {
+  return {{"name", item.name},
+          {"state", name(item.state)},
+          {"reason", reason_json(item.reason)},
+          {"points", item.points},
+          {"score", item.score},
+          {"bonus", item.bonus},
+          {"pictures", item.pictures},
+          {"cases", item.cases},
+          {"held", item.held},
+          {"comparisons", item.comparisons},
+          {"mistakes", list_json(item.mistakes, mistake_json)},
+          {"failing", or_null(item.failing, failing_json)},
+          {"first_wrong", or_null(item.first_wrong, first_wrong_json)}};
 }
 
-void list_fields(auto& fields, OpaqueFile& file) {
-  fields("name", file.name, "kind", file.kind, "bytes", file.bytes);
-}
-
-void list_fields(auto& fields, Refusal& refused) {
-  fields("why", refused.why, "said", refused.said);
-}
-
-void list_fields(auto& fields, SubmissionGrade& grade) {
-  fields("name", grade.name, "program", grade.program, "build", grade.build_words, "driver",
-         grade.driver, "notes", grade.notes, "opaque_files", grade.opaque_files, "isolated_by",
-         grade.isolation, "refused", grade.refused, "build_seconds", grade.build_seconds,
-         "build_is_stored", grade.build_is_stored, "judge_seconds", grade.judge_seconds, "seed",
-         grade.seed, "key", grade.key, "finished", grade.finished, "points", grade.points, "score",
-         grade.score, "bonus", grade.bonus, "items", grade.items);
+Json file_json(const OpaqueFile& file) {
+  return {{"name", file.name}, {"kind", file.kind}, {"bytes", file.bytes}};
 }
 
 }  // namespace
 
-Json driver_json(const DriverForm& form) { return FieldWriter::written(form); }
+Json refusal_json(const Refusal& refusal) {
+  return {{"why", plain_text(refusal.why)}, {"said", plain_text(refusal.said)}};
+}
 
-Json record_json(const SubmissionGrade& grade) { return FieldWriter::written(grade); }
+Json driver_json(const DriverForm& form) {
+  return {{"dialect", scene::name(form.dialect)},
+          {"sphere_numbers", form.sphere_numbers},
+          {"extra_lines", form.extra_lines},
+          {"light", kDriverLightNames[static_cast<std::size_t>(form.light)]},
+          {"numbers", kDriverNumberNames[static_cast<std::size_t>(form.numbers)]},
+          {"order", form.order}};
+}
 
-SubmissionGrade read_record(std::string_view text) {
-  SubmissionGrade grade;
-  FieldReader::read(Json::parse(text), grade);
-  return grade;
+Json record_json(const SubmissionGrade& grade) {
+  return {{"name", grade.name},
+          {"program", or_null(grade.program, std::mem_fn(&CandidateSpec::text))},
+          {"build", grade.build_words},
+          {"driver", driver_json(grade.driver)},
+          {"notes", grade.notes},
+          {"opaque_files", list_json(grade.opaque_files, file_json)},
+          {"isolated_by", grade.isolation.text()},
+          {"refused", or_null(grade.refused, refusal_json)},
+          {"build_seconds", grade.build_seconds},
+          {"build_is_stored", grade.build_is_stored},
+          {"judge_seconds", grade.judge_seconds},
+          {"seed", grade.seed},
+          {"finished", grade.finished},
+          {"points", grade.points},
+          {"score", grade.score},
+          {"bonus", grade.bonus},
+          {"items", list_json(grade.items, item_json)}};
 }
 
 }  // namespace raycheck::tools

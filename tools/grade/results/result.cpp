@@ -1,13 +1,12 @@
 #include "tools/grade/results/result.h"
 
-#include <optional>
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
 #include <regex>
-#include <sstream>
-#include <stdexcept>
+#include <utility>
 
-#include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/private_folder.h"
-#include "tools/grade/results/record.h"
 
 namespace raycheck::tools {
 
@@ -34,37 +33,136 @@ std::string plain_text(const std::string& said) {
   return text;
 }
 
-std::string runs_of(const properties::ImageAnswer& image) {
-  std::string text;
-  for (std::size_t k = 0, count = 1; k < image.size(); k += count, count = 1) {
-    while (k + count < image.size() && image[k + count] == image[k]) ++count;
-    text += (text.empty() ? "" : " ") + std::to_string(count) + "x";
-    if (!image[k]) {
-      text += "-";
-    } else {
-      text += *image[k] == properties::kSomeSphere ? "?" : std::to_string(*image[k]);
-    }
-  }
-  return text;
+namespace {
+
+/// By spheres, then pixels.
+std::pair<std::size_t, std::int64_t> size_of(const FailingCase& failing) {
+  const scene::Scene& scene = failing.the_case.scene;
+  return {scene.spheres.size(), scene.camera ? scene.camera->width * scene.camera->height : 0};
 }
 
-properties::ImageAnswer image_of(const std::string& runs) {
-  std::istringstream words(runs);
-  properties::ImageAnswer image;
-  std::size_t count = 0;
-  char x = 0;
-  for (std::string shown; words >> count >> x >> shown;) {
-    constexpr auto kMost = static_cast<std::size_t>(kMostPicturePixels);
-    if (count > kMost - image.size()) throw std::invalid_argument("too many pixels");
-    std::optional<std::size_t> sphere;
-    if (shown == "?") {
-      sphere = properties::kSomeSphere;
-    } else if (shown != "-") {
-      sphere = std::stoul(shown);
-    }
-    image.insert(image.end(), count, sphere);
+/// Counts a student's item that a mistake explains.
+void add(const std::string& sentence, const ItemGrade& item, const SubmissionGrade& grade,
+         std::vector<MistakeStatistics>& all) {
+  auto known = std::find_if(all.begin(), all.end(), [&](const MistakeStatistics& other) {
+    return other.sentence == sentence;
+  });
+  if (known == all.end()) known = all.insert(all.end(), MistakeStatistics{sentence, {}});
+  if (known->students.empty() || known->students.back() != &grade) {
+    known->students.push_back(&grade);
   }
-  return image;
+  const bool is_smaller =
+      item.failing &&
+      (known->smallest == nullptr || size_of(*item.failing) < size_of(*known->smallest->failing));
+  if (!is_smaller) return;
+  known->smallest = &item;
+  known->whose = &grade;
+}
+
+}  // namespace
+
+Submissions submissions_that(const ClassGrade& graded, bool are_judged) {
+  Submissions found;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    if (could_be_judged(grade) == are_judged) found.push_back(&grade);
+  }
+  return found;
+}
+
+std::optional<double> median(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+std::vector<ItemStatistics> item_statistics(const ClassGrade& graded) {
+  std::vector<ItemStatistics> all;
+  for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
+    ItemStatistics one;
+    one.item = &graded.rubric.items[k];
+    for (const SubmissionGrade* grade : submissions_that(graded, true)) {
+      const ItemGrade& item = grade->items[k];
+      if (item.state == ItemState::kNotAsked) continue;
+      ++one.asked;
+      one.failing += item.state == ItemState::kFails ? 1 : 0;
+      one.left_out +=
+          item.state == ItemState::kLeftOut || item.state == ItemState::kNotJudged ? 1 : 0;
+    }
+    all.push_back(one);
+  }
+  return all;
+}
+
+std::vector<MistakeStatistics> mistake_statistics(const ClassGrade& graded) {
+  std::vector<MistakeStatistics> all;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    for (const ItemGrade& item : grade.items) {
+      for (const ExplainingMistake& mistake : item.mistakes) {
+        for (const std::string& sentence : mistake.each()) add(sentence, item, grade, all);
+      }
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.students.size() > b.students.size();
+  });
+  return all;
+}
+
+namespace {
+
+bool is_visible(const Rubric& rubric, const std::string& item) {
+  return std::any_of(rubric.items.begin(), rubric.items.end(), [&](const Item& one) {
+    return one.name == item && one.visibility == Visibility::kVisible;
+  });
+}
+
+/// The size of the error would tell the right answer.
+void withhold_exact(WrongAnswer& answer) {
+  answer.exact.reset();
+  answer.error.reset();
+  answer.condition.reset();
+}
+
+void withhold_exact(FailingCase& failing) {
+  withhold_exact(failing.answer);
+  failing.answers.reset();
+  if (failing.pictures) failing.pictures->exact.reset();
+}
+
+ItemGrade redacted(const Rubric& rubric, const Item& item, ItemGrade grade) {
+  if (!is_visible(rubric, grade.reason.item)) grade.reason.item.clear();
+  grade.first_wrong.reset();
+  const Detail detail = item.visibility == Visibility::kHidden ? Detail::kNothing : item.detail;
+  if (detail == Detail::kNothing) {
+    grade.failing.reset();
+    grade.mistakes.clear();
+  } else if (detail == Detail::kActualOnly && grade.failing) {
+    withhold_exact(*grade.failing);
+  }
+  return grade;
+}
+
+}  // namespace
+
+StudentGrade student_grade(const Rubric& rubric, const SubmissionGrade& grade, HiddenBy hidden_by) {
+  StudentGrade result{std::filesystem::path(rubric.path).filename().string(),
+                      rubric.dialect,
+                      rubric.title,
+                      grade,
+                      {},
+                      0};
+  result.submission.seed = 0;
+  result.submission.items.clear();
+  for (std::size_t k = 0; k < grade.items.size(); ++k) {
+    const Item& item = rubric.items[k];
+    if (item.visibility != Visibility::kVisible && hidden_by == HiddenBy::kUs) {
+      ++result.unlisted;
+      continue;
+    }
+    result.items.push_back(&item);
+    result.submission.items.push_back(redacted(rubric, item, grade.items[k]));
+  }
+  return result;
 }
 
 }  // namespace raycheck::tools

@@ -1,8 +1,7 @@
 #pragma once
 
-// The results of grading, as data; views (views.h) put them into words.
-
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -167,7 +166,6 @@ struct OpaqueFile {
 
 struct SubmissionGrade {
   std::string name;
-  std::string key;                       ///< Of everything the grade depends on.
   std::optional<CandidateSpec> program;  ///< As it was run; absent if none was found.
   /// The shell command that built it, in a copy of its folder; empty: nothing had to be built, or
   /// raycheck compiled it.
@@ -204,10 +202,58 @@ struct ClassGrade {
   std::string out;                           ///< Where the results are; empty: nowhere.
   std::vector<SubmissionGrade> submissions;  ///< In the given order, as far as reached.
   std::optional<LayersHere> isolation = {};  ///< Absent: none was run.
-  std::uint64_t reused = 0;                  ///< Those graded by an earlier run.
   std::uint64_t not_graded = 0;              ///< For outside causes, which may be gone next time.
   bool interrupted = false;
   std::optional<GradingTimes> times = {};  ///< Absent: nothing was run.
 };
+
+using Submissions = std::vector<const SubmissionGrade*>;
+
+/// Those that could be judged, or those that could not, in the order of the class.
+Submissions submissions_that(const ClassGrade& graded, bool are_judged);
+
+/// The middle value, or the mean of the two in the middle; empty if there is none.
+std::optional<double> median(std::vector<double> values);
+
+/// How a class did on an item.
+struct ItemStatistics {
+  const Item* item = nullptr;
+  std::size_t asked = 0;  ///< Of the submissions that could be judged.
+  std::size_t failing = 0;
+  std::size_t left_out = 0;  ///< Or not judged, as time was up.
+};
+/// In the order of the rubric. Domain: grades of `graded.rubric`, which outlives the result.
+std::vector<ItemStatistics> item_statistics(const ClassGrade& graded);
+
+/// A mistake, and who makes it.
+struct MistakeStatistics {
+  std::string sentence;
+  Submissions students;  ///< Those with an item whose wrong answers it explains.
+  /// The failing case that it explains with the fewest spheres, then pixels; null if there is none.
+  const ItemGrade* smallest = nullptr;
+  const SubmissionGrade* whose = nullptr;  ///< Whose smallest case it is; null likewise.
+};
+/// Most students first.
+std::vector<MistakeStatistics> mistake_statistics(const ClassGrade& graded);
+
+/// Who hides items that students may not see yet, or ever.
+enum class HiddenBy {
+  kUs,          ///< Only visible items are included.
+  kOtherSystem  ///< All are included; hidden ones with their outcome, but no cases.
+};
+
+/// The part of a grade that a student may see: what is withheld is not in it, so that no view can
+/// reveal it.
+struct StudentGrade {
+  std::string rubric;              ///< The name of its file.
+  std::string dialect;             ///< What overrode its [driver]; or empty.
+  std::string title;               ///< Of the rubric.
+  SubmissionGrade submission;      ///< With visible items only; without the seed.
+  std::vector<const Item*> items;  ///< The rubric's, one for each of these.
+  std::size_t unlisted = 0;        ///< Items in the score that are not among them.
+};
+
+/// Domain: as many items graded as the rubric has, which outlives the result.
+StudentGrade student_grade(const Rubric& rubric, const SubmissionGrade& grade, HiddenBy hidden_by);
 
 }  // namespace raycheck::tools

@@ -33,8 +33,7 @@ class RubricReader {
   explicit RubricReader(const fs::path& path) : path_(path), fields_(path.string()) {}
 
   Rubric read() {
-    const std::string text = scene::file_text(path_);
-    const toml::table root = scene::parse_toml(text, path_.string());
+    const toml::table root = scene::parse_toml(scene::file_text(path_), path_.string());
     const Table file{root, "rubric", "", 1};
     fields_.require_known(file, {"title", "seconds", "reply_seconds", "build_seconds", "driver",
                                  "precision", "image_change", "t_threshold", "bounds", "limits",
@@ -72,12 +71,6 @@ class RubricReader {
     for (const Table& each : fields_.tables(file, "item")) rubric.items.push_back(item(each));
     if (rubric.items.empty()) fields_.fail(fields_.required(file, "item"), "has no items");
     rubric.scene_files = scene_files_;
-    std::vector<std::string> digested = {text};
-    for (const auto& [name, path] : rubric.scene_files) {
-      digested.push_back(name);
-      digested.push_back(scene::file_text(path));
-    }
-    rubric.digest = digest(digested);
     return rubric;
   }
 
@@ -366,7 +359,6 @@ Rubric load_rubric(const fs::path& path, const std::string& dialect) {
     throw std::invalid_argument("dialect " + dialect + ": " + error.what());
   }
   rubric.dialect = dialect;
-  rubric.digest = digest({rubric.digest, dialect});
   return rubric;
 }
 

@@ -122,7 +122,6 @@ struct SubmissionLimits {
 struct Rubric {
   std::string path;
   std::string title;
-  std::string digest;                           ///< Of the file and the scenes that it names.
   properties::DeclaredConventions conventions;  ///< Override what a submission declares.
   double seconds = 120;                         ///< For all questions to a submission.
   double reply_seconds = 5;                     ///< For one reply, or one picture.

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <exception>
 #include <filesystem>
@@ -10,11 +11,13 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/rubric/rubric_files.h"
 #include "tools/report/json.h"
+#include "tools/report/output_file.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
@@ -26,12 +29,6 @@ namespace fs = std::filesystem;
 constexpr const char* kFiles = "files";       ///< The folder of what was built.
 constexpr const char* kRecord = "made.json";  ///< What is known of it.
 
-/// A digest of its contents and executable bit.
-std::string digest_of(const fs::path& path) {
-  const bool runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
-  return digest({runs ? "runs" : "", file_bytes(path)});
-}
-
 /// Copies the regular files of a folder, with their times, no links; their digests by name.
 std::map<std::string, std::string> copy_files(const fs::path& from, const fs::path& to) {
   std::map<std::string, std::string> digests;
@@ -42,12 +39,104 @@ std::map<std::string, std::string> copy_files(const fs::path& from, const fs::pa
     fs::create_directories(copy.parent_path());
     fs::copy_file(entry.path(), copy);
     fs::last_write_time(copy, entry.last_write_time());
-    digests[name] = digest_of(copy);
+    digests[name] = file_digest(copy);
   }
   return digests;
 }
 
+constexpr std::string_view kFirstLine = "raycheck answers 4";
+constexpr int kQuickly = 1;  ///< zlib's level
+/// The most bytes of one program's answers, and with their headers.
+constexpr std::size_t kMostKept = std::size_t{64} << 20;
+constexpr std::size_t kMostUnpacked = 2 * kMostKept;
+
+std::string packed(const std::string& text) {
+  uLongf size = compressBound(text.size());
+  std::string bytes(size, '\0');
+  const int result = compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                               reinterpret_cast<const Bytef*>(text.data()), text.size(), kQuickly);
+  if (result != Z_OK) throw std::runtime_error("zlib: no memory");
+  bytes.resize(size);
+  return bytes;
+}
+
+/// Empty if these are not such bytes, by zlib's own check.
+std::string unpacked(const std::string& bytes, std::size_t size) {
+  std::string text(size, '\0');
+  uLongf made = size;
+  const int result = uncompress(reinterpret_cast<Bytef*>(text.data()), &made,
+                                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  return result == Z_OK && made == size ? text : "";
+}
+
+/// The answers of one program in one compressed file, read by the constructor and written by the
+/// destructor, if there are new ones. A damaged file counts as missing. Thread-safe.
+class AnswerFile : public AnswerStore {
+ public:
+  explicit AnswerFile(fs::path path) : path_(std::move(path)) {
+    std::ifstream file(path_, std::ios::binary);
+    std::string head;
+    std::size_t size = 0;
+    if (!std::getline(file, head) || head != kFirstLine) return;
+    if (!(file >> size) || file.get() != '\n' || size > kMostUnpacked) return;
+    const std::string text = unpacked({std::istreambuf_iterator<char>(file), {}}, size);
+    if (text.empty()) return;
+    for (const Json& kept : Json::from_cbor(text)) {
+      StoredAnswer& answer = answers_[kept.at(0)];
+      if (!kept.at(1).is_null()) answer.failure = static_cast<FailureKind>(kept.at(1).get<int>());
+      kept.at(2).get_to(answer.seconds);
+      kept.at(3).get_to(answer.text);
+      bytes_ += answer.text.size();
+    }
+  }
+
+  ~AnswerFile() override {
+    if (!is_new_) return;
+    try {
+      Json all = Json::array();
+      for (const auto& [request, answer] : answers_) {
+        all.push_back({request, or_null(answer.failure), answer.seconds, answer.text});
+      }
+      std::string text;
+      Json::to_cbor(all, text);
+      OutputFile("out", path_)
+          .write(fmt::format("{}\n{}\n", kFirstLine, text.size()) + packed(text));
+    } catch (const std::exception&) {
+      // What is not stored is asked again.
+    }
+  }
+
+  std::optional<StoredAnswer> find(const std::string& request) const override {
+    const std::lock_guard lock(mutex_);
+    const auto found = answers_.find(digest({request}));
+    return found == answers_.end() ? std::nullopt : std::optional(found->second);
+  }
+
+  /// Drops answers beyond kMostKept bytes in total.
+  void keep(const std::string& request, StoredAnswer answer) override {
+    const std::lock_guard lock(mutex_);
+    if (answer.text.size() > kMostKept - bytes_) return;
+    bytes_ += answer.text.size();
+    is_new_ = answers_.try_emplace(digest({request}), std::move(answer)).second || is_new_;
+  }
+
+ private:
+  fs::path path_;
+  mutable std::mutex mutex_;
+  std::map<std::string, StoredAnswer> answers_;  ///< By the digests of requests.
+  std::size_t bytes_ = 0;
+  bool is_new_ = false;
+};
+
 }  // namespace
+
+bool is_executable(const fs::path& path) {
+  return (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
+}
+
+std::string file_digest(const fs::path& path) {
+  return digest({is_executable(path) ? "runs" : "", file_bytes(path)});
+}
 
 Store::Store(const fs::path& out) {
   const fs::path folder = out / kStoreFolder;

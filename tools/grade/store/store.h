@@ -30,25 +30,9 @@ struct Built {
 /// file.
 std::string toolchain();
 
-/// The answers of one program in one compressed file, read by the constructor and written by the
-/// destructor, if there are new ones. A damaged file counts as missing. Thread-safe.
-class AnswerFile : public AnswerStore {
- public:
-  explicit AnswerFile(std::filesystem::path path);
-  ~AnswerFile() override;
-
-  std::optional<StoredAnswer> find(const std::string& request) const override;
-  /// Drops answers beyond kMostKept bytes in total.
-  void keep(const std::string& request, StoredAnswer answer) override;
-  static constexpr std::size_t kMostKept = std::size_t{64} << 20;
-
- private:
-  std::filesystem::path path_;
-  mutable std::mutex mutex_;
-  std::map<std::string, StoredAnswer> answers_;  ///< By the digests of requests.
-  std::size_t bytes_ = 0;
-  bool is_new_ = false;
-};
+bool is_executable(const std::filesystem::path& path);
+/// A digest of a file's contents, and of whether it is executable.
+std::string file_digest(const std::filesystem::path& path);
 
 /// A store's folder, below the results; no submission may have this name.
 inline constexpr std::string_view kStoreFolder = ".raycheck";

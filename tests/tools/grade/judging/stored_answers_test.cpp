@@ -18,7 +18,7 @@
 #include "properties/mistakes/shown_picture.h"
 #include "properties/run_control.h"
 #include "scene/fields.h"
-#include "tools/grade/judging/item_cases.h"
+#include "tools/grade/judging/item_trial.h"
 #include "tools/grade/judging/judge.h"
 
 namespace raycheck::tests {

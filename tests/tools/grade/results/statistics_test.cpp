@@ -1,8 +1,8 @@
-#include "tools/grade/results/statistics.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tests {
 namespace {

@@ -5,11 +5,14 @@
 #include <vector>
 
 #include "tools/grade/pages/views.h"
-#include "tools/grade/pages/wording.h"
-#include "tools/grade/results/statistics.h"
+#include "tools/grade/results/record.h"
+#include "tools/grade/results/result.h"
+#include "tools/report/json.h"
+#include "tools/report/spelling.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
+
 namespace {
 
 /// A line per submission, and its mistake.
@@ -69,9 +72,49 @@ std::string class_text(const ClassGrade& graded) {
     text += fmt::format(", {} of them for causes outside: the same command tries again",
                         graded.not_graded);
   }
-  if (graded.reused > 0) text += fmt::format(", {} of them by an earlier run", graded.reused);
   if (graded.times) text += fmt::format(" ({})", times_text(*graded.times));
   return text + "\n";
+}
+
+namespace {
+
+std::string csv_note(const SubmissionGrade& grade) {
+  if (!could_be_judged(grade)) return csv_cell(not_judged_text(grade));
+  if (!grade.finished) return "interrupted";
+  const std::string time_up = time_up_text(grade), mistake = mistake_text(grade);
+  const std::string note = time_up + (time_up.empty() || mistake.empty() ? "" : "; ") + mistake;
+  return note.empty() ? "" : csv_cell(note);
+}
+
+}  // namespace
+
+/// A row per submission, a column per item; without points if it could not be judged, except those
+/// that the rubric gives for that.
+std::string class_csv(const ClassGrade& graded) {
+  std::string text = "submission,score,points";
+  for (const Item& item : graded.rubric.items) text += "," + csv_cell(item.name);
+  text += ",note\n";
+  for (const SubmissionGrade& grade : graded.submissions) {
+    const bool is_judged = could_be_judged(grade);
+    const bool has_score = is_judged || grade.score > 0;
+    text += fmt::format("{},{},{}", csv_cell(grade.name), has_score ? points_text(grade.score) : "",
+                        points_text(grade.points));
+    for (const ItemGrade& item : grade.items) {
+      const bool has_points = is_judged && item.state != ItemState::kNotAsked;
+      text += "," + (has_points ? points_text(item.score) : "");
+    }
+    text += "," + csv_note(grade) + "\n";
+  }
+  return text;
+}
+
+std::string class_json(const ClassGrade& graded) {
+  Json json = json_header("grade");
+  json["rubric"] = graded.rubric.title;
+  json["interrupted"] = graded.interrupted;
+  json["not_graded"] = graded.not_graded;
+  json["submissions"] = list_json(graded.submissions, record_json);
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools
