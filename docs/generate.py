@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Writes the documents that show real runs.
 
-    python3 docs/generate.py            docs/error-against-run-time.md, from its template
+    python3 docs/generate.py            docs/error-against-run-time.md, from its template, and its
+                                        pictures, by a headless Chromium (docs/pictures.py)
     python3 docs/generate.py --shown    the console blocks of README.md and the others
     python3 docs/generate.py --lists [PROGRAM] [--check]
                                         the marked parts of docs/laws.md, of what the program (default:
                                         ./run) lists, and of docs/packages.md, of packages.txt; --check
                                         writes nothing and exits with 1 where a page is stale
     python3 docs/generate.py --performance
-                                        docs/performance.md and its plot, from a run of the
-                                        benchmarks
+                                        docs/performance.md and its plot, by gnuplot, from a run
+                                        of the benchmarks
     python3 docs/generate.py --pages FOLDER [PROGRAM]
                                         the pages that README.md, docs/lecture.md and docs/gallery/
                                         show, into a folder, and their pictures, by a headless
@@ -34,10 +35,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 def printed(arguments):
     """What the program prints; it exits with 1 where it found something, which is no failure."""
     built = sorted(ROOT.glob("build/release/examples/engines/*.so"))
-    engines = [f"--candidate library:{path.relative_to(ROOT)}" for path in built]
+    engines = [f"--candidate library:{path.name}" for path in built]
     if engines:
         engines.append("--sandbox none --i-know")
-    result = subprocess.run(f"./run {arguments}", shell=True, cwd=ROOT, text=True,
+    # Beside the engines their names are short.
+    where = built[0].parent if built and "$ENGINES" in arguments else ROOT
+    result = subprocess.run(f"{ROOT}/run {arguments}", shell=True, cwd=where, text=True,
                             capture_output=True, env={**os.environ, "ENGINES": " ".join(engines)})
     if result.returncode not in (0, 1):
         sys.exit(f"./run {arguments}: {result.stderr}")
@@ -57,9 +60,13 @@ def worst_table():
 def from_template(name):
     template = (ROOT / "docs" / f"{name}.in.md").read_text()
     text = template.replace("{{worst-table}}", worst_table())
-    text = re.sub(r"^\{\{(.*)\}\}$", lambda match: printed(match[1]).strip(), text,
-                  flags=re.MULTILINE)
-    (ROOT / "docs" / f"{name}.md").write_text(text)
+    written = ROOT / "docs" / f"{name}.md"
+    with tempfile.TemporaryDirectory() as folder:
+        def run(match):
+            return printed(re.sub(r"(--view )(\S+)", rf"\1{folder}/\2", match[1])).strip()
+        written.write_text(re.sub(r"^\{\{(.*)\}\}$", run, text, flags=re.MULTILINE))
+        import pictures  # needs a browser, which most documents do not
+        pictures.take([written], pathlib.Path(folder))
 
 
 def shown(path):
@@ -248,7 +255,7 @@ if __name__ == "__main__":
         programs = [word for word in sys.argv[2:] if word != "--check"]
         lists(programs[0] if programs else "./run", "--check" in sys.argv[2:])
     elif sys.argv[1:2] == ["--pages"] and len(sys.argv) in (3, 4):
-        import pictures  # needs a browser, which the other documents do not
+        import pictures  # needs a browser, which most documents do not
         pictures.make([ROOT / "README.md", ROOT / "docs/lecture.md", ROOT / "docs/gallery/README.md"],
                       *(sys.argv[2:] + ["./run"])[:2])
     elif sys.argv[1:] == ["--shown"]:

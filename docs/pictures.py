@@ -1,7 +1,7 @@
 """Makes the pages of `raycheck view` that the documentation shows, and pictures of them.
 
-A page is made by a shown command, `$ ./run view SCENE --out NAME.html` (or `check ... --view NAME.html`). A picture stands
-below a comment that says what it shows:
+A page is made by a shown command, `$ ./run view SCENE --out NAME.html` (or `check ... --view NAME.html`), or by a line
+`{{ARGUMENTS}}` of a template (docs/generate.py). A picture stands below a comment that says what it shows:
 
     <!-- picture {"page": "NAME.html", "part": "#microscope"} -->
     ![what it shows](lecture/NAME.webp)
@@ -35,7 +35,7 @@ QUALITY = 80
 READY = """return window.raycheckPage.ready.then(() => new Promise((done) =>
   requestAnimationFrame(() => requestAnimationFrame(done))));"""
 SET = """const [store, fields] = arguments;
-raycheckPage.store.set(store);
+raycheckPage.store?.set(store); // a chart has none
 for (const [selector, value] of Object.entries(fields)) {
   const field = document.querySelector(selector);
   field.value = value;
@@ -47,15 +47,12 @@ return { x: x + scrollX, y: y + scrollY, width, height };"""
 
 
 def made_pages(text, folder, program):
-    """Runs the commands of a document that make pages; returns the pages' names."""
-    names = set()
+    """Runs the commands of a document that make pages."""
     for arguments, name in PAGE.findall(text):
         result = subprocess.run(f"{program} {arguments.replace(name, str(folder / name))}", shell=True, cwd=ROOT, text=True,
                                 stderr=subprocess.PIPE, stdout=subprocess.DEVNULL)
         if result.returncode not in (0, 1):
             sys.exit(f"./run {arguments}: {result.stderr}")
-        names.add(name)
-    return names
 
 
 def picture(browser, page, wanted):
@@ -73,18 +70,23 @@ def picture(browser, page, wanted):
 
 def make(documents, folder, program):
     """Makes the pages of documents in a folder, where they stay, and the documents' pictures of them."""
-    if reason := webdriver.missing():
-        sys.exit(reason)
     folder = pathlib.Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
+    for document in documents:
+        made_pages(document.read_text(), folder, program)
+    take(documents, folder)
+
+
+def take(documents, folder):
+    """Takes the documents' pictures of the pages in a folder."""
+    if reason := webdriver.missing():
+        sys.exit(reason)
     browser = webdriver.Browser("--hide-scrollbars")
     try:
         for document in documents:
-            text = document.read_text()
-            names = made_pages(text, folder, program)
-            for wanted, name in PICTURE.findall(text):
+            for wanted, name in PICTURE.findall(document.read_text()):
                 wanted = json.loads(wanted)
-                if wanted["page"] not in names:
+                if not (folder / wanted["page"]).exists():
                     sys.exit(f"{document.name}: no command makes {wanted['page']}, of which {name} is a picture")
                 path = document.parent / name
                 path.parent.mkdir(exist_ok=True)

@@ -158,15 +158,6 @@ bool Enclosure::is_within(int relative_bits) const {
   return arb_is_finite(ball_) && arb_rel_accuracy_bits(ball_) >= relative_bits;
 }
 
-double Enclosure::relative_radius() const {
-  if (arb_is_exact(ball_)) return 0;
-  if (!arb_is_finite(ball_) || contains_zero()) return std::numeric_limits<double>::infinity();
-  Enclosure radius;
-  arb_get_rad_arb(radius.ball_, ball_);
-  radius.bits_ = bits_;
-  return (radius / abs(*this)).upper();
-}
-
 Enclosure sqrt(const Enclosure& value) {
   Enclosure result = value;
   arb_sqrtpos(result.ball(), value.ball(), value.bits());

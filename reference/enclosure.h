@@ -64,8 +64,6 @@ class Enclosure {
   double upper_rounded() const;
   /// True when radius <= 2^-relative_bits |midpoint|.
   bool is_within(int relative_bits) const;
-  /// An upper bound of radius / |x| over the numbers x in the ball; infinite when it holds 0.
-  double relative_radius() const;
 
   const arb_struct* ball() const { return ball_; }
   arb_struct* ball() { return ball_; }

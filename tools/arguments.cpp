@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "properties/verdict.h"
 #include "scene/number.h"
 #include "tools/commands.h"
-#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 
@@ -173,10 +173,6 @@ std::optional<OutputFile> opened(const std::string& option,
   return std::optional<OutputFile>(std::in_place, option, *path);
 }
 
-void add_plot(CLI::App& command, std::string& path, std::string_view what) {
-  command.add_option("--plot", path, fmt::format("draw {} to a file, .svg, .png or .pdf", what));
-}
-
 void add_top(CLI::App& command, std::size_t& top) {
   command.add_option("--top", top, "how many of the worst discrepancies are shown")
       ->check(whole_number(0, properties::kKeptDiscrepancies))
@@ -226,14 +222,6 @@ void add_seed(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "the same seed gives the same cases")
       ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
-}
-
-void draw_or_say(const std::vector<ChartFacet>& facets, const std::string& path) {
-  try {
-    draw(facets, path);
-  } catch (const GnuplotMissing& error) {
-    print_error(fmt::format("warning: {}\n", error.what()));
-  }
 }
 
 int exit_code(bool was_interrupted, bool found, bool checked) {

@@ -19,7 +19,6 @@
 #include "tools/report/output_file.h"
 #include "tools/report/view.h"
 #include "tools/terminal.h"
-#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 
@@ -143,8 +142,6 @@ void add_methods(CLI::App& command, std::vector<std::string>& methods);
 /// The file that an option names, opened before the work that it is to take; empty where it is not
 /// given. Errors: std::invalid_argument as OutputFile.
 std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);
-/// --plot FILE: a picture of `what`.
-void add_plot(CLI::App& command, std::string& path, std::string_view what);
 /// --top
 void add_top(CLI::App& command, std::size_t& top);
 /// --max-ulp
@@ -179,8 +176,6 @@ void print_view(const View<Report> (&views)[N], std::string_view format, const R
     }
   }
 }
-/// Draws the facets, unless there is no gnuplot: then it says so on standard error.
-void draw_or_say(const std::vector<ChartFacet>& facets, const std::string& path);
 
 /// `found`: a defect or another failure; `checked`: enough was judged to exclude one.
 int exit_code(bool was_interrupted, bool found, bool checked);

@@ -31,7 +31,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Options whose value is a file to write; for --report it follows the kind.
-constexpr const char* kWriting[] = {"--certificates", "--out",  "--package", "--plot",
+constexpr const char* kWriting[] = {"--certificates", "--out",  "--package",
                                     "--report",       "--save", "--view"};
 
 /// Options whose value is a file to read, besides positional arguments.

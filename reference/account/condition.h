@@ -21,27 +21,18 @@ namespace raycheck::reference {
 inline constexpr double kConditionWidth = 0x1p-10;
 inline constexpr double kNegligibleCondition = 0x1p-30;
 
-/// Which arithmetic encloses: intervals, then balls; or balls alone, which tests use to check the
-/// intervals.
-enum class Arithmetic { kFiltered, kBallsOnly };
-
-double condition_of_frame(const ExactCamera& camera,
-                          Arithmetic arithmetic = Arithmetic::kFiltered);  ///< The worst axis.
+double condition_of_frame(const ExactCamera& camera);  ///< The worst axis.
 /// Only for a camera's ray.
-double condition_of_pixel_point(const ExactRay& ray, Arithmetic arithmetic = Arithmetic::kFiltered);
-double condition_of_direction(const ExactRay& ray, Arithmetic arithmetic = Arithmetic::kFiltered);
-double condition_of_axial_distance(const ExactRay& ray, const scene::Sphere& sphere,
-                                   Arithmetic arithmetic = Arithmetic::kFiltered);
-double condition_of_half_chord_sq(const ExactRay& ray, const scene::Sphere& sphere,
-                                  Arithmetic arithmetic = Arithmetic::kFiltered);
+double condition_of_pixel_point(const ExactRay& ray);
+double condition_of_direction(const ExactRay& ray);
+double condition_of_axial_distance(const ExactRay& ray, const scene::Sphere& sphere);
+double condition_of_half_chord_sq(const ExactRay& ray, const scene::Sphere& sphere);
 /// Of s and of Q. Both are infinite at an exact tangent, as is the derivative of sqrt(d^2).
 /// Domain: `intersection` is what ray.intersect(sphere) found, a hit or a tangent.
 double condition_of_parameter(const ExactRay& ray, const scene::Sphere& sphere,
-                              const Intersection& intersection,
-                              Arithmetic arithmetic = Arithmetic::kFiltered);
+                              const Intersection& intersection);
 double condition_of_point(const ExactRay& ray, const scene::Sphere& sphere,
-                          const Intersection& intersection,
-                          Arithmetic arithmetic = Arithmetic::kFiltered);
+                          const Intersection& intersection);
 
 // The condition numbers of single steps: of a step's result with respect to its direct operands,
 // each taken as an independent input at its true value.
@@ -52,8 +43,7 @@ struct RayStageConditions {
   /// (P - E)/|P - E| by P and E; for a given ray its direction's normalisation.
   double direction = 0;
 };
-RayStageConditions stage_conditions(const ExactRay& ray,
-                                    Arithmetic arithmetic = Arithmetic::kFiltered);
+RayStageConditions stage_conditions(const ExactRay& ray);
 
 struct SphereStageConditions {
   double axial_distance = 0;  ///< v = T.D/|D| by T and D
@@ -64,14 +54,12 @@ struct SphereStageConditions {
   std::optional<double> point;  ///< L + s D by L, s and D; empty for a miss.
 };
 SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere& sphere,
-                                       const Intersection& intersection,
-                                       Arithmetic arithmetic = Arithmetic::kFiltered);
+                                       const Intersection& intersection);
 
 /// For Q computed as L + s D, a step of every method that itself magnifies errors by |L|/|Q|: the
 /// condition number of Q plus that of the step.
 /// Domain: as condition_of_point.
 double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,
-                                   const Intersection& intersection,
-                                   Arithmetic arithmetic = Arithmetic::kFiltered);
+                                   const Intersection& intersection);
 
 }  // namespace raycheck::reference

@@ -3,7 +3,6 @@
 #include <arf.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <utility>
 

@@ -17,7 +17,7 @@ typename KernelOf<Lift>::Vector_3 no_vector(const Lift& lift) {
   return {lift.constant(0), lift.constant(0), lift.constant(0)};
 }
 
-double pixel_point_condition(const ExactRay& ray, Arithmetic arithmetic) {
+double pixel_point_condition(const ExactRay& ray) {
   const auto& camera = *ray.source().camera;
   const auto quantity = [&](const auto& lift) {
     using K = KernelOf<decltype(lift)>;
@@ -33,11 +33,10 @@ double pixel_point_condition(const ExactRay& ray, Arithmetic arithmetic) {
     const Axes<K> axes{U, V, lift.input(numbers.axes.W)};
     return eye + to_pixel_point<K>(near, {alpha, beta}, axes);
   };
-  return condition_number<kCameraInputs>(
-      quantity, [&] { return is_zero(ray.pixel_point()); }, arithmetic);
+  return condition_number<kCameraInputs>(quantity, [&] { return is_zero(ray.pixel_point()); });
 }
 
-double direction_condition(const ExactRay& ray, Arithmetic arithmetic) {
+double direction_condition(const ExactRay& ray) {
   const auto quantity = [&](const auto& lift) {
     using K = KernelOf<decltype(lift)>;
     const auto line = line_of(lift.base(), ray.source());
@@ -47,14 +46,13 @@ double direction_condition(const ExactRay& ray, Arithmetic arithmetic) {
         from_eye ? typename BaseKernelOf<decltype(lift)>::Vector_3(line.base + line.g) : line.g);
     return unit_direction(given_line(RayInputs<K>{from, to - from}));
   };
-  return condition_number<kCameraInputs>(
-      quantity, [] { return false; }, arithmetic);
+  return condition_number<kCameraInputs>(quantity, [] { return false; });
 }
 
 /// The condition number of value(T, D, r): of a sphere seen along D from the ray's origin.
 template <class Value, class IsZero>
-double seen_condition(const ExactRay& ray, const scene::Sphere& sphere, Value value, IsZero is_zero,
-                      Arithmetic arithmetic) {
+double seen_condition(const ExactRay& ray, const scene::Sphere& sphere, Value value,
+                      IsZero is_zero) {
   const auto quantity = [&](const auto& lift) {
     using K = KernelOf<decltype(lift)>;
     const auto line = line_of(lift.base(), ray.source());
@@ -65,11 +63,10 @@ double seen_condition(const ExactRay& ray, const scene::Sphere& sphere, Value va
         given_line(RayInputs<K>{no_vector(lift), lift.input(unit_direction(line))});
     return value(line_and_sphere(from_origin, centre));
   };
-  return condition_number<kCameraInputs>(quantity, is_zero, arithmetic);
+  return condition_number<kCameraInputs>(quantity, is_zero);
 }
 
-double root_condition(const ExactRay& ray, const scene::Sphere& sphere, const Intersection& at,
-                      Arithmetic arithmetic) {
+double root_condition(const ExactRay& ray, const scene::Sphere& sphere, const Intersection& at) {
   const int sign = root_sign(at);
   const auto quantity = [&](const auto& lift) {
     const auto line = line_of(lift.base(), ray.source());
@@ -77,12 +74,12 @@ double root_condition(const ExactRay& ray, const scene::Sphere& sphere, const In
     const auto v = lift.input(axial_distance(pair));
     return root_of(v, sign == 0 ? v : lift.input(half_chord_sq(pair)), sign);
   };
-  return condition_number<kCameraInputs>(
-      quantity, [&] { return is_exact_zero(ray.parameter(sphere, at)); }, arithmetic);
+  return condition_number<kCameraInputs>(quantity,
+                                         [&] { return is_exact_zero(ray.parameter(sphere, at)); });
 }
 
-double hit_point_condition(const ExactRay& ray, const scene::Sphere& sphere, const Intersection& at,
-                           Arithmetic arithmetic) {
+double hit_point_condition(const ExactRay& ray, const scene::Sphere& sphere,
+                           const Intersection& at) {
   const auto quantity = [&](const auto& lift) {
     using K = KernelOf<decltype(lift)>;
     const auto line = line_of(lift.base(), ray.source());
@@ -92,39 +89,38 @@ double hit_point_condition(const ExactRay& ray, const scene::Sphere& sphere, con
         lift.input(scaled_distance(pair, root_sign(at)) / ray_length(line));
     return typename K::Vector_3(origin + distance * lift.input(unit_direction(line)));
   };
-  return condition_number<kCameraInputs>(
-      quantity, [&] { return is_zero(ray.point(sphere, at)); }, arithmetic);
+  return condition_number<kCameraInputs>(quantity, [&] { return is_zero(ray.point(sphere, at)); });
 }
 
 }  // namespace
 
-RayStageConditions stage_conditions(const ExactRay& ray, Arithmetic arithmetic) {
+RayStageConditions stage_conditions(const ExactRay& ray) {
   RayStageConditions result;
-  if (ray.source().camera) result.pixel_point = pixel_point_condition(ray, arithmetic);
-  result.direction = direction_condition(ray, arithmetic);
+  if (ray.source().camera) result.pixel_point = pixel_point_condition(ray);
+  result.direction = direction_condition(ray);
   return result;
 }
 
 SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere& sphere,
-                                       const Intersection& intersection, Arithmetic arithmetic) {
+                                       const Intersection& intersection) {
   scene::require_valid(sphere);
   SphereStageConditions result;
   result.axial_distance = seen_condition(
       ray, sphere, [](const auto& pair) { return axial_distance(pair); },
-      [&] { return axial_distance_is_zero(ray, sphere); }, arithmetic);
+      [&] { return axial_distance_is_zero(ray, sphere); });
   result.half_chord_sq = seen_condition(
       ray, sphere, [](const auto& pair) { return half_chord_sq(pair); },
-      [&] { return half_chord_is_zero(ray, sphere); }, arithmetic);
+      [&] { return half_chord_is_zero(ray, sphere); });
   if (intersection.hit_class == HitClass::kMiss) return result;
-  result.root = root_condition(ray, sphere, intersection, arithmetic);
-  result.point = hit_point_condition(ray, sphere, intersection, arithmetic);
+  result.root = root_condition(ray, sphere, intersection);
+  result.point = hit_point_condition(ray, sphere, intersection);
   return result;
 }
 
 double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,
-                                   const Intersection& intersection, Arithmetic arithmetic) {
-  return condition_of_point(ray, sphere, intersection, arithmetic) +
-         hit_point_condition(ray, sphere, intersection, arithmetic);
+                                   const Intersection& intersection) {
+  return condition_of_point(ray, sphere, intersection) +
+         hit_point_condition(ray, sphere, intersection);
 }
 
 }  // namespace raycheck::reference

@@ -2,8 +2,8 @@
 
 // The formulas of cameras, rays and spheres, written once over a CGAL kernel K and instantiated
 // with the kernels of reference/internal/kernels.h, the differentiating ones of
-// reference/account/internal/dual.h and the symbolic one of reference/account/closed_form.cpp.
-// Internal to reference/.
+// reference/account/internal/condition_impl.h and the symbolic one of
+// reference/account/closed_form.cpp. Internal to reference/.
 
 #include <cstdint>
 

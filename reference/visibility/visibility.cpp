@@ -1,11 +1,7 @@
 #include "reference/visibility/visibility.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -198,33 +194,6 @@ DecidedBy& DecidedBy::operator+=(const DecidedBy& other) {
   filter += other.filter;
   for (std::size_t k = 0; k < rungs.size(); ++k) rungs[k] += other.rungs[k];
   return *this;
-}
-
-DecidedBy nearest_in_parallel(const Visibility& visibility, std::int64_t j_begin,
-                              std::int64_t j_end, const SeenRows& rows, int threads) {
-  constexpr std::int64_t kRows = Visibility::kBandRows;
-  const auto width = static_cast<std::size_t>(visibility.scene().camera->width);
-  const std::int64_t first_band = j_begin / kRows;
-  const std::int64_t bands = j_end > j_begin ? (j_end - 1) / kRows - first_band + 1 : 0;
-  std::vector<DecidedBy> decided_by(static_cast<std::size_t>(bands));
-  const auto band_rows = [&](std::int64_t band) {
-    const std::int64_t begin = std::max(j_begin, (first_band + band) * kRows);
-    const std::int64_t end = std::min(j_end, (first_band + band + 1) * kRows);
-    const auto part = [&](auto array) {
-      return array.empty() ? array
-                           : array.subspan(static_cast<std::size_t>(begin - j_begin) * width,
-                                           static_cast<std::size_t>(end - begin) * width);
-    };
-    decided_by[static_cast<std::size_t>(band)] =
-        visibility.nearest(begin, end,
-                           {part(rows.sphere), part(rows.parameter), part(rows.point_x),
-                            part(rows.point_y), part(rows.point_z)});
-  };
-  // With more threads than cores oneTBB would only warn.
-  tbb::task_arena arena(std::min(threads, tbb::this_task_arena::max_concurrency()));
-  arena.execute([&] { tbb::parallel_for(std::int64_t{0}, bands, band_rows); });
-  return std::accumulate(decided_by.begin(), decided_by.end(), DecidedBy{},
-                         [](DecidedBy sum, const DecidedBy& band) { return sum += band; });
 }
 
 }  // namespace raycheck::reference

@@ -88,10 +88,4 @@ inline constexpr std::int64_t kMostVisibleSide = std::int64_t{1} << 22;
 /// of places.
 inline constexpr std::uint64_t kMostVisibleParts = std::uint64_t{1} << 27;
 
-/// Visibility::nearest by several threads. Bands are independent of each other, so that the answer
-/// does not depend on how many.
-/// Domain: threads >= 1
-DecidedBy nearest_in_parallel(const Visibility& visibility, std::int64_t j_begin,
-                              std::int64_t j_end, const SeenRows& rows, int threads);
-
 }  // namespace raycheck::reference

@@ -256,9 +256,6 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"explain --ray 0,0,0,1,0,0 --sphere 0,0,0,-1", "radius"},
     {"explain --ray 0,0,0,1,0,inf --sphere 0,0,0,1", "direction"},
     // Files.
-    {"stress --plot picture.bmp", "plot picture.bmp"},
-    {"tradeoff --plot picture.txt", "plot picture.txt"},
-    {"stress --plot nowhere/picture.svg", "there is no folder nowhere"},
     {"tradeoff --view nowhere/page.html", "nowhere/page.html"},
     {"stress --view /proc/none/page.html", "/proc/none/page.html"},
     {"view FAR --out FAR", "--out"},
@@ -271,9 +268,9 @@ const std::pair<const char*, const char*> kRefused[] = {
     // They are tried before the work.
     {"worst --method cross --family rays --cases 1000000000 --save /proc/x.toml",
      "--save /proc/x.toml: cannot be written"},
-    {"stress --family distance --method cross --cases 1000000000 --plot /proc/x.svg",
-     "--plot /proc/x.svg: cannot be written"},
-    {"tradeoff --cases 1000000000 --plot /proc/x.svg", "--plot /proc/x.svg: cannot be written"},
+    {"stress --family distance --method cross --cases 1000000000 --view /proc/x.html",
+     "--view /proc/x.html: cannot be written"},
+    {"tradeoff --cases 1000000000 --view /proc/x.html", "--view /proc/x.html: cannot be written"},
     // Values that are empty, as variables of scripts are.
     {"check ''", "SCENE: is given without a value; give one, or leave the option out"},
     {"rubric ''", "NAME: is given without a value"},

@@ -83,9 +83,6 @@ std::string stress_certificates(const StressReport& report);
 ChartFacet stress_facet(const FamilyReport& family, properties::Stage stage,
                         scene::Precision precision);
 
-/// All that a report has.
-std::vector<ChartFacet> stress_facets(const StressReport& report);
-
 /// A report as a page: error against severity, on each of its families.
 ViewDocument stress_document(const StressReport& report);
 

@@ -8,7 +8,6 @@
 #include "tools/commands.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"
-#include "tools/view/chart/chart.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
@@ -18,7 +17,6 @@ struct StressArguments {
   StressOptions options;
   std::vector<std::string> methods;
   std::string severity;
-  std::string plot;
   std::optional<std::string> view;
   std::optional<std::string> certificates;
   std::string format;
@@ -41,15 +39,12 @@ std::pair<int, int> parse_range(const std::string& text) {
 
 int run_stress(StressArguments& arguments) {
   if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
-  if (!arguments.plot.empty()) require_plottable(arguments.plot);
   arguments.options.implementations = find_by_stages(arguments.methods, arguments.external);
   std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   const StressReport report = run_stress(arguments.options, run_control("stress"));
   if (certificates) certificates->write(stress_certificates(report));
   print_view(kStressViews, arguments.format, report);
-  if (!arguments.plot.empty() && !report.interrupted)
-    draw_or_say(stress_facets(report), arguments.plot);
   if (view) view->write(page(stress_document(report)));
   return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
 }
@@ -66,7 +61,6 @@ CommandRun add_stress(CLI::App& command) {
                      "only these severities, A..B (default: the family's own range)");
   add_cases(command, options.cases, "cases at each severity");
   add_seed(command, options.seed);
-  add_plot(command, given->plot, "error against severity");
   add_external(command, given->external);
   add_view(command, given->view, "error against severity, every family and quantile");
   add_certificates(command, given->certificates);

@@ -30,8 +30,12 @@ ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precisio
   return facet;
 }
 
-std::vector<ChartFacet> stress_facets(const StressReport& report) {
-  std::vector<ChartFacet> facets;
+ViewDocument stress_document(const StressReport& report) {
+  ViewDocument document;
+  document.title = report.families.size() == 1
+                       ? fmt::format("Error against severity: {}", report.families[0].family->name)
+                       : fmt::format("Error against severity: {} families", report.families.size());
+  std::vector<ChartFacet>& facets = document.chart.emplace().facets;
   for (const Stage stage : {Stage::kIntersection, Stage::kRays}) {
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
       for (const FamilyReport& family : report.families) {
@@ -40,15 +44,6 @@ std::vector<ChartFacet> stress_facets(const StressReport& report) {
       }
     }
   }
-  return facets;
-}
-
-ViewDocument stress_document(const StressReport& report) {
-  ViewDocument document;
-  document.title = report.families.size() == 1
-                       ? fmt::format("Error against severity: {}", report.families[0].family->name)
-                       : fmt::format("Error against severity: {} families", report.families.size());
-  document.chart = ChartView{stress_facets(report)};
   return document;
 }
 

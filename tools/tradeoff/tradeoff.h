@@ -123,9 +123,6 @@ inline constexpr View<TradeoffReport> kTradeoffViews[] = {
     {"markdown", tradeoff_markdown},
 };
 
-/// What a report has of all of its sources together, and of each.
-std::vector<ChartFacet> tradeoff_facets(const TradeoffReport& report, bool with_each);
-
 /// A report as a page: error against run time, on all of its sources together and on each.
 ViewDocument tradeoff_document(const TradeoffReport& report);
 

@@ -4,7 +4,6 @@
 #include "tools/commands.h"
 #include "tools/terminal.h"
 #include "tools/tradeoff/tradeoff.h"
-#include "tools/view/chart/chart.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
@@ -15,7 +14,6 @@ struct TradeoffArguments {
   std::vector<std::string> sources = {"rays", "cameras"};
   std::vector<std::string> methods;
   std::string dialect;
-  std::string plot;
   std::optional<std::string> view;
   std::string format;
   ExternalArguments external;
@@ -27,14 +25,11 @@ int run_tradeoff(TradeoffArguments& arguments) {
   for (const std::string& name : arguments.sources) {
     options.sources.push_back(parse_source("--family", name));
   }
-  if (!arguments.plot.empty()) require_plottable(arguments.plot);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   options.implementations = find_by_stages(arguments.methods, arguments.external);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);
   print_view(kTradeoffViews, arguments.format, report);
-  if (!arguments.plot.empty() && !report.interrupted)
-    draw_or_say(tradeoff_facets(report, false), arguments.plot);
   if (view) view->write(page(tradeoff_document(report)));
   return exit_code(report.interrupted, false, report.compared() > 0);
 }
@@ -58,7 +53,6 @@ CommandRun add_tradeoff(CLI::App& command) {
   add_methods(command, given->methods);
   add_cases(command, options.cases, "how many cases, or pixels of a scene");
   add_seed(command, options.seed);
-  add_plot(command, given->plot, "error against time");
   add_view(command, given->view, "error against run time, every source, severity and quantile");
   add_external(command, given->external);
   add_format(command, given->format, kTradeoffViews);

@@ -128,9 +128,8 @@ ChartFacet facet_of_source(const Part& part, std::size_t index) {
   return facet;
 }
 
-}  // namespace
-
-std::vector<ChartFacet> tradeoff_facets(const TradeoffReport& report, bool with_each) {
+/// What a report has of all of its sources together, and of each.
+std::vector<ChartFacet> facets_of(const TradeoffReport& report) {
   std::vector<ChartFacet> facets;
   const auto add = [&](ChartFacet facet) {
     if (!facet.series.empty()) facets.push_back(std::move(facet));
@@ -140,20 +139,20 @@ std::vector<ChartFacet> tradeoff_facets(const TradeoffReport& report, bool with_
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
       if (!has_any(*costs, precision)) continue;
       const Part part{report, *costs, stage, precision};
-      const bool has_several = report.sources.size() > 1;
-      if (has_several) add(facet_of_all(part));
-      if (has_several && !with_each) continue;
+      if (report.sources.size() > 1) add(facet_of_all(part));
       for (std::size_t k = 0; k < report.sources.size(); ++k) add(facet_of_source(part, k));
     }
   }
   return facets;
 }
 
+}  // namespace
+
 ViewDocument tradeoff_document(const TradeoffReport& report) {
   ViewDocument document;
   document.title = fmt::format("Error against run time: {}", subject_text(report));
   document.left_out = report.left_out;
-  document.chart = ChartView{tradeoff_facets(report, true)};
+  document.chart = ChartView{facets_of(report)};
   return document;
 }
 

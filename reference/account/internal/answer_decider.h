@@ -147,4 +147,39 @@ inline LinearForm linear_form(const Variation& variation) {
   return form;
 }
 
+/// The number of successive linear programs.
+inline constexpr int kPrograms = 8;
+
+/// Where all of the variations, those that are known to first order, are least negative: a point of
+/// the box of that many dimensions.
+inline LeastOptimum best_place(const std::vector<Variation>& all, std::size_t dimension) {
+  const std::vector<double> flat(dimension);
+  if (all.empty()) return {flat, 1, {}};
+  std::vector<LinearForm> forms;
+  for (const Variation& variation : all) {
+    forms.push_back(variation.is_finite() ? linear_form(variation) : LinearForm{1, flat});
+  }
+  return highest_least(forms);
+}
+
+/// Whether their sum, each times its multiplier, is negative everywhere, so that everywhere one of
+/// them is negative.
+inline bool exclude_each_other(const std::vector<Variation>& all,
+                               const std::vector<double>& multipliers) {
+  Enclosure value(0);
+  std::vector<Enclosure> reach(all.front().reach.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (multipliers[i] == 0) continue;
+    const Enclosure factor = Enclosure(multipliers[i], kVariationBits) / all[i].most;
+    value += factor * all[i].value;
+    for (std::size_t k = 0; k < reach.size(); ++k) reach[k] += factor * all[i].reach[k];
+  }
+  return (value + sum_of_sizes(reach)).certain_sign() == -1;
+}
+
+/// Whether their best place shows that.
+inline bool exclude_each_other(const std::vector<Variation>& all, const LeastOptimum& best) {
+  return best.least < 0 && exclude_each_other(all, best.multipliers);
+}
+
 }  // namespace raycheck::reference

@@ -14,11 +14,26 @@
 namespace raycheck::reference {
 
 /// 2^exponent
-Rational power_of_two(std::int64_t exponent);
+inline Rational power_of_two(std::int64_t exponent) {
+  const auto shift = static_cast<unsigned long>(exponent < 0 ? -exponent : exponent);
+  const Integer power = Integer(1) << shift;
+  return exponent < 0 ? Rational(Integer(1), power) : Rational(power);
+}
 /// The largest integer <= x.
-Integer floor_of(const Rational& x);
+inline Integer floor_of(const Rational& x) {
+  Integer quotient;
+  mpz_fdiv_q(quotient.backend().data(), mpq_numref(x.backend().data()),
+             mpq_denref(x.backend().data()));
+  return quotient;
+}
 /// An e with 2^(e-1) < |x| < 2^(e+1), for x != 0.
-std::int64_t exponent_of(const Rational& x);
+inline std::int64_t exponent_of(const Rational& x) {
+  const auto size = [](const Integer& n) {
+    return static_cast<std::int64_t>(boost::multiprecision::msb(n));
+  };
+  return size(boost::multiprecision::abs(boost::multiprecision::numerator(x))) -
+         size(boost::multiprecision::denominator(x));
+}
 
 /// Every number from low to high. Only square roots are rounded: they are enclosed to `bits`
 /// significant bits (exact if they have no more); a result's `bits` are the larger of the
@@ -76,7 +91,19 @@ struct RationalLift {
 };
 
 /// The square root of an exact number > 0, between two dyadic rationals of bits() bits.
-RationalInterval first_root(const RationalInterval& radicand);
+inline RationalInterval first_root(const RationalInterval& radicand) {
+  const Rational& x = radicand.low();
+  const int bits = radicand.bits();
+  // sqrt(x) = sqrt(x 4^shift) / 2^shift, and x 4^shift has at least 2 bits bits.
+  const std::int64_t shift = bits + 1 - exponent_of(x) / 2;
+  const Rational scaled = x * power_of_two(2 * shift);
+  const Integer whole = floor_of(scaled);
+  Integer remainder;
+  const Integer root = boost::multiprecision::sqrt(whole, remainder);
+  const Rational low = Rational(root) * power_of_two(-shift);
+  if (remainder == 0 && Rational(whole) == scaled) return {low, bits};
+  return {low, Rational(Integer(root + 1)) * power_of_two(-shift), bits};
+}
 inline RationalInterval second_root(const RationalInterval& radicand) {
   return first_root(radicand);
 }

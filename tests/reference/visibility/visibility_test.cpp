@@ -31,10 +31,9 @@ std::size_t pixels_of(const scene::Scene& scene) {
   return static_cast<std::size_t>(scene.camera->width * scene.camera->height);
 }
 
-Seen see(const Visibility& visibility, int threads = 1) {
+Seen see(const Visibility& visibility) {
   Seen seen(pixels_of(visibility.scene()));
-  seen.decided_by =
-      nearest_in_parallel(visibility, 0, visibility.scene().camera->height, seen.rows(), threads);
+  seen.decided_by = visibility.nearest(0, visibility.scene().camera->height, seen.rows());
   return seen;
 }
 
@@ -192,10 +191,9 @@ TEST(Visibility, DecidesTangentsAndTiesExactly) {
   EXPECT_GE(seen.decided_by.fallback(), 2U);
 }
 
-TEST(Visibility, DoesNotDependOnThreadsOrOnHowRowsAreAskedFor) {
+TEST(Visibility, DoesNotDependOnHowRowsAreAskedFor) {
   const Visibility visibility = visibility_of(random_scene(2));
-  const Seen one = see(visibility, 1);
-  for (const int threads : {2, 3, 7}) EXPECT_EQ(see(visibility, threads).all(), one.all());
+  const Seen one = see(visibility);
   const auto width = static_cast<std::size_t>(visibility.scene().camera->width);
   const std::int64_t height = visibility.scene().camera->height;
   for (std::int64_t j = 0; j < height; j += 5) {

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -283,11 +284,13 @@ TEST(OwnUnits, AreThoseOfPicturesOfErrors) {
   EXPECT_EQ(textbook["steps"].back()["pixels"], 0);
 }
 
-/// A plot has one unit: floats have one of their own.
-TEST(OwnUnits, HaveAPlotOfTheirOwn) {
-  const auto expect_labels = [](const std::vector<tools::ChartFacet>& facets) {
-    expect_parts(gnuplot_script(facets, "a.svg"),
-                 {"'99.9% parameter error, ulp'", "'99.9% parameter error, ulp of float'"});
+/// A chart has one unit: floats have one of their own.
+TEST(OwnUnits, HaveAChartOfTheirOwn) {
+  const auto expect_units = [](const tools::ViewDocument& document) {
+    const auto chart = chart_json(document.chart.value());
+    std::set<std::string> units;
+    for (const auto& facet : chart["facets"]) units.insert(facet["quantities"][0]["unit"]);
+    EXPECT_EQ(units, (std::set<std::string>{"ulp", "ulp of float"}));
   };
   tools::StressOptions options;
   options.families = {"distance"};
@@ -307,14 +310,14 @@ TEST(OwnUnits, HaveAPlotOfTheirOwn) {
        }});
   options.cases = 5;
   options.severities = {{0, 1}};
-  expect_labels(stress_facets(run_stress(options)));
+  expect_units(stress_document(run_stress(options)));
   tools::TradeoffOptions tradeoff;
   tradeoff.sources = {properties::chosen_source("distance")};
   tradeoff.implementations = options.implementations;
   tradeoff.cases = 10;
   tools::TradeoffReport report = run_tradeoff(tradeoff);
   report.intersections[1].batch = report.intersections[0].batch;  // nobody's is timed from here
-  expect_labels(tradeoff_facets(report, false));
+  expect_units(tradeoff_document(report));
   // Ranked in one unit: an ulp of float is 2^29 of double.
   const auto& costs = report.intersections;
   ASSERT_EQ(costs.size(), 2u);

@@ -128,8 +128,7 @@ TEST_F(HostileOut, HasItsOwnFilesReplacedUnlessSomeoneEditedThem) {
 TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
   const std::string root = RAYCHECK_SOURCE_DIR;
   const std::string toml = contents(root + "/scene/examples/far-sphere.toml");
-  const std::string scene = grading_.write("scene.ppm", toml),
-                    plot = grading_.write("scene.svg", toml);
+  const std::string scene = grading_.write("scene.ppm", toml);
   const std::string beside = grading_.write(
       "lecture7/orientation.toml", contents(root + "/examples/rubrics/lecture7/orientation.toml"));
   fs::create_symlink(rubric_, grading_.path("link.zip"));
@@ -146,7 +145,7 @@ TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
            {"check '" + scene + "' --report", "text=" + scene},
            {"check '" + scene + "' --update-baseline --baseline", scene},
            {"check '" + scene + "'" + candidate + " --certificates", source},
-           {"tradeoff '" + plot + "' --plot", plot},
+           {"tradeoff '" + scene + "' --view", scene},
            {"properties --cases 3" + candidate + " --view", source},
            {"properties --cases 3" + candidate + " --report", "json=" + source},
            {"stress --family distance" + candidate + " --view", source},
@@ -179,7 +178,7 @@ TEST_F(HostileOut, IsNamedOnce) {
   refuses("check " + scene + " --certificates " + one + " --view " + same, twice);
   refuses("check " + scene + " --baseline " + one + " --update-baseline --view " + same, twice);
   refuses("worst --method cross --family distance --save " + one + " --view " + one, twice);
-  refuses("stress --family distance --plot " + one + ".svg --view " + same + ".svg", twice);
+  refuses("stress --family distance --certificates " + one + " --view " + same, twice);
 }
 
 class RunFolder : public testing::Test {

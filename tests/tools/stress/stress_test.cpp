@@ -53,19 +53,6 @@ TEST(StressCommand, and_tradeoff_print_tables_with_as_many_cells_in_every_line) 
   }
 }
 
-TEST(StressCommand, draws_a_plot_or_says_that_there_is_no_gnuplot) {
-  const std::string path = temporary_file("stress.svg", "");
-  const Outcome result =
-      run("stress --family distance --method quadratic,cross --plot " + path + kFew);
-  EXPECT_TRUE(has(result.out, "first failing severity"));
-  if (result.err.empty()) {
-    EXPECT_TRUE(has(contents(path), "</svg>"));
-    EXPECT_TRUE(has(contents(path), "quadratic"));
-  } else {
-    EXPECT_TRUE(has(result.err, "apt-get install gnuplot-nox"));
-  }
-}
-
 TEST(StressCommand, proves_what_it_found) {
   const std::string path = temporary_file("stress.certificates", "");
   const std::string asked = "stress --family distance,up --method quadratic,rays/lecture";

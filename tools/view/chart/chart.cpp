@@ -21,7 +21,6 @@ Json errors_json(const ChartPoint::Errors& errors) {
           {"front", errors.is_front}};
 }
 
-/// A mark for wrong decisions, and its meaning.
 struct Mark {
   const char *standing, *text;
 };
@@ -87,7 +86,6 @@ Json condition_json(const ChartFacet& facet, std::size_t severity, std::size_t q
   return nullptr;
 }
 
-/// The same of each quantity, share and severity.
 Json conditions_json(const ChartFacet& facet) {
   Json json = Json::array();
   for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {
@@ -107,16 +105,18 @@ Json facet_json(const ChartFacet& facet) {
   std::vector<std::string> severities = facet.severities;
   if (is_timed) severities.insert(severities.begin(), "all");
   const auto quantity_json = [&](Quantity quantity) {
-    return Json{{"name", info(quantity).name},
-                {"error", chart_error(quantity)},
+    const std::string_view name = info(quantity).name;
+    return Json{{"name", name},
+                {"error", fmt::format("{}{}", name, name.ends_with("error") ? "" : " error")},
                 {"unit", unit_name(quantity, facet.precision)}};
   };
-  return {{"title", chart_title(facet)},
+  return {{"title", fmt::format("{} on {}", facet.stage, facet.subject)},
           {"subject", facet.subject},
           {"stage", facet.stage},
           {"severities", std::move(severities)},
           {"baseline", facet.baseline},
-          {"under", chart_under(facet)},
+          {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
+                             : fmt::format("severity: {}", facet.meaning)},
           {"key", is_timed ? "Steps: no method without such defects is as fast and as accurate"
                            : "kappa: how much the problem itself magnifies errors of the inputs"},
           {"quantities", list_json(facet.quantities, quantity_json)},
@@ -136,20 +136,6 @@ std::string chart_stage(Stage stage, scene::Precision precision) {
   std::string text = fmt::format("{}{}", name(stage), precision_words(precision));
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   return text;
-}
-
-std::string chart_title(const ChartFacet& facet) {
-  return fmt::format("{} on {}", facet.stage, facet.subject);
-}
-
-std::string chart_under(const ChartFacet& facet) {
-  return facet.baseline.empty() ? fmt::format("severity: {}", facet.meaning)
-                                : fmt::format("run time, times that of {}", facet.baseline);
-}
-
-std::string chart_error(Quantity quantity) {
-  const std::string_view text = info(quantity).name;
-  return fmt::format("{}{}", text, text.ends_with("error") ? "" : " error");
 }
 
 std::optional<ChartPoint> chart_point(const std::map<Quantity, Tally>& tallies,

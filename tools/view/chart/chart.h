@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,7 +30,6 @@ inline constexpr std::size_t kChartShare = 3;
 /// Errors at each of kChartShares; empty if none was measured.
 using ChartQuantiles = std::array<std::optional<double>, kChartShares.size()>;
 
-/// The results of one method.
 struct ChartPoint {
   struct Errors {
     std::uint64_t compared = 0;
@@ -82,37 +80,11 @@ std::vector<properties::Quantity> chart_quantities(properties::Stage stage);
 /// "Intersections", "Rays, in single precision"
 std::string chart_stage(properties::Stage stage, scene::Precision precision);
 
-/// "Intersections on distance"
-std::string chart_title(const ChartFacet& facet);
-/// "run time, times that of quadratic", "severity: ...": what lies below a facet.
-std::string chart_under(const ChartFacet& facet);
-/// "parameter error", "backward error"
-std::string chart_error(properties::Quantity quantity);
-
 /// The tallies of these quantities; empty if nothing was compared.
 std::optional<ChartPoint> chart_point(
     const std::map<properties::Quantity, properties::Tally>& tallies,
     const std::vector<properties::Quantity>& quantities);
 
-/// The data from which the page's script draws a chart.
 Json chart_json(const ChartView& chart);
-
-/// Throws std::invalid_argument unless a plot can be written to that file: its name ends in .svg,
-/// .png or .pdf, and its folder exists.
-void require_plottable(const std::string& path);
-
-/// gnuplot is not installed.
-class GnuplotMissing : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Draws facets below one another into one file: the errors of their first quantity at
-/// kChartShare, against the run time or the severity.
-/// Errors: GnuplotMissing; std::runtime_error with gnuplot's message where it fails.
-void draw(const std::vector<ChartFacet>& facets, const std::string& path);
-
-/// What gnuplot is told.
-std::string gnuplot_script(const std::vector<ChartFacet>& facets, const std::string& path);
 
 }  // namespace raycheck::tools

@@ -127,7 +127,9 @@ function facetPlot(state, chart, dial, width, others) {
   const isSmall = others !== undefined;
   const traces = tracesOf(state);
   const condition = facet.condition[quantity][share].map((y, x) => ({ x, y }));
-  if (!isTimed(facet) && !isSmall) traces.push({ number: null, name: "kappa of the problem", places: condition });
+  if (!isTimed(facet) && !isSmall && condition.some(({ y }) => y !== null)) {
+    traces.push({ number: null, name: "kappa of the problem", places: condition });
+  }
   const shared = [...traces, ...(others ?? []).flatMap((each) => tracesOf({ ...state, facet: each }))];
   const spans = (others ?? [facet]).flatMap(({ series }) => series.flatMap(({ time }) => time ?? []));
   const title = titleOf(state, chart) + (dial === null ? "" : `; severity ${facet.severities[severity]} is shown`);

@@ -13,7 +13,7 @@ const GLYPHS = ["M1 0A1 1 0 1 1 -1 0A1 1 0 1 1 1 0Z", "M-.9 -.9H.9V.9H-.9Z", "M0
 /// The mark of method number k: eight shapes and seven colours make 56 different marks.
 export function glyph(k, x, y, size) {
   const transform = `translate(${x} ${y}) scale(${size})`;
-  return svg("path", { d: GLYPHS[k % 8], class: `glyph series-${k % 7}`, transform });
+  return svg("path", { d: GLYPHS[k % 8], class: "glyph", fill: `var(--series-${k % 7})`, transform });
 }
 
 /// The same, pale if it has excused wrong decisions, crossed if it has others.

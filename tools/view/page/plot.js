@@ -109,11 +109,11 @@ function traceMarks({ number, methods, places, spread }, x, isSmall) {
     : `${places[k - 1]?.isThere ? "L" : "M"}${at.x} ${at.y}`)).join("");
   if (number === null) return svg("path", { class: "condition", d });
   const every = Math.ceil(LEAST_APART / (x.step ?? LEAST_APART));
-  const size = (isSmall ? 0.6 : 1) * (places.length > 1 ? 3.5 : 5.5);
+  const [size, stroke] = [(isSmall ? 0.6 : 1) * (places.length > 1 ? 3.5 : 5.5), `var(--series-${number % 7})`];
   return svg("g", { "data-method": methods },
-    spread && !isSmall ? svg("path", { class: `spread line-${number % 7}`,
+    spread && !isSmall ? svg("path", { class: "spread", stroke,
       d: `M${x.place(spread[0])} ${places[0].y}H${x.place(spread[1])}` }) : null,
-    svg("path", { class: `curve line-${number % 7}`, "stroke-dasharray": DASHES[number % DASHES.length], d }),
+    svg("path", { class: "curve", stroke, "stroke-dasharray": DASHES[number % DASHES.length], d }),
     places.filter((at, k) => at.isThere && (k % every === 0 || isAlone(k))).map((at) => [
       methodMark(number, at.standing, at.x, at.y, size),
       svg("circle", { class: "touch", cx: at.x, cy: at.y, r: 2 * size })]));
