@@ -1,8 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "scene/precision.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
@@ -19,5 +24,35 @@ std::size_t count_rays(const Case& the_case);
 
 /// All pixels of a camera, row by row.
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
+
+/// What it takes to be right on a case, as measured at the dials of properties/cases/. A level
+/// includes all levels before it.
+enum class Level {
+  kOrdinary,   ///< Any plain, careful code in doubles.
+  kDemanding,  ///< A stable method: far, grazing, nearly tied; no square over- or underflows.
+  kExtreme     ///< All that doubles can express.
+};
+inline constexpr std::array<std::string_view, 3> kLevelNames = {"ordinary", "demanding", "extreme"};
+constexpr std::string_view name(Level level) {
+  return kLevelNames[static_cast<std::size_t>(level)];
+}
+
+/// A case in the format that a candidate is judged in. It replaces the case before truth, law and
+/// candidate see it, so that all three use the same numbers.
+struct RoundedCase {
+  std::optional<Case> the_case;  ///< Empty where it is left out.
+  std::string reason;            ///< Why it is left out.
+  std::size_t changed = 0;       ///< How many numbers of the scene had to be rounded.
+};
+
+/// Every number of the scene rounded to the format, to nearest, ties to even. Left out if a number
+/// leaves the format's range (becomes infinite, or 0), or if the rounded scene has a defect.
+RoundedCase rounded_case(Case the_case, scene::Precision precision);
+
+/// The ray, rounded to the format.
+scene::Ray rounded_ray(scene::Ray ray, scene::Precision precision);
+
+/// Whether every number of the scene is representable in the format.
+bool is_of_format(const scene::Scene& scene, scene::Precision precision);
 
 }  // namespace raycheck::properties

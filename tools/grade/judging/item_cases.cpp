@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "properties/case.h"
 #include "properties/cases/random.h"
 #include "properties/cases/scene_cases.h"
 #include "properties/cases/varied_scene.h"
-#include "properties/rounded_case.h"
 #include "properties/search/stress.h"
 #include "properties/trial.h"
 #include "tools/external/pictures/sphere_colours.h"

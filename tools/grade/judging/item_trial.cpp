@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "properties/laws/law.h"
-#include "properties/laws/needs.h"
 
 namespace raycheck::tools {
 namespace {
