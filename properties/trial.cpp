@@ -101,8 +101,7 @@ Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change) {
 Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions options)
     : Answers(the_case, candidate, options.share),
       options_(std::move(options)),
-      inside_domain_(is_inside_domain(candidate, the_case.scene)),
-      u_of_doubles_(kDoubleRoundoff / scene::unit_roundoff(candidate.precision)) {
+      inside_domain_(is_inside_domain(candidate, the_case.scene)) {
   scene::require_valid(the_case.scene);
   if (!is_of_format(the_case.scene, candidate.precision)) {
     throw std::invalid_argument("a number of the scene is no " +
@@ -136,7 +135,7 @@ Stability Trial::weigh(double error, const Particulars& of) const {
   } else if (!std::isinf(stability.condition)) {
     stability.ratio = error / ((1 + stability.condition) * unit);
   } else {
-    stability.ratio = of.backward ? of.backward() * u_of_doubles_ / unit : 0;
+    stability.ratio = of.backward ? of.backward().in(precision()).value / unit : 0;
   }
   stability.outcome = error <= kExactError * unit       ? Outcome::kExact
                       : error <= kAccurateError * unit  ? Outcome::kAccurate
@@ -154,11 +153,11 @@ bool Trial::grown_bound_allows(const MeasuredError& own, double condition,
                                const Particulars& of) const {
   if (candidate().is_unconditional[static_cast<std::size_t>(own.quantity)]) return false;
   if (std::isinf(condition) && of.backward) {
-    return *own.bound > 0 && of.backward() * u_of_doubles_ <= bound(Quantity::kBackwardError);
+    return *own.bound > 0 && of.backward().in(precision()).value <= bound(Quantity::kBackwardError);
   }
   // Errors are infinite where the exact value is 0, or the answer is not finite.
-  return std::isfinite(own.error) ? own.error <= *own.bound * bound_growth(condition)
-                                  : *own.bound > 0 && std::isinf(condition);
+  return std::isfinite(own.error.value) ? own.error.value <= *own.bound * bound_growth(condition)
+                                        : *own.bound > 0 && std::isinf(condition);
 }
 
 Discrepancy Trial::discrepancy_of(Quantity quantity, const Place& place) const {
@@ -173,18 +172,19 @@ Discrepancy Trial::discrepancy_of(Quantity quantity, const Place& place) const {
 void Trial::examine(Verdict& verdict, const MeasuredError& own, const Particulars& of) const {
   Discrepancy discrepancy = discrepancy_of(own.quantity, own.place);
   if (options_.conditioning) {
-    const Stability stability = weigh(own.error, of);
-    verdict.weighed(own.quantity, own.place, own.error, stability);
+    const Stability stability = weigh(own.error.value, of);
+    verdict.weighed(own.quantity, own.place, own.error.value, stability);
     discrepancy.condition = stability.condition;
   }
-  if (own.error <= *own.bound) return;
+  if (own.error.value <= *own.bound) return;
   if (!discrepancy.condition) discrepancy.condition = of.condition();
   const bool is_allowed = grown_bound_allows(own, *discrepancy.condition, of);
-  if (is_allowed && inside_domain_ && promises_growth(own.quantity) && std::isfinite(own.error)) {
+  if (is_allowed && inside_domain_ && promises_growth(own.quantity) &&
+      std::isfinite(own.error.value)) {
     verdict.count_ill_conditioned(own.quantity);
     return;
   }
-  discrepancy.error = own.error;
+  discrepancy.error = own.error.value;
   of.describe(discrepancy);
   const bool is_number = std::all_of(discrepancy.got.begin(), discrepancy.got.end(),
                                      [](double x) { return std::isfinite(x); });

@@ -86,13 +86,12 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, scene::Precision precision);
 
-/// An error that a law measures. A backward error counts u of doubles, and so does one whose
-/// quantity counts u, as reference/ measures them: they are judged in u of the candidate's format.
-/// One that counts ulp, and every bound, is in the format's own.
+/// An error that a law measures; its bound counts units of the candidate's format, in which errors
+/// are judged.
 struct MeasuredError {
   Quantity quantity;
   Place place;
-  double error;
+  scene::Measured error;
   std::optional<double> bound = {};  ///< Empty: the candidate's on the quantity.
 };
 
@@ -146,12 +145,13 @@ class Trial : public Answers {
   /// error is weighed, by `backward` (a backward error) where kappa is infinite.
   template <class Condition, class Describe>
   void measure(Verdict& verdict, const MeasuredError& measured, const Condition& condition,
-               const Describe& describe, const std::function<double()>& backward = {}) const {
+               const Describe& describe,
+               const std::function<scene::Measured()>& backward = {}) const {
     MeasuredError own = measured;
     own.bound = measured.bound ? measured.bound : bound(measured.quantity);
-    if (own.quantity != Quantity::kParameter) own.error *= u_of_doubles_;
-    verdict.measured(own.quantity, own.place, own.error, *own.bound);
-    if (own.error <= *own.bound && !options_.conditioning) return;
+    own.error = measured.error.in(precision());
+    verdict.measured(own.quantity, own.place, own.error.value, *own.bound);
+    if (own.error.value <= *own.bound && !options_.conditioning) return;
     examine(verdict, own, {condition, describe, backward});
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `excuse` is called
@@ -177,7 +177,7 @@ class Trial : public Answers {
   struct Particulars {
     std::function<double()> condition;
     std::function<void(Discrepancy&)> describe;
-    std::function<double()> backward;
+    std::function<scene::Measured()> backward;
   };
 
   bool promises_exactly(Quantity quantity) const;
@@ -198,7 +198,6 @@ class Trial : public Answers {
 
   TrialOptions options_;
   bool inside_domain_;
-  double u_of_doubles_;  ///< In u of the candidate's format.
   FailedParts failed_parts_;
 };
 

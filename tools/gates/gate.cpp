@@ -93,29 +93,6 @@ std::string outcomes_text(const Gate& gate) {
 
 namespace {
 
-std::string lines_of(std::string_view what, const std::vector<Identity>& identities) {
-  std::string text;
-  for (const Identity& one : identities) {
-    text += fmt::format("  {}: {} on {}, {}, {}: {}\n", what, one.law, one.source, one.place,
-                        one.kind, one.candidate);
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string ratchet_text(const Ratchet& ratchet) {
-  std::string text = fmt::format("held against {}: {} known, {} new, {} mended{}", ratchet.file,
-                                 ratchet.known.size(), ratchet.added.size(), ratchet.mended.size(),
-                                 ratchet.mended.empty() ? "" : " (--update-baseline)");
-  if (!ratchet.unasked.empty()) {
-    text += fmt::format("; {} of the baseline not asked", ratchet.unasked.size());
-  }
-  return text + "\n" + lines_of("new", ratchet.added) + lines_of("mended", ratchet.mended);
-}
-
-namespace {
-
 Json identities_json(const std::vector<Identity>& identities) {
   return list_json(identities, [](const Identity& one) {
     return Json{{"law", one.law},

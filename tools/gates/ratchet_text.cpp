@@ -1,0 +1,29 @@
+#include <fmt/core.h>
+
+#include "tools/gates/gate.h"
+
+namespace raycheck::tools {
+namespace {
+
+std::string lines_of(std::string_view what, const std::vector<Identity>& identities) {
+  std::string text;
+  for (const Identity& one : identities) {
+    text += fmt::format("  {}: {} on {}, {}, {}: {}\n", what, one.law, one.source, one.place,
+                        one.kind, one.candidate);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string ratchet_text(const Ratchet& ratchet) {
+  std::string text = fmt::format("held against {}: {} known, {} new, {} mended{}", ratchet.file,
+                                 ratchet.known.size(), ratchet.added.size(), ratchet.mended.size(),
+                                 ratchet.mended.empty() ? "" : " (--update-baseline)");
+  if (!ratchet.unasked.empty()) {
+    text += fmt::format("; {} of the baseline not asked", ratchet.unasked.size());
+  }
+  return text + "\n" + lines_of("new", ratchet.added) + lines_of("mended", ratchet.mended);
+}
+
+}  // namespace raycheck::tools
