@@ -9,7 +9,6 @@
 
 #include "properties/candidate.h"
 #include "properties/case.h"
-#include "properties/level.h"
 #include "scene/scene.h"
 
 namespace raycheck::library {

@@ -87,7 +87,7 @@ std::string Number::enclosure(int bits) const {
 std::string Number::closed_form() const { return impl_->closed_form(); }
 
 double Number::ulp_error(double given) const {
-  return reference::ulp_error(given, impl_->enclose(reference::ExactRay::kValueBits));
+  return reference::ulp_error(given, impl_->enclose(reference::ExactRay::kValueBits)).value;
 }
 
 double Number::condition() const { return impl_->condition(); }

@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "properties/case.h"
-#include "properties/domain.h"
-#include "properties/level.h"
 #include "properties/quantity.h"
 #include "properties/returns.h"
 #include "scene/plan/plan.h"
@@ -21,6 +19,34 @@
 #include "scene/scene.h"
 
 namespace raycheck::properties {
+
+/// Where a candidate promises anything: nonzero lengths lie between these.
+struct Domain {
+  double smallest_length = 0;
+  double largest_length = std::numeric_limits<double>::infinity();
+  /// Lengths of scenes with a camera must also lie between these.
+  double smallest_camera_length = 0;
+  double largest_camera_length = std::numeric_limits<double>::infinity();
+};
+
+/// Results for smaller lengths may be subnormal, with too few digits for any bound relative to
+/// their size.
+inline constexpr double kSmallestJudgedLength = 0x1p-960;
+
+/// Products of four lengths, such as |T x D|^2, stay normal floats for lengths between these:
+/// outside, nothing is judged in single precision.
+inline constexpr double kSmallestSingleLength = 0x1p-30;
+inline constexpr double kLargestSingleLength = 0x1p30;
+
+/// A domain cut to the lengths that are judged in a format.
+Domain judged_in(scene::Precision precision, Domain domain);
+
+/// True when every nonzero length of the scene lies in [smallest, largest]; for a sphere of radius
+/// 0 its distance counts as one.
+bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
+
+/// True when the scene lies in the domain.
+bool is_inside_domain(const Domain& domain, const scene::Scene& scene);
 
 /// The camera axes that a candidate returns.
 struct FrameAnswer {
@@ -117,26 +143,6 @@ struct Functions {
   /// the time for an answer. Empty: it has no such limit.
   std::function<void(double share)> allow;
 };
-
-/// Which numbers a candidate is asked about: those of a format and, if it demands unit directions,
-/// with rays whose directions are unit but for rounding.
-struct InputFormat {
-  constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
-                        bool demands_unit_directions = false)
-      : precision(its_precision), unit_directions(demands_unit_directions) {}
-  scene::Precision precision;
-  bool unit_directions;
-  bool operator==(const InputFormat&) const = default;
-};
-inline constexpr std::array<InputFormat, 4> kInputFormats = {
-    {{scene::Precision::kDouble, false},
-     {scene::Precision::kDouble, true},
-     {scene::Precision::kSingle, false},
-     {scene::Precision::kSingle, true}}};
-/// Its place among them.
-constexpr std::size_t index_of(InputFormat format) {
-  return 2 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1 : 0);
-}
 
 /// What an implementation promises of its answers.
 struct Promises {

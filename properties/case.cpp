@@ -1,6 +1,13 @@
 #include "properties/case.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <utility>
+
+#include "scene/fields.h"
+#include "scene/number.h"
+#include "scene/validate.h"
 
 namespace raycheck::properties {
 
@@ -15,6 +22,92 @@ std::vector<scene::Pixel> all_pixels(const scene::Camera& camera) {
     for (std::int64_t i = 0; i < camera.width; ++i) pixels.push_back({i, j});
   }
   return pixels;
+}
+
+using scene::Precision;
+
+namespace {
+
+/// Coordinates that are rounded take at most u of a unit vector's length, and u of its square.
+bool is_unit(const scene::Vector3& v, Precision precision) {
+  const auto square = [](double x) { return static_cast<long double>(x) * x; };
+  const long double off = square(v.x) + square(v.y) + square(v.z) - 1;
+  return std::abs(off) <= 4 * scene::unit_roundoff(precision);
+}
+
+/// In long double, so that the coordinates still have to be rounded to a format; without overflow.
+void make_unit(scene::Vector3& v) {
+  const long double x = v.x, y = v.y, z = v.z;
+  const long double length = std::hypot(x, y, z);
+  v = {static_cast<double>(x / length), static_cast<double>(y / length),
+       static_cast<double>(z / length)};
+}
+
+}  // namespace
+
+RoundedCase rounded_case(Case the_case, InputFormat format) {
+  const Precision precision = format.precision;
+  RoundedCase result;
+  if (format.unit_directions) {
+    for (scene::Ray& ray : the_case.scene.rays) {
+      if (is_unit(ray.direction, precision)) continue;
+      make_unit(ray.direction);
+      ++result.made_unit;
+    }
+  }
+  if (precision == Precision::kDouble) {
+    result.the_case = std::move(the_case);
+    return result;
+  }
+  const auto round = [&](double& x) {
+    const double rounded = scene::rounded_to(precision, x);
+    if (rounded == x) return;
+    ++result.changed;
+    const bool is_lost = !std::isfinite(rounded) || rounded == 0;
+    if (is_lost && result.reason.empty()) {
+      result.reason = "rounded to floats: " + scene::shortest(x) + " leaves their range";
+    }
+    x = rounded;
+  };
+  for_each_number(the_case.scene, round);
+  scene::ValidRoots& valid = the_case.scene.conventions.valid;
+  round(valid.t_min);
+  round(valid.t_max);
+  if (the_case.scene.camera) the_case.scene.camera->far.reset();
+  if (!result.reason.empty()) return result;
+  const auto defects = scene::defects(the_case.scene);
+  if (!defects.empty()) {
+    result.reason = "rounded to floats: " + defects.front().field + " = " + defects.front().value +
+                    ": " + defects.front().what;
+    return result;
+  }
+  result.the_case = std::move(the_case);
+  return result;
+}
+
+scene::Ray rounded_ray(scene::Ray ray, InputFormat format) {
+  const Precision precision = format.precision;
+  if (format.unit_directions && !is_unit(ray.direction, precision)) make_unit(ray.direction);
+  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
+                    &ray.direction.z}) {
+    *x = scene::rounded_to(precision, *x);
+  }
+  return ray;
+}
+
+bool is_of_format(const scene::Scene& scene, InputFormat format) {
+  const Precision precision = format.precision;
+  bool all = !format.unit_directions ||
+             std::all_of(scene.rays.begin(), scene.rays.end(), [&](const scene::Ray& ray) {
+               return is_unit(ray.direction, precision);
+             });
+  if (precision == Precision::kDouble) return all;
+  scene::Scene copy = scene;
+  const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };
+  for_each_number(copy, look);
+  look(scene.conventions.valid.t_min);
+  look(scene.conventions.valid.t_max);
+  return all;
 }
 
 }  // namespace raycheck::properties

@@ -92,4 +92,16 @@ inline constexpr double kExcusedRoundoffs = 16;
 inline constexpr double kExcusedChange = kExcusedRoundoffs * kDoubleRoundoff;
 constexpr double excused_change(double unit_roundoff) { return kExcusedRoundoffs * unit_roundoff; }
 
+/// The half of a candidate that can be judged on its own: the rays that it makes, or its answers
+/// about given rays.
+enum class Stage { kRays, kIntersection };
+constexpr std::string_view name(Stage stage) {
+  return stage == Stage::kRays ? "rays" : "intersections";
+}
+
+/// The quantity that measures a stage's accuracy: the direction, or the parameter.
+constexpr Quantity main_quantity(Stage stage) {
+  return stage == Stage::kRays ? Quantity::kDirection : Quantity::kParameter;
+}
+
 }  // namespace raycheck::properties

@@ -98,9 +98,11 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
       const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
       if (hit == nullptr) throw std::runtime_error("candidate misses the sphere it sees");
       const reference::ExactRay& exact = trial.exact_ray(ray);
-      errors[ray].ulp = reference::parameter_error(
-          exact, spheres[*got], exact.intersect(spheres[*got], trial.conventions()), hit->parameter,
-          trial.precision());
+      errors[ray].ulp =
+          reference::parameter_error(exact, spheres[*got],
+                                     exact.intersect(spheres[*got], trial.conventions()),
+                                     hit->parameter, trial.precision())
+              .value;
     }
   }
   return errors;

@@ -5,14 +5,66 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
-#include "properties/rounded_case.h"
+#include "properties/case.h"
 #include "reference/account/nearby_valid.h"
 #include "reference/ray_error.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
+namespace {
+
+/// A part of a batch has its share of the time for a reply, and no less than this one; what is
+/// asked alone has all of it.
+constexpr double kLeastShare = 0.1;
+
+std::shared_ptr<TrialPart> part_of(const Trial& whole, std::size_t from, std::size_t to) {
+  const bool by_ray = whole.ray_count() > 1;
+  Case part{whole.scene(), whole.pixels()};
+  const auto keep = [&](auto& list) {
+    const auto first = list.begin();
+    list = {first + static_cast<std::ptrdiff_t>(from), first + static_cast<std::ptrdiff_t>(to)};
+  };
+  if (!by_ray) {
+    keep(part.scene.spheres);
+  } else if (part.scene.camera) {
+    keep(part.pixels);
+  } else {
+    keep(part.scene.rays);
+  }
+  const std::uint64_t all = count_asked(whole, !by_ray);
+  TrialOptions options = whole.options();
+  options.truth = nullptr;
+  const bool is_one = to - from == 1 && (!by_ray || part.scene.spheres.size() <= 1);
+  const double share = options.share * static_cast<double>(to - from) / static_cast<double>(all);
+  options.share = is_one ? 1 : std::max(kLeastShare, share);
+  return std::make_shared<TrialPart>(std::move(part), by_ray ? from : 0, by_ray ? 0 : from,
+                                     whole.candidate(), options);
+}
+
+}  // namespace
+
+std::uint64_t count_asked(const Trial& trial, bool by_sphere) {
+  const std::size_t spheres = trial.scene().spheres.size();
+  return trial.ray_count() * (by_sphere ? std::max<std::size_t>(1, spheres) : 1);
+}
+
+const std::vector<std::shared_ptr<TrialPart>>& FailedParts::halves(const Trial& whole) {
+  if (halves_.empty()) {
+    const std::size_t all = count_asked(whole, whole.ray_count() <= 1);
+    halves_ = {part_of(whole, 0, all / 2), part_of(whole, all / 2, all)};
+  }
+  return halves_;
+}
+
+Place TrialPart::place(Place of_part) const {
+  if (!of_part.pixel) of_part.ray += first_ray;
+  if (of_part.sphere) *of_part.sphere += first_sphere;
+  return of_part;
+}
+
 namespace {
 
 /// Whether the class or the root of an answer is not the exact one.
@@ -49,8 +101,7 @@ Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change) {
 Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions options)
     : Answers(the_case, candidate, options.share),
       options_(std::move(options)),
-      inside_domain_(is_inside_domain(candidate, the_case.scene)),
-      u_of_doubles_(kDoubleRoundoff / scene::unit_roundoff(candidate.precision)) {
+      inside_domain_(is_inside_domain(candidate, the_case.scene)) {
   scene::require_valid(the_case.scene);
   if (!is_of_format(the_case.scene, candidate.precision)) {
     throw std::invalid_argument("a number of the scene is no " +
@@ -84,7 +135,7 @@ Stability Trial::weigh(double error, const Particulars& of) const {
   } else if (!std::isinf(stability.condition)) {
     stability.ratio = error / ((1 + stability.condition) * unit);
   } else {
-    stability.ratio = of.backward ? of.backward() * u_of_doubles_ / unit : 0;
+    stability.ratio = of.backward ? of.backward().in(precision()).value / unit : 0;
   }
   stability.outcome = error <= kExactError * unit       ? Outcome::kExact
                       : error <= kAccurateError * unit  ? Outcome::kAccurate
@@ -102,11 +153,11 @@ bool Trial::grown_bound_allows(const MeasuredError& own, double condition,
                                const Particulars& of) const {
   if (candidate().is_unconditional[static_cast<std::size_t>(own.quantity)]) return false;
   if (std::isinf(condition) && of.backward) {
-    return *own.bound > 0 && of.backward() * u_of_doubles_ <= bound(Quantity::kBackwardError);
+    return *own.bound > 0 && of.backward().in(precision()).value <= bound(Quantity::kBackwardError);
   }
   // Errors are infinite where the exact value is 0, or the answer is not finite.
-  return std::isfinite(own.error) ? own.error <= *own.bound * bound_growth(condition)
-                                  : *own.bound > 0 && std::isinf(condition);
+  return std::isfinite(own.error.value) ? own.error.value <= *own.bound * bound_growth(condition)
+                                        : *own.bound > 0 && std::isinf(condition);
 }
 
 Discrepancy Trial::discrepancy_of(Quantity quantity, const Place& place) const {
@@ -121,18 +172,19 @@ Discrepancy Trial::discrepancy_of(Quantity quantity, const Place& place) const {
 void Trial::examine(Verdict& verdict, const MeasuredError& own, const Particulars& of) const {
   Discrepancy discrepancy = discrepancy_of(own.quantity, own.place);
   if (options_.conditioning) {
-    const Stability stability = weigh(own.error, of);
-    verdict.weighed(own.quantity, own.place, own.error, stability);
+    const Stability stability = weigh(own.error.value, of);
+    verdict.weighed(own.quantity, own.place, own.error.value, stability);
     discrepancy.condition = stability.condition;
   }
-  if (own.error <= *own.bound) return;
+  if (own.error.value <= *own.bound) return;
   if (!discrepancy.condition) discrepancy.condition = of.condition();
   const bool is_allowed = grown_bound_allows(own, *discrepancy.condition, of);
-  if (is_allowed && inside_domain_ && promises_growth(own.quantity) && std::isfinite(own.error)) {
+  if (is_allowed && inside_domain_ && promises_growth(own.quantity) &&
+      std::isfinite(own.error.value)) {
     verdict.count_ill_conditioned(own.quantity);
     return;
   }
-  discrepancy.error = own.error;
+  discrepancy.error = own.error.value;
   of.describe(discrepancy);
   const bool is_number = std::all_of(discrepancy.got.begin(), discrepancy.got.end(),
                                      [](double x) { return std::isfinite(x); });

@@ -1,24 +1,61 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "properties/answers.h"
 #include "properties/candidate.h"
 #include "properties/case.h"
-#include "properties/domain.h"
-#include "properties/failure_search.h"
 #include "properties/truth.h"
 #include "properties/verdict.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
+
+class Trial;
+struct TrialPart;
+
+/// How many failures of a candidate are searched for in failed batches, in all: each costs at most
+/// two restarts per halving of a batch.
+inline constexpr int kMostFailuresSought = 8;
+
+/// A search for failures, shared by successive trials.
+struct FailureSearch {
+  int batches = 0;     ///< Batches that failed and were asked in parts.
+  int found = 0;       ///< Rays, or rays with a sphere, that fail alone.
+  int together = 0;    ///< Parts that fail, but whose halves are answered.
+  int not_sought = 0;  ///< Batches, or parts, that failed once it was over.
+  /// The messages of failures whatever is asked: each is reported once.
+  std::set<std::string> whatever_asked = {};
+  bool is_over() const { return found + together >= kMostFailuresSought; }
+};
+
+/// How many rays a trial asks about, or `by_sphere` rays with spheres.
+std::uint64_t count_asked(const Trial& trial, bool by_sphere);
+
+/// A trial that failed, asked in parts.
+class FailedParts {
+ public:
+  /// The two halves of its rays, or of one ray's spheres, as trials of their own that are kept.
+  /// Domain: more than one ray or sphere.
+  const std::vector<std::shared_ptr<TrialPart>>& halves(const Trial& whole);
+  bool is_halved() const { return !halves_.empty(); }
+  /// Whether no law has met a failure of all of it in the same words.
+  bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
+
+ private:
+  std::vector<std::shared_ptr<TrialPart>> halves_;
+  std::set<std::string> failures_;
+};
 
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound that replaces the candidate's own.
@@ -49,13 +86,12 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, scene::Precision precision);
 
-/// An error that a law measures. A backward error counts u of doubles, and so does one whose
-/// quantity counts u, as reference/ measures them: they are judged in u of the candidate's format.
-/// One that counts ulp, and every bound, is in the format's own.
+/// An error that a law measures; its bound counts units of the candidate's format, in which errors
+/// are judged.
 struct MeasuredError {
   Quantity quantity;
   Place place;
-  double error;
+  scene::Measured error;
   std::optional<double> bound = {};  ///< Empty: the candidate's on the quantity.
 };
 
@@ -109,12 +145,13 @@ class Trial : public Answers {
   /// error is weighed, by `backward` (a backward error) where kappa is infinite.
   template <class Condition, class Describe>
   void measure(Verdict& verdict, const MeasuredError& measured, const Condition& condition,
-               const Describe& describe, const std::function<double()>& backward = {}) const {
+               const Describe& describe,
+               const std::function<scene::Measured()>& backward = {}) const {
     MeasuredError own = measured;
     own.bound = measured.bound ? measured.bound : bound(measured.quantity);
-    if (own.quantity != Quantity::kParameter) own.error *= u_of_doubles_;
-    verdict.measured(own.quantity, own.place, own.error, *own.bound);
-    if (own.error <= *own.bound && !options_.conditioning) return;
+    own.error = measured.error.in(precision());
+    verdict.measured(own.quantity, own.place, own.error.value, *own.bound);
+    if (own.error.value <= *own.bound && !options_.conditioning) return;
     examine(verdict, own, {condition, describe, backward});
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `excuse` is called
@@ -140,7 +177,7 @@ class Trial : public Answers {
   struct Particulars {
     std::function<double()> condition;
     std::function<void(Discrepancy&)> describe;
-    std::function<double()> backward;
+    std::function<scene::Measured()> backward;
   };
 
   bool promises_exactly(Quantity quantity) const;
@@ -161,7 +198,6 @@ class Trial : public Answers {
 
   TrialOptions options_;
   bool inside_domain_;
-  double u_of_doubles_;  ///< In u of the candidate's format.
   FailedParts failed_parts_;
 };
 

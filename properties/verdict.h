@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,14 +13,235 @@
 #include <utility>
 #include <vector>
 
-#include "properties/excuse.h"
 #include "properties/failures.h"
+#include "properties/quantile_sketch.h"
 #include "properties/quantity.h"
-#include "properties/stability.h"
-#include "properties/tally.h"
+#include "reference/account/nearby_answer.h"
+#include "scene/camera.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
+
+/// The verdict on an answer that differs from the truth. Only a defect counts against the method;
+/// only an excused answer counts as right.
+enum class Standing {
+  kDefect,
+  kUndecided,  ///< Neither a witness was found nor a refutation.
+  kExcused,
+  kNotJudged,  ///< Outside the method's stated domain.
+};
+inline constexpr std::size_t kStandingCount = 4;
+inline constexpr std::array<std::string_view, kStandingCount> kStandingNames = {
+    "defect", "undecided", "excused", "not judged"};
+constexpr std::string_view name(Standing standing) {
+  return kStandingNames[static_cast<std::size_t>(standing)];
+}
+
+enum class ExcuseKind {
+  kNone,
+  kUndecided,
+  kWitness,
+  kThreshold,
+  kIllConditioned,
+  kOutsideDomain,
+};
+/// A kind's name, and what it makes of an answer.
+struct ExcuseInfo {
+  std::string_view name;
+  Standing standing;
+};
+inline constexpr std::array<ExcuseInfo, 6> kExcuses = {
+    {{"", Standing::kDefect},
+     {"undecided", Standing::kUndecided},
+     {"witness", Standing::kExcused},
+     {"threshold", Standing::kExcused},
+     {"ill-conditioned", Standing::kExcused},
+     {"outside the domain", Standing::kNotJudged}}};
+constexpr const ExcuseInfo& info(ExcuseKind kind) {
+  return kExcuses[static_cast<std::size_t>(kind)];
+}
+constexpr std::string_view name(ExcuseKind kind) { return info(kind).name; }
+
+/// Why a discrepancy is not held against the method, if anything.
+struct Excuse {
+  ExcuseKind kind = ExcuseKind::kNone;
+  /// Depends on the kind: the relative change of the inputs within which a witness was found, or a
+  /// refutation (kNone; 0 where no excuse applies), or neither; the threshold that the exact s does
+  /// not exceed; the condition number that allows the error. 0 for other kinds.
+  double amount = 0;
+  /// The changed inputs for which the answer is right, if there is a witness.
+  reference::InputChange witness = {};
+
+  Standing standing() const { return info(kind).standing; }
+  bool operator==(const Excuse&) const = default;
+};
+
+/// The quality of an answer, given the conditioning of its question.
+enum class Outcome {
+  kExact,              ///< The double nearest to the truth, or the right decision.
+  kAccurate,           ///< Off by no more than kAccurateError.
+  kIllConditioned,     ///< Off by more, but kappa explains it: the problem's fault.
+  kUnstable,           ///< Off by more than kappa explains: the method's fault.
+  kExcusedDecision,    ///< A witness shows that a small change of the inputs makes it right.
+  kUndecidedDecision,  ///< Neither that nor the contrary was shown.
+  kWrongDecision,      ///< A defect: no small change of the inputs makes it right.
+  kOutsideDomain,      ///< Off by more than kAccurateError, or wrong, where nothing is promised.
+};
+inline constexpr std::size_t kOutcomeCount = 8;
+inline constexpr std::array<std::string_view, kOutcomeCount> kOutcomeNames = {
+    "exact",
+    "accurate",
+    "ill-conditioned",
+    "unstable",
+    "wrong decision, excused",
+    "wrong decision, undecided",
+    "wrong decision",
+    "outside the stated domain"};
+constexpr std::string_view name(Outcome outcome) {
+  return kOutcomeNames[static_cast<std::size_t>(outcome)];
+}
+
+/// Errors up to these, in the unit of their quantity (ulp or u) times the method's unit roundoff
+/// over that of the format it is judged in, count as exact and as accurate.
+inline constexpr double kExactError = 0.5;
+inline constexpr double kAccurateError = 4;
+
+/// A method is stable on a family of cases when its stability ratio rho = error / ((1 + kappa) u)
+/// stays below this while the severity grows, and no decision is wrong without an excuse.
+inline constexpr double kStableRatio = 16;
+
+/// How far an answer is off, relative to its conditioning.
+struct Stability {
+  double condition = 0;  ///< kappa
+  /// rho; where kappa is infinite (an exact tangent) the backward error in units of u instead.
+  double ratio = 0;
+  Outcome outcome = Outcome::kExact;
+};
+
+/// In what way a decision was wrong.
+enum class Wrong {
+  kNot,
+  kMissed,
+  kFalseHit,
+  kWrongSphere,
+  kWrongRoot,
+  kRefused,
+  kAnswered,
+  kFailed
+};
+inline constexpr std::size_t kWrongCount = 8;
+inline constexpr std::array<std::string_view, kWrongCount> kWrongNames = {
+    "",
+    "missed",
+    "false hit",
+    "wrong sphere",
+    "wrong root",
+    "refused",
+    "answered what is not a problem",
+    "failed"};
+constexpr std::string_view name(Wrong wrong) {
+  return kWrongNames[static_cast<std::size_t>(wrong)];
+}
+
+/// The right answer, where the law knows the truth. A law has shown nothing of a kind that was
+/// expected and never answered right.
+enum class Expected {
+  kHit,
+  kMiss,
+  kSmallerRoot,
+  kLargerRoot,
+  kNearestOfSeveral,  ///< Among several spheres that a ray meets.
+  kOnlySphere,
+  kNoSphere,
+  kRefusal,
+  kValue,  ///< A number or a vector: right if within its bound.
+};
+inline constexpr std::size_t kExpectedCount = 9;
+inline constexpr std::array<std::string_view, kExpectedCount> kExpectedNames = {
+    "hit",         "miss",      "smaller root", "larger root", "nearest of several",
+    "only sphere", "no sphere", "refusal",      "value"};
+constexpr std::string_view name(Expected expected) {
+  return kExpectedNames[static_cast<std::size_t>(expected)];
+}
+
+/// How often a question was asked, and how often the answer was right without an excuse.
+struct Answered {
+  std::uint64_t asked = 0;
+  std::uint64_t right = 0;
+};
+
+/// What in a case an answer is about: a ray (a camera's pixel, or a given ray by its index), and a
+/// sphere if the quantity has one.
+struct Place {
+  std::size_t ray = 0;
+  std::optional<scene::Pixel> pixel;
+  std::optional<std::size_t> sphere;
+};
+
+/// An answer that is right or wrong: what was expected where, and how the answer differs.
+struct Decision {
+  Quantity quantity;
+  Expected expected;
+  Place place;
+  Wrong wrong;
+};
+
+/// The order of places by the ray, then the sphere, then the pixel.
+bool is_earlier(const Place& a, const Place& b);
+
+/// What was compared for one quantity. It does not depend on the order in which parts are counted
+/// and merged; its memory does not grow with their number (properties/quantile_sketch.h).
+struct Tally {
+  std::uint64_t cases = 0;  ///< The right ones, the wrong ones and the errors.
+  std::uint64_t right = 0;
+  std::map<Wrong, std::uint64_t> wrong;
+  std::array<std::uint64_t, kStandingCount> wrong_by_standing = {};
+  std::array<Answered, kExpectedCount> answered = {};  ///< By what was expected.
+  QuantileSketch errors;                               ///< Empty for decisions.
+  /// The least and the greatest bound that errors were compared with.
+  double least_bound = std::numeric_limits<double>::infinity();
+  double greatest_bound = -std::numeric_limits<double>::infinity();
+  std::uint64_t ill_conditioned = 0;  ///< Above the flat bound, within its growth: no discrepancy.
+  /// The largest error; for decisions 2 if one is a defect, 1 if all wrong ones are something else.
+  double worst = -1;
+  Place worst_place;  ///< The earliest of the worst.
+  // Only for trials that ask for the conditioning.
+  QuantileSketch conditions;              ///< One for each error.
+  std::optional<double> worst_condition;  ///< At worst_place.
+  /// The largest stability ratio within the stated domain.
+  std::optional<double> worst_ratio;
+  std::array<std::uint64_t, kOutcomeCount> outcomes = {};
+  /// The largest error over the growth of a documented bound, which is what that bound limits;
+  /// without infinite errors.
+  std::optional<double> max_over_growth;
+
+  void merge(const Tally& other);
+  /// Notes an error, or a wrong answer's badness, if it is the worst.
+  void note_worst(double badness, const Place& place, std::optional<double> condition = {});
+
+  /// The bound that every error was compared with; empty without one, or with several.
+  std::optional<double> bound() const {
+    return least_bound == greatest_bound ? std::optional(greatest_bound) : std::nullopt;
+  }
+  std::uint64_t wrong_answers() const;
+  std::uint64_t count(Wrong kind) const;
+  std::uint64_t count(Standing standing) const {
+    return wrong_by_standing[static_cast<std::size_t>(standing)];
+  }
+  Answered& answers_to(Expected expected) { return answered[static_cast<std::size_t>(expected)]; }
+  std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
+  /// Whether every error counted was weighed by its condition number.
+  bool is_weighed() const { return errors.count() == conditions.count(); }
+  /// Empty when no error was measured. The quantile is the least error that is at least as large as
+  /// this share of all, within kSketchResolution; the maximum is exact.
+  std::optional<double> quantile(double share) const { return errors.quantile(share); }
+  std::optional<double> median() const { return quantile(0.5); }
+  std::optional<double> max() const { return errors.max(); }
+  /// A quantile of the condition numbers.
+  std::optional<double> condition_quantile(double share) const {
+    return conditions.quantile(share);
+  }
+};
 
 /// What is to blame for an answer that failed.
 enum class Blame {

@@ -10,6 +10,8 @@
 namespace raycheck::reference {
 namespace {
 
+using scene::Measured;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 static_assert(2 * kErrorWidth <= kUnitDefectWidth);
 
@@ -19,15 +21,16 @@ bool is_finite(const Triple& value) {
 }
 
 template <class Triple>
-double relative_error_of(const Triple& given, const Enclosure3& exact) {
-  if (!is_finite(given)) return kInfinity;
+Measured relative_error_of(const Triple& given, const Enclosure3& exact) {
+  if (!is_finite(given)) return {kInfinity};
   const Enclosure3 answer = enclose_exactly(given);
-  if (norm(answer - exact).certain_sign() == 0) return 0;
-  return norm(exact).contains_zero() ? kInfinity : in_units_of_u(relative_distance(answer, exact));
+  if (norm(answer - exact).certain_sign() == 0) return {0};
+  return norm(exact).contains_zero() ? Measured{kInfinity}
+                                     : in_units_of_u(relative_distance(answer, exact));
 }
 
 /// A separate function, so that no operation moves to where doubles round upward.
-[[gnu::noinline]] std::optional<double> unit_defect_by_double_doubles(
+[[gnu::noinline]] std::optional<Measured> unit_defect_by_double_doubles(
     const scene::UnitVector3& given) {
   const NearestGuard guard;
   return narrow_error_in_u(distance_from_unit(in_double_doubles(given)));
@@ -35,9 +38,12 @@ double relative_error_of(const Triple& given, const Enclosure3& exact) {
 
 }  // namespace
 
-double ulp_error(double given, const Enclosure& exact, scene::Precision precision) {
-  if (!std::isfinite(given)) return kInfinity;
-  if (exact.certain_sign() == 0) return given == 0 ? 0 : kInfinity;
+Measured ulp_error(double given, const Enclosure& exact, scene::Precision precision) {
+  const auto ulp = [precision](double value) {
+    return Measured{value, scene::Unit::kUlp, precision};
+  };
+  if (!std::isfinite(given)) return ulp(kInfinity);
+  if (exact.certain_sign() == 0) return ulp(given == 0 ? 0 : kInfinity);
   // 128 bits are two words, the most that need no memory from the heap.
   Enclosure error(given, 128);
   arb_sub(error.ball(), error.ball(), exact.ball(), 128);
@@ -52,34 +58,34 @@ double ulp_error(double given, const Enclosure& exact, scene::Precision precisio
   arf_clear(magnitude);
   const slong ulp_exponent = std::max<slong>(exponent - format.digits, format.least_exponent);
   arb_mul_2exp_si(error.ball(), error.ball(), -ulp_exponent);
-  return error.upper();
+  return ulp(error.upper());
 }
 
-double relative_error(const scene::Point3& given, const Enclosure3& exact) {
+Measured relative_error(const scene::Point3& given, const Enclosure3& exact) {
   return relative_error_of(given, exact);
 }
-double relative_error(const scene::UnitVector3& given, const Enclosure3& exact) {
+Measured relative_error(const scene::UnitVector3& given, const Enclosure3& exact) {
   return relative_error_of(given, exact);
 }
 
-double angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
-  if (!is_finite(given)) return kInfinity;
+Measured angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
+  if (!is_finite(given)) return {kInfinity};
   const Enclosure3 direction = enclose_exactly(given);
   const Enclosure cosine = dot(direction, exact);
-  if (cosine.certain_sign() != 1) return kInfinity;
+  if (cosine.certain_sign() != 1) return {kInfinity};
   return in_units_of_u(tangent(direction, exact, cosine));
 }
 
-double unit_defect(const scene::UnitVector3& given) {
-  if (!is_finite(given)) return kInfinity;
+Measured unit_defect(const scene::UnitVector3& given) {
+  if (!is_finite(given)) return {kInfinity};
   if (const auto defect = unit_defect_by_double_doubles(given)) return *defect;
   return in_units_of_u(distance_from_unit(enclose_exactly(given)));
 }
 
-double backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double parameter) {
+Measured backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double parameter) {
   scene::require_valid(ray);
   scene::require_valid(sphere);
-  if (!std::isfinite(parameter)) return kInfinity;
+  if (!std::isfinite(parameter)) return {kInfinity};
   // Doubles span 2098 bits, q at most 4200 and p 8500, where the balls are exact and the loop ends.
   for (int bits = 384;; bits *= 2) {
     const Enclosure s(parameter, bits);
@@ -97,20 +103,20 @@ double backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double
     add_coordinate(ray.origin.x, ray.direction.x, sphere.centre.x);
     add_coordinate(ray.origin.y, ray.direction.y, sphere.centre.y);
     add_coordinate(ray.origin.z, ray.direction.z, sphere.centre.z);
-    if (p.certain_sign() == 0) return 0;
+    if (p.certain_sign() == 0) return {0};
     Enclosure error = abs(p) / half_change;
     if (!error.is_within(1 - std::ilogb(kBackwardErrorWidth))) continue;
     arb_mul_2exp_si(error.ball(), error.ball(), std::numeric_limits<double>::digits - 1);
-    return std::min(error.upper(), kMostBackwardError);
+    return {std::min(error.upper(), kMostBackwardError)};
   }
 }
 
-double in_units_of_u(const Enclosure& x) {
+Measured in_units_of_u(const Enclosure& x) {
   Enclosure scaled = abs(x);
   arb_mul_2exp_si(scaled.ball(), scaled.ball(), std::numeric_limits<double>::digits);
   const double bound = scaled.upper();
   // A ball with an infinite or NaN upper bound bounds nothing.
-  return bound < std::numeric_limits<double>::max() ? bound : kInfinity;
+  return {bound < std::numeric_limits<double>::max() ? bound : kInfinity};
 }
 
 }  // namespace raycheck::reference

@@ -10,6 +10,8 @@
 namespace raycheck::reference {
 namespace {
 
+using scene::Measured;
+
 constexpr int kBits = 256;
 
 Triple<DoubleDouble> triple(const DoubleDoubleKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
@@ -34,8 +36,8 @@ using Pair = LineAndSphere<DoubleDoubleKernel>;
 
 /// The relative distance of a point from value(line).
 template <class Value>
-std::optional<double> distance_by_double_doubles(const ExactRay& ray, const scene::Point3& given,
-                                                 const Value& value) {
+std::optional<Measured> distance_by_double_doubles(const ExactRay& ray, const scene::Point3& given,
+                                                   const Value& value) {
   return by_double_doubles(ray, [&](const Line<DoubleDoubleKernel>& line) {
     return narrow_error_in_u(relative_distance(in_double_doubles(given), triple(value(line))));
   });
@@ -52,20 +54,20 @@ std::optional<int> ulp_exponent(const DoubleDouble& x, scene::Precision precisio
 
 }  // namespace
 
-double pixel_point_error(const ExactRay& ray, const scene::Point3& given) {
+Measured pixel_point_error(const ExactRay& ray, const scene::Point3& given) {
   const auto error =
       distance_by_double_doubles(ray, given, [](const auto& line) { return line.base + line.g; });
   return error ? *error : relative_error(given, ray.pixel_point());
 }
 
-double origin_error(const ExactRay& ray, const scene::Point3& given) {
+Measured origin_error(const ExactRay& ray, const scene::Point3& given) {
   const auto error =
       distance_by_double_doubles(ray, given, [](const auto& line) { return ray_origin(line); });
   return error ? *error : relative_error(given, ray.origin());
 }
 
-double direction_error(const ExactRay& ray, const scene::UnitVector3& given) {
-  const auto error = by_double_doubles(ray, [&](const auto& line) -> std::optional<double> {
+Measured direction_error(const ExactRay& ray, const scene::UnitVector3& given) {
+  const auto error = by_double_doubles(ray, [&](const auto& line) -> std::optional<Measured> {
     const Triple<DoubleDouble> direction = in_double_doubles(given);
     const Triple<DoubleDouble> exact = triple(unit_direction(line));
     const DoubleDouble cosine = dot(direction, exact);
@@ -75,18 +77,20 @@ double direction_error(const ExactRay& ray, const scene::UnitVector3& given) {
   return error ? *error : angle_error(given, ray.direction());
 }
 
-double parameter_error(const ExactRay& ray, const scene::Sphere& sphere,
-                       const Intersection& intersection, double given, scene::Precision precision) {
+Measured parameter_error(const ExactRay& ray, const scene::Sphere& sphere,
+                         const Intersection& intersection, double given,
+                         scene::Precision precision) {
   const auto error = by_double_doubles(ray, sphere, [&](const Pair& pair) -> std::optional<double> {
     const DoubleDouble exact = ray_parameter(pair, root_sign(intersection));
     const std::optional<int> exponent = ulp_exponent(exact, precision);
     return exponent ? narrow_error(abs(DoubleDouble(given) - exact), *exponent) : std::nullopt;
   });
-  return error ? *error : ulp_error(given, ray.parameter(sphere, intersection), precision);
+  return error ? Measured{*error, scene::Unit::kUlp, precision}
+               : ulp_error(given, ray.parameter(sphere, intersection), precision);
 }
 
-double hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
-                       const Intersection& intersection, const scene::Point3& given) {
+Measured hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
+                         const Intersection& intersection, const scene::Point3& given) {
   const auto error = by_double_doubles(ray, sphere, [&](const Pair& pair) {
     return narrow_error_in_u(relative_distance(in_double_doubles(given),
                                                triple(hit_point(pair, root_sign(intersection)))));
@@ -96,7 +100,7 @@ double hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
 
 namespace {
 
-[[gnu::noinline]] std::optional<double> sphere_residual_by_double_doubles(
+[[gnu::noinline]] std::optional<Measured> sphere_residual_by_double_doubles(
     const scene::Sphere& sphere, const scene::Point3& given) {
   const NearestGuard guard;
   return narrow_error_in_u(distance_from_sphere(
@@ -105,14 +109,14 @@ namespace {
 
 }  // namespace
 
-std::optional<double> sphere_residual(const scene::Sphere& sphere, const scene::Point3& given) {
+std::optional<Measured> sphere_residual(const scene::Sphere& sphere, const scene::Point3& given) {
   if (sphere.radius == 0) return std::nullopt;
   if (const auto error = sphere_residual_by_double_doubles(sphere, given)) return error;
   return in_units_of_u(distance_from_sphere(enclose_exactly(given), enclose_exactly(sphere.centre),
                                             Enclosure(sphere.radius, kBits)));
 }
 
-std::optional<double> ray_residual(const ExactRay& ray, const scene::Point3& given) {
+std::optional<Measured> ray_residual(const ExactRay& ray, const scene::Point3& given) {
   const auto error = by_double_doubles(ray, [&](const auto& line) {
     const Triple<DoubleDouble> along = in_double_doubles(given) - triple(ray_origin(line));
     return narrow_error_in_u(distance_from_line(along, triple(unit_direction(line))));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <limits>
 #include <string_view>
@@ -31,6 +32,25 @@ constexpr Format format_of(Precision precision) {
 constexpr double unit_roundoff(Precision precision) {
   return precision == Precision::kSingle ? 0x1p-24 : 0x1p-53;
 }
+
+/// What an error counts: ulp, the gap between the numbers of a format around the exact value, or u
+/// of that value's size.
+enum class Unit { kUlp, kU };
+
+/// An error: so much of a unit, which is that of a format.
+struct Measured {
+  double value = 0;
+  Unit unit = Unit::kU;
+  Precision format = Precision::kDouble;
+
+  /// In u of another format; ulp are of one format only.
+  constexpr Measured in(Precision other) const {
+    if (unit == Unit::kUlp || format == other) return *this;
+    return {value * (unit_roundoff(format) / unit_roundoff(other)), unit, other};
+  }
+  /// Of errors in one unit.
+  auto operator<=>(const Measured&) const = default;
+};
 
 /// The number of the format nearest to a double, ties to even; beyond its range infinite.
 double rounded_to(Precision precision, double x);

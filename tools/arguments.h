@@ -77,8 +77,6 @@ void add_cases(CLI::App& command, Count& cases, const std::string& meaning) {
 
 /// The source of cases of that name, SOURCE or SOURCE@SEVERITY; the error names the option.
 properties::ChosenSource parse_source(std::string_view option, const std::string& name);
-/// That of --family, whose cases must have no cameras.
-properties::ChosenSource parse_given_rays(const std::string& name);
 
 /// The pairs of methods asked for by --rays and --intersect, or what the latter is called.
 std::vector<MethodPair> chosen_methods(const std::string& rays,
@@ -132,10 +130,14 @@ std::vector<Implementation> find_by_stages(const std::vector<std::string>& metho
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
 /// The same for the views of a report.
 template <class Report, std::size_t N>
-void add_format(CLI::App& command, std::string& format, const View<Report> (&views)[N]) {
+std::vector<std::string> names_of(const View<Report> (&views)[N]) {
   std::vector<std::string> names;
   for (const View<Report>& view : views) names.emplace_back(view.name);
-  add_format(command, format, names);
+  return names;
+}
+template <class Report, std::size_t N>
+void add_format(CLI::App& command, std::string& format, const View<Report> (&views)[N]) {
+  add_format(command, format, names_of(views));
 }
 /// --method, of either kind; several.
 void add_methods(CLI::App& command, std::vector<std::string>& methods);
@@ -154,10 +156,6 @@ void add_certificates(CLI::App& command, std::optional<std::string>& path);
 void add_threads(CLI::App& command, int& threads, std::string_view same);
 /// --strict
 void add_strict(CLI::App& command, bool& strict);
-/// --cases, --seed and --precision of the questions that generate prints and verify reads answers
-/// to.
-void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed,
-                   scene::Precision& precision);
 /// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 
@@ -168,12 +166,7 @@ void print_view(const View<Report> (&views)[N], std::string_view format, const R
   const bool colours = stdout_takes_colours();
   for (const View<Report>& view : views) {
     if (view.name != format) continue;
-    const std::string text = view.render(report, {colours});
-    if (view.kind == ViewKind::kCommands) {
-      print_commands(text);
-    } else {
-      print_report(text, colours);
-    }
+    print_report(view.render(report, {colours}), colours);
   }
 }
 

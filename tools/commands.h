@@ -4,8 +4,9 @@
 // read the rows.
 
 #include <functional>
-#include <iterator>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -21,6 +22,15 @@ struct LinkedCommand {
   std::string_view name;
   CommandRun (*add)(CLI::App& command);
 };
+/// The same with its options.
+struct Command {
+  CLI::App* app;
+  CommandRun run;
+};
+/// Describes raycheck, and adds all commands to it; linked ones get their options.
+std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked);
+/// A program: reads its arguments, prints its report, returns its exit code.
+int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linked);
 
 // clang-format off
 /// The commands, in the order of --help: NAME is that of tools/ROOM/NAME_command.cpp, where add_NAME
@@ -38,8 +48,6 @@ struct LinkedCommand {
   ROW(grade, grade, "Grade submissions by a rubric; without any, try the rubric")                   \
   ROW(try, grade, "Grade your own submission by a rubric, as your instructors will")                \
   ROW(rubric, grade, "Print or copy a rubric that comes with raycheck; without a name, list them")  \
-  ROW(generate, study, "Print questions, one a line, for a program to answer")                      \
-  ROW(verify, study, "Judge a program's answers to the questions of generate, from standard input") \
   ROW(list, study, "Show methods, laws, sources and conventions")
 // clang-format on
 

@@ -33,13 +33,15 @@ CLI::Validator report_of(const std::vector<std::string>& kinds) {
 
 }  // namespace
 
-void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std::string>& kinds) {
+void add_gate(CLI::App& command, GateArguments& arguments, std::vector<std::string> formats) {
+  for (const GateFormat& one : gate_formats()) formats.emplace_back(one.name);
+  add_format(command, arguments.format, formats);
   command
       .add_option(
           "--report", arguments.reports,
           fmt::format("write this report, too: KIND is one of {}; several times for several",
-                      fmt::join(kinds, ", ")))
-      ->check(report_of(kinds));
+                      fmt::join(formats, ", ")))
+      ->check(report_of(formats));
   CLI::Option* const baseline =
       command
           .add_option("--baseline", arguments.baseline,

@@ -9,25 +9,37 @@
 
 #include "scene/text.h"
 #include "tools/arguments.h"
-#include "tools/gates/baseline.h"
+#include "tools/gates/gate.h"
 #include "tools/report/output_file.h"
 
 namespace raycheck::tools {
 
-/// The values of --report, --baseline and related options.
+/// The values of --format, --report, --baseline and related options.
 struct GateArguments {
+  std::string format;
   std::vector<std::string> reports;  ///< KIND=FILE
   std::string baseline;
   bool updates = false;
   bool strict = false;
 };
-/// `kinds`: the values of --report.
-void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std::string>& kinds);
+/// --format and --report, of these names and those of gate_formats(), and the options of a
+/// baseline.
+void add_gate(CLI::App& command, GateArguments& arguments, std::vector<std::string> formats);
 template <class Report, std::size_t N>
 void add_gate(CLI::App& command, GateArguments& arguments, const View<Report> (&views)[N]) {
-  std::vector<std::string> kinds;
-  for (const View<Report>& view : views) kinds.emplace_back(view.name);
-  add_gate(command, arguments, kinds);
+  add_gate(command, arguments, names_of(views));
+}
+
+/// Prints a report, or its gate, in the format of this name.
+template <class Report, std::size_t N>
+void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report,
+                const Gate& gate) {
+  print_view(views, format, report);
+  for (const GateFormat& one : gate_formats()) {
+    if (one.name != format) continue;
+    one.kind == ViewKind::kCommands ? print_commands(one.write(gate))
+                                    : print_report(one.write(gate));
+  }
 }
 
 /// The files of a gate: opened before the work, so that hours are not lost, and written after it.
@@ -41,11 +53,13 @@ class GateFiles {
   std::optional<Ratchet> ratchet(const Findings& findings, bool was_interrupted);
 
   template <class Report, std::size_t N>
-  void write(const View<Report> (&views)[N], const Report& report) {
+  void write(const View<Report> (&views)[N], const Report& report, const Gate& gate) {
     for (ReportFile& one : reports_) {
       for (const View<Report>& view : views) {
-        if (view.name != one.kind) continue;
-        one.file->write(scene::visible(view.render(report, {})));
+        if (view.name == one.kind) one.file->write(scene::visible(view.render(report, {})));
+      }
+      for (const GateFormat& format : gate_formats()) {
+        if (format.name == one.kind) one.file->write(scene::visible(format.write(gate)));
       }
     }
   }

@@ -36,14 +36,14 @@ extern "C" void on_signal(int signal) {
   if (signal == SIGINT) std::signal(SIGINT, SIG_DFL);
 }
 
-/// How long to wait for the other end of a stream before checking for interrupts, and how many such
-/// waits it gets after an interrupt.
+/// How long to wait for the other end of standard output before checking for interrupts, and how
+/// many such waits it gets after an interrupt.
 constexpr int kWaitMilliseconds = 100;
 constexpr int kMostWaits = 10;
 
-/// Whether a stream is ready within a wait.
-bool is_ready(int descriptor, short events) {
-  pollfd stream{descriptor, events, 0};
+/// Whether standard output is ready within a wait.
+bool is_ready() {
+  pollfd stream{STDOUT_FILENO, POLLOUT, 0};
   const int count = ::poll(&stream, 1, kWaitMilliseconds);
   if (count < 0 && errno != EINTR) throw std::runtime_error(std::strerror(errno));
   return count > 0;
@@ -76,11 +76,18 @@ int caught_signal() { return first_signal; }
 
 bool has_written_out() { return is_out; }
 
+bool stdout_takes_colours() {
+  const char* no_color = std::getenv("NO_COLOR");
+  return isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
+}
+
+namespace {
+
 void write_out(std::string_view text) {
   is_out = is_out || !text.empty();
   int waits = 0;
   while (!text.empty()) {
-    if (!is_ready(STDOUT_FILENO, POLLOUT)) {
+    if (!is_ready()) {
       waits = interrupted() ? waits + 1 : 0;
       if (waits > kMostWaits) throw scene::Interrupted{};
       continue;
@@ -99,33 +106,6 @@ void write_out(std::string_view text) {
     }
   }
 }
-
-std::string read_in(std::size_t most) {
-  std::string text;
-  std::array<char, 1 << 16> block{};
-  for (;;) {
-    scene::poll();
-    if (!is_ready(STDIN_FILENO, POLLIN)) continue;
-    const ssize_t count = read(STDIN_FILENO, block.data(), block.size());
-    if (count == 0) return text;
-    if (count > 0) {
-      text.append(block.data(), static_cast<std::size_t>(count));
-      if (text.size() > most) {
-        throw std::runtime_error(fmt::format("standard input has more than {} bytes", most));
-      }
-    } else if (errno != EINTR && errno != EAGAIN) {
-      throw std::runtime_error(std::string("standard input could not be read: ") +
-                               std::strerror(errno));
-    }
-  }
-}
-
-bool stdout_takes_colours() {
-  const char* no_color = std::getenv("NO_COLOR");
-  return isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
-}
-
-namespace {
 
 /// The colours of views (red() of tools/report/words.h): start and end.
 constexpr std::array<std::string_view, 2> kColours = {"\x1b[31m", "\x1b[0m"};

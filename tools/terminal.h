@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,15 +20,9 @@ bool interrupted();
 /// The first signal that was caught; 0 if none.
 int caught_signal();
 
-/// Thrown by write_out() if nobody reads standard output any more.
+/// Thrown if nobody reads standard output any more.
 struct ClosedPipe {};
-/// Writes to standard output. After an interrupt, gives up on a reader that does not read for a
-/// second. Errors: ClosedPipe; std::runtime_error; scene::Interrupted when it gives up.
-void write_out(std::string_view text);
 bool has_written_out();
-/// All of standard input. Errors: std::runtime_error, where it has more than `most` bytes, too;
-/// scene::Interrupted.
-std::string read_in(std::size_t most);
 
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.
 bool stdout_takes_colours();
@@ -38,8 +31,8 @@ bool stdout_takes_colours();
 /// Standard error may be closed or full: that must not lose the report.
 void print_error(const std::string& text);
 void print_warnings(const std::vector<std::string>& warnings);
-/// Throws what write_out() throws: a lost report must not look like a good one. `colours`: keeps
-/// the views' colours.
+/// A lost report must not look like a good one: throws ClosedPipe, std::runtime_error, or, where
+/// after an interrupt nobody reads for a second, scene::Interrupted. `colours`: keeps the views'.
 void print_report(const std::string& report, bool colours = false);
 /// Likewise for lines that the log of a GitHub workflow is to execute.
 void print_commands(const std::string& commands);

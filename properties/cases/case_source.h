@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "properties/case.h"
-#include "properties/level.h"
 
 namespace raycheck::properties {
 

@@ -10,13 +10,13 @@ namespace {
 
 using reference::Enclosure3;
 
-/// The largest of the axes' unit defects and mutual cosines, in units of u; infinite when the frame
-/// is left-handed or not finite.
-double orthonormality_error(const FrameAnswer& frame) {
+/// The largest of the axes' unit defects and mutual cosines; infinite when the frame is left-handed
+/// or not finite.
+scene::Measured orthonormality_error(const FrameAnswer& frame) {
   const Enclosure3 U = reference::enclose_exactly(frame.U);
   const Enclosure3 V = reference::enclose_exactly(frame.V);
   const Enclosure3 W = reference::enclose_exactly(frame.W);
-  if (dot(cross(U, V), W).certain_sign() != 1) return std::numeric_limits<double>::infinity();
+  if (dot(cross(U, V), W).certain_sign() != 1) return {std::numeric_limits<double>::infinity()};
   return std::max({reference::unit_defect(frame.U), reference::unit_defect(frame.V),
                    reference::unit_defect(frame.W), reference::in_units_of_u(dot(U, V)),
                    reference::in_units_of_u(dot(V, W)), reference::in_units_of_u(dot(W, U))});

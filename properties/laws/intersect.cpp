@@ -46,7 +46,7 @@ struct Encounter {
     if (exact != nullptr) d.exact = {rounded_s()};
   }
   /// The backward error of the answer, for exactly the ray that the candidate was given.
-  double backward_error() const {
+  scene::Measured backward_error() const {
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
@@ -163,13 +163,13 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
   leave_out_without_hits(verdict);
 }
 
-/// How the candidate's point is off its sphere and its ray, in units of u of r and of s |D|. Both
-/// are differences of world coordinates, so their condition is the size of these over r and s |D|.
+/// How the candidate's point is off its sphere and its ray, as shares of r and of s |D|. Both are
+/// differences of world coordinates, so their condition is the size of these over r and s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const ExactRay& ray = at.ray;
   const scene::Sphere& sphere = at.sphere;
   const scene::Point3& answer = at.answer->point;
-  const auto measure = [&](Quantity quantity, const std::optional<double>& error,
+  const auto measure = [&](Quantity quantity, const std::optional<scene::Measured>& error,
                            const auto& scale) {
     if (!error) return;
     trial.measure(

@@ -1,18 +1,80 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "properties/given_rays.h"
-#include "properties/laws/needs.h"
+#include "properties/case.h"
 #include "properties/quantity.h"
-#include "properties/stage.h"
 #include "properties/trial.h"
 #include "properties/verdict.h"
+#include "scene/conventions.h"
+#include "scene/precision.h"
 
 namespace raycheck::properties {
+
+/// What a law needs from a scene and a candidate to say anything: any combination of these.
+enum class Needs : unsigned {
+  // Of a camera:
+  kFrame = 1 << 0,
+  kPixelPoints = 1 << 1,
+  kMadeRays = 1 << 2,     ///< Under the origin convention, not given ones.
+  kBothOrigins = 1 << 3,  ///< Rays from the pixel points and rays from the eye.
+  kVisible = 1 << 4,      ///< Spheres seen, in an image not too large for the candidate.
+  kImage = 1 << 5,        ///< An image, not too large for the candidate.
+  kPlan = 1 << 6,
+  // Of rays, whether made or given:
+  kRays = 1 << 7,
+  kIntersect = 1 << 8,
+  kNearest = 1 << 9,
+  // Of either:
+  kSpheres = 1 << 10,
+  kSeveralSpheres = 1 << 11,
+  kRefusals = 1 << 12,
+  // Of what a candidate returns of a hit:
+  kParameters = 1 << 13,  ///< s, or a distance.
+  kPoints = 1 << 14,      ///< Q
+  kEither = 1 << 15       ///< One of the two.
+};
+constexpr Needs operator|(Needs a, Needs b) {
+  return static_cast<Needs>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
+}
+/// Whether one of `some` is among what is needed.
+constexpr bool needs_any(Needs needs, Needs some) {
+  return (static_cast<unsigned>(needs) & static_cast<unsigned>(some)) != 0;
+}
+
+/// The needs that only a scene with a camera meets, and those that only a candidate that intersects
+/// rays with spheres meets.
+inline constexpr Needs kOfCameras = Needs::kFrame | Needs::kPixelPoints | Needs::kMadeRays |
+                                    Needs::kBothOrigins | Needs::kVisible | Needs::kImage |
+                                    Needs::kPlan;
+inline constexpr Needs kOfIntersections =
+    Needs::kIntersect | Needs::kNearest | Needs::kVisible | Needs::kImage | Needs::kPlan;
+
+/// Which need a trial does not meet, as a sentence; empty when it meets all.
+std::string_view what_is_missing(Needs needs, const Trial& trial);
+/// Whether its scene meets all needs, whatever the candidate lacks.
+bool scene_suits(Needs needs, const Trial& trial);
+
+/// A case with a camera's rays as given rays, and the pixel of each.
+struct GivenRays {
+  Case the_case;
+  std::vector<scene::Pixel> pixels;
+  std::int64_t width = 0;  ///< Of the image.
+
+  /// Replaces the ray in a place by its pixel.
+  Place place(Place of_ray) const;
+};
+
+/// The case with the exact rays of its camera under these conventions, correctly rounded to a
+/// format and then taken as exact, in place of the camera: for candidates that intersect rays but
+/// make none. Rays that round to non-finite ones are left out; empty if none is left. Domain: a
+/// valid scene with a camera; otherwise throws std::invalid_argument.
+std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
+                                    scene::Precision precision = scene::Precision::kDouble);
 
 /// What a law judges one by one: a scene, a ray, a ray with a sphere, or an image.
 enum class Per { kScene, kRay, kPair, kImage };

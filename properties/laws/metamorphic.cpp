@@ -43,15 +43,14 @@ struct PairAnswer {
   }
 };
 
-/// How far the parameters of two hits are apart, in u.
-double error_between(const PairAnswer& first, const PairAnswer& second, double factor,
-                     bool is_hit) {
+/// How far the parameters of two hits are apart.
+scene::Measured error_between(const PairAnswer& first, const PairAnswer& second, double factor,
+                              bool is_hit) {
   const scene::Precision precision = first.trial.precision();
   const double s = first.hit->parameter, other = second.hit->parameter;
-  // Of ulps as of u: where floats underflow gradually, that is not held against a method.
-  const double error = reference::ulp_error(other, Enclosure(s * factor, 128), precision) *
-                       (scene::unit_roundoff(precision) / kDoubleRoundoff);
-  if (!std::isinf(error) || !is_hit || !std::isfinite(other)) return error;
+  // In ulp: where floats underflow gradually, that is not held against a method.
+  const scene::Measured error = reference::ulp_error(other, Enclosure(s * factor, 128), precision);
+  if (!std::isinf(error.value) || !is_hit || !std::isfinite(other)) return error;
   // One of them is 0: their size is the exact one's.
   const Enclosure apart = Enclosure(other, 128) / Enclosure(factor, 128) - Enclosure(s, 128);
   return reference::in_units_of_u(
@@ -85,12 +84,12 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   trial.judge(verdict, {Quantity::kClass, expected, place, wrong}, excuse, describe);
   if (first.hit == nullptr || second.hit == nullptr) return;
   if (!gives_parameter(trial.candidate().returns)) return;
-  const double error = error_between(first, second, by.factor, is_hit);
+  const scene::Measured error = error_between(first, second, by.factor, is_hit);
   const double bound = 2 * trial.bound(Quantity::kParameter);
   if (is_hit) {
     // Parameters at different roots are a chord apart, however accurate both are.
-    const bool is_other_root =
-        error > bound && first.is_at_other_root() != second.is_at_other_root();
+    const bool is_other_root = error.in(trial.precision()).value > bound &&
+                               first.is_at_other_root() != second.is_at_other_root();
     trial.judge(verdict,
                 {Quantity::kRoot, root_expected(at), place,
                  is_other_root ? Wrong::kWrongRoot : Wrong::kNot},

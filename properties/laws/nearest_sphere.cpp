@@ -67,9 +67,11 @@ void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got
   const Enclosure least(std::numeric_limits<double>::denorm_min(), kDistanceBits);
   const Enclosure error = abs(Enclosure(got, kDistanceBits) - s) - least;
   const Enclosure distance = distance_from_eye(ray, s, trial.conventions().origin);
-  const double relative = error.certain_sign().value_or(1) <= 0 ? 0
-                          : distance.contains_zero() ? std::numeric_limits<double>::infinity()
-                                                     : reference::in_units_of_u(error / distance);
+  scene::Measured relative;
+  if (error.certain_sign().value_or(1) > 0) {
+    relative = distance.contains_zero() ? scene::Measured{std::numeric_limits<double>::infinity()}
+                                        : reference::in_units_of_u(error / distance);
+  }
   trial.measure(
       verdict,
       {Quantity::kHitPoint, trial.place(k, exact.index), relative,

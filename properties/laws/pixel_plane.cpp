@@ -19,7 +19,7 @@ using reference::ExactRay;
 using scene::Pixel;
 using scene::Point3;
 
-constexpr double kInfiniteError = std::numeric_limits<double>::infinity();
+constexpr scene::Measured kInfiniteError = {std::numeric_limits<double>::infinity()};
 constexpr int kBits = 256;
 
 std::string name(const Pixel& pixel) {
@@ -63,7 +63,7 @@ class PlaneAnswers {
     }
     return worst;
   }
-  void measure(Verdict& verdict, std::size_t k, double error, double bound,
+  void measure(Verdict& verdict, std::size_t k, const scene::Measured& error, double bound,
                const std::string& what) const;
 
  private:
@@ -73,9 +73,9 @@ class PlaneAnswers {
   std::vector<Point3> points_;
 };
 
-/// |error| / size in units of u; an exact 0 error is right whatever the size.
-double relative(const Enclosure& error, const Enclosure& size) {
-  if (error.certain_sign() == 0) return 0;
+/// |error| / size; an exact 0 error is right whatever the size.
+scene::Measured relative(const Enclosure& error, const Enclosure& size) {
+  if (error.certain_sign() == 0) return {0};
   return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
 }
 
@@ -91,8 +91,8 @@ bool is_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclos
 }
 
 /// Measures an error at a pixel, with the condition number of all the pixel points.
-void PlaneAnswers::measure(Verdict& verdict, std::size_t k, double error, double bound,
-                           const std::string& what) const {
+void PlaneAnswers::measure(Verdict& verdict, std::size_t k, const scene::Measured& error,
+                           double bound, const std::string& what) const {
   Place place;
   place.pixel = pixels_[k];
   trial_.measure(
@@ -234,8 +234,8 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
     return (abs(b) - abs(a)).certain_sign().value_or(0) > 0;
   };
   const bool right = is_nearer(own.x, opposite.x) && is_nearer(own.y, opposite.y);
-  answers.measure(verdict, 0, right ? 0 : kInfiniteError, trial.bound(Quantity::kPixelPoint),
-                  "corner of pixel (0, 0)");
+  answers.measure(verdict, 0, right ? scene::Measured{} : kInfiniteError,
+                  trial.bound(Quantity::kPixelPoint), "corner of pixel (0, 0)");
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {
@@ -282,7 +282,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   }
   // got ratio / exact ratio - 1; squares are the scenes whose exact ratio is 1.
   const Enclosure got_down = step(2);
-  const double error =
+  const scene::Measured error =
       got_down.contains_zero()
           ? kInfiniteError
           : reference::in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));

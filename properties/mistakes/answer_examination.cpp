@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "properties/candidates/fast_candidate.h"
+#include "properties/case.h"
 #include "properties/mistakes/answer_explanation.h"
-#include "properties/rounded_case.h"
 #include "properties/trial.h"
 #include "scene/interruption.h"
 

@@ -3,9 +3,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/case.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
-#include "properties/rounded_case.h"
 #include "scene/interruption.h"
 
 namespace raycheck::properties {

@@ -7,9 +7,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "properties/case.h"
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
-#include "properties/rounded_case.h"
 #include "scene/interruption.h"
 
 namespace raycheck::properties {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "properties/case.h"
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
-#include "properties/level.h"
 #include "properties/run_control.h"
 
 namespace raycheck::properties {

@@ -5,11 +5,11 @@
 #include <span>
 #include <vector>
 
+#include "properties/case.h"
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
-#include "properties/rounded_case.h"
+#include "properties/quantity.h"
 #include "properties/run_control.h"
-#include "properties/stage.h"
 
 namespace raycheck::properties {
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "reference/internal/kernels.h"
+#include "scene/precision.h"
 
 namespace raycheck::reference {
 
@@ -59,9 +60,10 @@ inline std::optional<double> narrow_error(const DoubleDouble& error, int exponen
   return is_narrow && std::isfinite(bound) ? std::optional(bound) : std::nullopt;
 }
 
-/// The same in units of u = 2^-53.
-inline std::optional<double> narrow_error_in_u(const DoubleDouble& error) {
-  return narrow_error(error, -std::numeric_limits<double>::digits);
+/// The same in u of doubles.
+inline std::optional<scene::Measured> narrow_error_in_u(const DoubleDouble& error) {
+  const auto bound = narrow_error(error, -std::numeric_limits<double>::digits);
+  return bound ? std::optional(scene::Measured{*bound}) : std::nullopt;
 }
 
 }  // namespace raycheck::reference

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <utility>
 
-#include "scene/files/driver_entries.h"
 #include "scene/files/located_fields.h"
 #include "scene/files/scene_file.h"
 #include "scene/interruption.h"
@@ -12,6 +12,51 @@
 
 namespace raycheck::scene {
 namespace {
+
+constexpr std::string_view kSpace = " \t\v\f";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// One meaningful line of a driver file: a keyword and the words after it.
+struct Entry {
+  std::string keyword;
+  std::vector<std::string> words;
+  std::size_t line = 0;  ///< From 1.
+
+  /// The words after the keyword, one space apart.
+  std::string joined() const {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+    return text;
+  }
+};
+
+/// The entries of a driver file, without its comments (from # to the end of a line), whatever its
+/// line endings.
+std::vector<Entry> driver_entries(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  std::vector<Entry> entries;
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    poll();
+    const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
+    std::string_view rest = text.substr(0, length);
+    rest = rest.substr(0, rest.find('#'));
+    const std::size_t line_end = text.substr(length).starts_with("\r\n") ? 2 : 1;
+    text.remove_prefix(std::min(length + line_end, text.size()));
+    Entry entry{"", {}, line};
+    while (rest.find_first_not_of(kSpace) != std::string_view::npos) {
+      rest.remove_prefix(rest.find_first_not_of(kSpace));
+      const std::string_view word = rest.substr(0, rest.find_first_of(kSpace));
+      rest.remove_prefix(word.size());
+      if (entry.keyword.empty()) {
+        entry.keyword = word;
+      } else {
+        entry.words.emplace_back(word);
+      }
+    }
+    if (!entry.keyword.empty()) entries.push_back(std::move(entry));
+  }
+  return entries;
+}
 
 struct Bounds {
   double left = 0;
@@ -21,8 +66,6 @@ struct Bounds {
   bool is_degenerate() const { return left == right || bottom == top; }
   bool is_mirrored() const { return left > right || bottom > top; }
 };
-
-using Entry = DriverEntry;
 
 constexpr std::array<const char*, 3> kBoundsOrders = {
     "left bottom right top", "left right bottom top", "left right bottom top"};

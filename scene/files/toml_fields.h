@@ -20,8 +20,15 @@
 
 namespace raycheck::scene {
 
-/// Parses TOML whose numbers become strings of their digits (scene/files/toml_numbers.h).
-/// Errors: SceneFileError naming the line.
+/// The deepest nesting of lists and tables, and the most parts of a key (a.b.c has 3): toml++
+/// recurses on each, so a line with too many overflows the stack.
+inline constexpr std::size_t kMostNested = 32;
+
+/// Parses TOML of which every bare decimal and hexfloat value is first put in quotes, without its
+/// digit-separating underscores, so that parse_number alone decides how they round: toml++ 3.3
+/// refuses decimals that underflow or exceed 128 characters, and reads hexfloats through 32-bit
+/// integers. Keys, strings, comments, dates, words and integers in other bases stay as they are.
+/// Errors: SceneFileError naming the line, also where nesting exceeds kMostNested.
 toml::table parse_toml(std::string_view text, std::string_view file);
 
 /// The fields of a TOML file, by kind; every error names file, line, field and value.

@@ -66,7 +66,7 @@ void compare(Answer answer, const Ray& ray, const Sphere& sphere, HitRule rule,
     ++audit.overflows;
     error = hit->parameter == kInfinity ? 0 : kInfinity;
   } else if (hit->parameter != rounded) {
-    error = reference::ulp_error(hit->parameter, exact.parameter(sphere, at));
+    error = reference::ulp_error(hit->parameter, exact.parameter(sphere, at)).value;
   }
   if (error > audit.worst_s) {
     audit.worst_s = error;

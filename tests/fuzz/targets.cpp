@@ -11,7 +11,6 @@
 #include "scene/files/scene_file.h"
 #include "scene/text.h"
 #include "scene/validate.h"
-#include "tools/check/verify.h"
 #include "tools/external/protocol/protocol.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/report/picture_file.h"
@@ -83,15 +82,6 @@ void fuzz_picture(std::string_view bytes) {
     const auto pixels = static_cast<std::size_t>(picture.width * picture.height);
     if (picture.pixels.size() != pixels) throw std::logic_error("pixels are missing");
   } catch (const tools::PictureError&) {
-  }
-}
-
-void fuzz_verify(std::string_view bytes) {
-  const tools::VerifyOptions options{
-      .source = properties::chosen_source("tangency"), .cases = 5, .seed = 1, .max_error = {}};
-  try {
-    tools::verify(std::string(bytes), options);
-  } catch (const std::invalid_argument&) {
   }
 }
 

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "properties/candidates/fast_candidate.h"
+#include "properties/case.h"
 #include "properties/laws/law.h"
-#include "properties/rounded_case.h"
 #include "properties/search/campaign.h"
 #include "scene/validate.h"
 

@@ -40,7 +40,7 @@ Fraction exact_backward_error(const Ray& ray, const Sphere& sphere, double param
 }
 
 void expect_exact(const Ray& ray, const Sphere& sphere, double parameter) {
-  const double got = backward_error(ray, sphere, parameter);
+  const double got = backward_error(ray, sphere, parameter).value;
   const Fraction exact = exact_backward_error(ray, sphere, parameter);
   const std::string what = spelled(ray) + spelled(sphere) + " at " + scene::hexfloat(parameter);
   ASSERT_TRUE(std::isfinite(got)) << what;
@@ -76,14 +76,14 @@ TEST(BackwardError, IsExactWhereItIsSpecial) {
            {"the most, of a point", at_zero, {{7, 0, 0}, 0}, 0}}) {
     SCOPED_TRACE(what);
     expect_exact(ray, sphere, s);
-    EXPECT_LE(backward_error(ray, sphere, s), kMostBackwardError);
+    EXPECT_LE(backward_error(ray, sphere, s).value, kMostBackwardError);
   }
 }
 
 TEST(BackwardError, IsInfiniteOfWhatIsNotFinite) {
-  EXPECT_EQ(backward_error(kAlongX, kUnit, kInfinity), kInfinity);
-  EXPECT_EQ(backward_error(kAlongX, kUnit, -kInfinity), kInfinity);
-  EXPECT_EQ(backward_error(kAlongX, kUnit, kNaN), kInfinity);
+  EXPECT_EQ(backward_error(kAlongX, kUnit, kInfinity).value, kInfinity);
+  EXPECT_EQ(backward_error(kAlongX, kUnit, -kInfinity).value, kInfinity);
+  EXPECT_EQ(backward_error(kAlongX, kUnit, kNaN).value, kInfinity);
 }
 
 TEST(BackwardError, RefusesWhatIsNoProblem) {
@@ -111,7 +111,8 @@ TEST(BackwardError, IsExactOnRandomCases) {
       }
       expect_exact(ray, sphere, nudged(s, random.integer(-4, 4)));
       // A rounded s is the root of a ray whose direction was changed by as much, at most u.
-      EXPECT_LE(backward_error(ray, sphere, s), 1 + 0x1p-20) << spelled(ray) << spelled(sphere);
+      EXPECT_LE(backward_error(ray, sphere, s).value, 1 + 0x1p-20)
+          << spelled(ray) << spelled(sphere);
     }
     EXPECT_GE(hits, 200);
   }

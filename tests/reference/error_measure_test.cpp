@@ -55,7 +55,7 @@ TEST(UlpError, IsCountedInGapsAroundTheTruth) {
            {"of less than any float", 0x1p-149, real(0x1p-151), 0.75, kSingle},
            {"below the normal floats", 0x1p-126, real(0x1p-126 - 0x1p-149), 1, kSingle},
            {"at twice the least of these", 0x1p-125, real(0x1p-125 + 0x1p-148), 1, kSingle}}) {
-    EXPECT_EQ(ulp_error(given, exact, precision), ulp) << what;
+    EXPECT_EQ(ulp_error(given, exact, precision).value, ulp) << what;
   }
 }
 
@@ -70,7 +70,7 @@ TEST(UlpError, IsAnUpperBoundThatANarrowEnclosureMakesSharp) {
     int exponent = 0;
     (void)std::frexp(truth, &exponent);
     const Big error = abs(Big(given) - Big(truth)) / power_of_two(std::max(exponent - 53, -1074));
-    const double bound = ulp_error(given, ball);
+    const double bound = ulp_error(given, ball).value;
     ASSERT_GE(Big(bound), error) << scene::hexfloat(truth);
     // An enclosure of a power of two reaches below it, where the gap is half as wide.
     const bool is_power_of_two = magnitude == power_of_two(exponent - 1);
@@ -81,58 +81,58 @@ TEST(UlpError, IsAnUpperBoundThatANarrowEnclosureMakesSharp) {
 TEST(RelativeError, IsTheDistanceOverTheLengthInUnitsOfU) {
   // (3, 4, 0) is 5 long; moved by 2^-50 along z.
   const double expected = 0x1p-50 / 5 * 0x1p53;
-  const double error = relative_error(scene::Point3{3, 4, 0x1p-50}, real3(3, 4, 0));
+  const double error = relative_error(scene::Point3{3, 4, 0x1p-50}, real3(3, 4, 0)).value;
   EXPECT_GE(error, expected * (1 - 1e-15));
   EXPECT_LE(error, expected * (1 + 1e-15));
-  EXPECT_EQ(relative_error(scene::Point3{3, 4, 12}, real3(3, 4, 12)), 0);
-  EXPECT_EQ(relative_error(scene::UnitVector3{1, 0, 0x1p-53}, real3(1, 0, 0)), 1);
+  EXPECT_EQ(relative_error(scene::Point3{3, 4, 12}, real3(3, 4, 12)).value, 0);
+  EXPECT_EQ(relative_error(scene::UnitVector3{1, 0, 0x1p-53}, real3(1, 0, 0)).value, 1);
 }
 
 TEST(RelativeError, OfTheOriginIsNothingOrEverything) {
-  EXPECT_EQ(relative_error(scene::Point3{0, 0, 0}, real3(0, 0, 0)), 0);
-  EXPECT_EQ(relative_error(scene::Point3{0, kSmallest, 0}, real3(0, 0, 0)), kInfinity);
-  EXPECT_EQ(relative_error(scene::Point3{0, kNaN, 0}, real3(1, 0, 0)), kInfinity);
-  EXPECT_EQ(relative_error(scene::Point3{kInfinity, 0, 0}, real3(1, 0, 0)), kInfinity);
+  EXPECT_EQ(relative_error(scene::Point3{0, 0, 0}, real3(0, 0, 0)).value, 0);
+  EXPECT_EQ(relative_error(scene::Point3{0, kSmallest, 0}, real3(0, 0, 0)).value, kInfinity);
+  EXPECT_EQ(relative_error(scene::Point3{0, kNaN, 0}, real3(1, 0, 0)).value, kInfinity);
+  EXPECT_EQ(relative_error(scene::Point3{kInfinity, 0, 0}, real3(1, 0, 0)).value, kInfinity);
 }
 
 TEST(AngleError, IsBlindToLength) {
   const Enclosure3 exact = real3(0.6, 0.8, 0);
-  EXPECT_EQ(angle_error({1.2, 1.6, 0}, exact), 0);
-  const double error = angle_error({1, 0x1p-53, 0}, real3(1, 0, 0));
+  EXPECT_EQ(angle_error({1.2, 1.6, 0}, exact).value, 0);
+  const double error = angle_error({1, 0x1p-53, 0}, real3(1, 0, 0)).value;
   EXPECT_EQ(error, 1);
-  EXPECT_EQ(angle_error({2, 0x1p-52, 0}, real3(1, 0, 0)), 1);
+  EXPECT_EQ(angle_error({2, 0x1p-52, 0}, real3(1, 0, 0)).value, 1);
 }
 
 TEST(AngleError, FromARightAngleOnIsInfinite) {
-  EXPECT_EQ(angle_error({0, 1, 0}, real3(1, 0, 0)), kInfinity);
-  EXPECT_EQ(angle_error({-1, 0, 0}, real3(1, 0, 0)), kInfinity);
-  EXPECT_EQ(angle_error({0, 0, 0}, real3(1, 0, 0)), kInfinity);
-  EXPECT_EQ(angle_error({kNaN, 0, 0}, real3(1, 0, 0)), kInfinity);
-  EXPECT_LT(angle_error({1, 1000, 0}, real3(1, 0, 0)), 1001 * 0x1p53);
+  EXPECT_EQ(angle_error({0, 1, 0}, real3(1, 0, 0)).value, kInfinity);
+  EXPECT_EQ(angle_error({-1, 0, 0}, real3(1, 0, 0)).value, kInfinity);
+  EXPECT_EQ(angle_error({0, 0, 0}, real3(1, 0, 0)).value, kInfinity);
+  EXPECT_EQ(angle_error({kNaN, 0, 0}, real3(1, 0, 0)).value, kInfinity);
+  EXPECT_LT(angle_error({1, 1000, 0}, real3(1, 0, 0)).value, 1001 * 0x1p53);
 }
 
 TEST(UnitDefect, IsHowFarTheLengthIsFromOne) {
-  EXPECT_EQ(unit_defect({1, 0, 0}), 0);
-  EXPECT_EQ(unit_defect({0, -2, 0}), 0x1p53);
-  EXPECT_EQ(unit_defect({0, 0, 0}), 0x1p53);
+  EXPECT_EQ(unit_defect({1, 0, 0}).value, 0);
+  EXPECT_EQ(unit_defect({0, -2, 0}).value, 0x1p53);
+  EXPECT_EQ(unit_defect({0, 0, 0}).value, 0x1p53);
   for (const auto& [z, exact] : {std::pair(nudged(1, 1), 2.0), {nudged(1, -1), 1.0}}) {
-    EXPECT_GE(unit_defect({0, 0, z}), exact);
-    EXPECT_LE(unit_defect({0, 0, z}), exact * (1 + kUnitDefectWidth));
+    EXPECT_GE(unit_defect({0, 0, z}).value, exact);
+    EXPECT_LE(unit_defect({0, 0, z}).value, exact * (1 + kUnitDefectWidth));
   }
-  EXPECT_EQ(unit_defect({0, kInfinity, 0}), kInfinity);
+  EXPECT_EQ(unit_defect({0, kInfinity, 0}).value, kInfinity);
   // 0.6 and 0.8 are rounded: their squares do not quite sum to 1.
   const Big length = sqrt(Big(0.6) * Big(0.6) + Big(0.8) * Big(0.8));
   const Big expected = abs(length - 1) * power_of_two(53);
-  const double defect = unit_defect({0.6, 0.8, 0});
+  const double defect = unit_defect({0.6, 0.8, 0}).value;
   EXPECT_GE(Big(defect), expected);
   EXPECT_LE(Big(defect), expected * (1 + kUnitDefectWidth));
 }
 
 TEST(InUnitsOfU, BoundsFromAbove) {
-  EXPECT_EQ(in_units_of_u(real(-0x1p-53)), 1);
-  EXPECT_EQ(in_units_of_u(real(0)), 0);
-  EXPECT_EQ(in_units_of_u(real(kLargest)), kInfinity);
-  EXPECT_EQ(in_units_of_u(Enclosure(1) / Enclosure(0)), kInfinity);
+  EXPECT_EQ(in_units_of_u(real(-0x1p-53)).value, 1);
+  EXPECT_EQ(in_units_of_u(real(0)).value, 0);
+  EXPECT_EQ(in_units_of_u(real(kLargest)).value, kInfinity);
+  EXPECT_EQ(in_units_of_u(Enclosure(1) / Enclosure(0)).value, kInfinity);
 }
 
 }  // namespace

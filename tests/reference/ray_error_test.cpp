@@ -48,14 +48,15 @@ Triple nudged3(Random& random, const Triple& v) {
 void compare_rays(Comparison& comparison, Random& random, const ExactRay& ray) {
   if (ray.source().camera != nullptr) {
     const scene::Point3 point = nudged3(random, ray.rounded_pixel_point());
-    comparison.expect_bound(pixel_point_error(ray, point),
-                            relative_error(point, ray.pixel_point(kBits)));
+    comparison.expect_bound(pixel_point_error(ray, point).value,
+                            relative_error(point, ray.pixel_point(kBits)).value);
   }
   const scene::Point3 origin = nudged3(random, ray.rounded_origin());
-  comparison.expect_bound(origin_error(ray, origin), relative_error(origin, ray.origin(kBits)));
+  comparison.expect_bound(origin_error(ray, origin).value,
+                          relative_error(origin, ray.origin(kBits)).value);
   const scene::UnitVector3 direction = nudged3(random, ray.rounded_direction());
-  comparison.expect_bound(direction_error(ray, direction),
-                          angle_error(direction, ray.direction(kBits)));
+  comparison.expect_bound(direction_error(ray, direction).value,
+                          angle_error(direction, ray.direction(kBits)).value);
 }
 
 void compare_hits(Comparison& comparison, Random& random, const ExactRay& ray,
@@ -63,17 +64,18 @@ void compare_hits(Comparison& comparison, Random& random, const ExactRay& ray,
   const Intersection at = ray.intersect(sphere);
   if (at.hit_class == HitClass::kMiss) return;
   const double s = nudged(ray.rounded_parameter(sphere, at), random.integer(-3, 3));
-  comparison.expect_bound(parameter_error(ray, sphere, at, s),
-                          ulp_error(s, ray.parameter(sphere, at, kBits)));
+  comparison.expect_bound(parameter_error(ray, sphere, at, s).value,
+                          ulp_error(s, ray.parameter(sphere, at, kBits)).value);
   const scene::Point3 point = nudged3(random, ray.rounded_point(sphere, at));
-  comparison.expect_bound(hit_point_error(ray, sphere, at, point),
-                          relative_error(point, ray.point(sphere, at, kBits)));
+  comparison.expect_bound(hit_point_error(ray, sphere, at, point).value,
+                          relative_error(point, ray.point(sphere, at, kBits)).value);
   const Enclosure3 answer = enclose_exactly(point);
   if (const auto residual = ray_residual(ray, point)) {
     const Enclosure3 along = answer - ray.origin(kBits);
     if (!norm(along).contains_zero()) {
       comparison.expect_bound(
-          *residual, in_units_of_u(norm(cross(along, ray.direction(kBits))) / norm(along)));
+          residual->value,
+          in_units_of_u(norm(cross(along, ray.direction(kBits))) / norm(along)).value);
     }
   }
   const auto residual = sphere_residual(sphere, point);
@@ -81,7 +83,8 @@ void compare_hits(Comparison& comparison, Random& random, const ExactRay& ray,
   if (!residual) return;
   const Enclosure radius(sphere.radius, kBits);
   comparison.expect_bound(
-      *residual, in_units_of_u((norm(answer - enclose_exactly(sphere.centre)) - radius) / radius));
+      residual->value,
+      in_units_of_u((norm(answer - enclose_exactly(sphere.centre)) - radius) / radius).value);
 }
 
 TEST(RayError, IsThatOfBalls) {
@@ -111,26 +114,27 @@ TEST(RayError, LeavesToBallsWhatDoubleDoublesCannotHold) {
   const Intersection at = huge.intersect(sphere);
   ASSERT_EQ(at.hit_class, HitClass::kHit);
   const double s = huge.rounded_parameter(sphere, at);
-  EXPECT_LE(parameter_error(huge, sphere, at, s), 0.5);
-  EXPECT_GE(parameter_error(huge, sphere, at, nudged(s, 2)), 1.5);
+  EXPECT_LE(parameter_error(huge, sphere, at, s).value, 0.5);
+  EXPECT_GE(parameter_error(huge, sphere, at, nudged(s, 2)).value, 1.5);
   const ExactRay grazing(scene::Ray{{-5, nudged(1, -1), 0}, {1, 0, 0}});
   const scene::Sphere unit{{0, 0, 0}, 1};
   const Intersection there = grazing.intersect(unit);
   ASSERT_EQ(there.hit_class, HitClass::kHit);
-  EXPECT_LE(parameter_error(grazing, unit, there, grazing.rounded_parameter(unit, there)), 0.5);
+  EXPECT_LE(parameter_error(grazing, unit, there, grazing.rounded_parameter(unit, there)).value,
+            0.5);
 }
 
 TEST(RayError, OfTheExactValueIsZero) {
   const ExactRay ray(scene::Ray{{-5, 0, 0}, {1, 0, 0}});
   const scene::Sphere sphere{{0, 0, 0}, 1};
   const Intersection at = ray.intersect(sphere);
-  EXPECT_EQ(parameter_error(ray, sphere, at, 4), 0);
-  EXPECT_EQ(parameter_error(ray, sphere, at, nudged(4, -1)), 0.5);
-  EXPECT_EQ(hit_point_error(ray, sphere, at, {-1, 0, 0}), 0);
-  EXPECT_EQ(sphere_residual(sphere, {-1, 0, 0}), 0);
-  EXPECT_EQ(ray_residual(ray, {-1, 0, 0}), 0);
-  EXPECT_EQ(origin_error(ray, {-5, 0, 0}), 0);
-  EXPECT_EQ(direction_error(ray, {1, 0, 0}), 0);
+  EXPECT_EQ(parameter_error(ray, sphere, at, 4).value, 0);
+  EXPECT_EQ(parameter_error(ray, sphere, at, nudged(4, -1)).value, 0.5);
+  EXPECT_EQ(hit_point_error(ray, sphere, at, {-1, 0, 0}).value, 0);
+  EXPECT_EQ(sphere_residual(sphere, {-1, 0, 0}).value().value, 0);
+  EXPECT_EQ(ray_residual(ray, {-1, 0, 0}).value().value, 0);
+  EXPECT_EQ(origin_error(ray, {-5, 0, 0}).value, 0);
+  EXPECT_EQ(direction_error(ray, {1, 0, 0}).value, 0);
   EXPECT_FALSE(ray_residual(ray, {-5, 0, 0}).has_value());
   EXPECT_FALSE(sphere_residual({{0, 0, 0}, 0}, {1, 0, 0}).has_value());
 }
@@ -140,10 +144,10 @@ TEST(RayError, OfWhatIsNotFiniteIsInfinite) {
   const scene::Sphere sphere{{0, 1, 0}, 2};
   const Intersection at = ray.intersect(sphere);
   for (const double bad : {kInfinity, -kInfinity, std::numeric_limits<double>::quiet_NaN()}) {
-    EXPECT_EQ(parameter_error(ray, sphere, at, bad), kInfinity);
-    EXPECT_EQ(hit_point_error(ray, sphere, at, {0, bad, 0}), kInfinity);
-    EXPECT_EQ(origin_error(ray, {bad, 0, 0}), kInfinity);
-    EXPECT_EQ(direction_error(ray, {0, 0, bad}), kInfinity);
+    EXPECT_EQ(parameter_error(ray, sphere, at, bad).value, kInfinity);
+    EXPECT_EQ(hit_point_error(ray, sphere, at, {0, bad, 0}).value, kInfinity);
+    EXPECT_EQ(origin_error(ray, {bad, 0, 0}).value, kInfinity);
+    EXPECT_EQ(direction_error(ray, {0, 0, bad}).value, kInfinity);
     EXPECT_FALSE(is_at_other_root(ray, sphere, at, bad));
   }
 }

@@ -41,9 +41,9 @@ std::vector<std::string> everything(const ExactCamera& camera, const ExactRay& r
   say(condition_of_direction(ray));
   const Enclosure3 exact_direction = ray.direction();
   const scene::UnitVector3 direction = ray.rounded_direction();
-  say(angle_error(direction, exact_direction));
-  say(relative_error(direction, exact_direction));
-  say(unit_defect(direction));
+  say(angle_error(direction, exact_direction).value);
+  say(relative_error(direction, exact_direction).value);
+  say(unit_defect(direction).value);
   say(stage_conditions(ray).direction);
   said.push_back(forms.length().text());
   for (const Sphere& sphere : pair) {
@@ -64,9 +64,10 @@ std::vector<std::string> everything(const ExactCamera& camera, const ExactRay& r
     say(ray.rounded_parameter(sphere, at));
     say3(ray.rounded_point(sphere, at));
     say(ray.parameter(sphere, at).lower());
-    say(ulp_error(ray.rounded_parameter(sphere, at), ray.parameter(sphere, at)));
+    say(ulp_error(ray.rounded_parameter(sphere, at), ray.parameter(sphere, at)).value);
     say(backward_error({ray.rounded_origin(), {direction.x, direction.y, direction.z}}, sphere,
-                       ray.rounded_parameter(sphere, at)));
+                       ray.rounded_parameter(sphere, at))
+            .value);
     say(condition_of_parameter(ray, sphere, at));
     say(condition_of_point(ray, sphere, at));
     said.push_back(forms.parameter(sphere, at).text());

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "tests/tools/program.h"
-#include "tools/command_line.h"
 #include "tools/commands.h"
 
 namespace raycheck::tests {
@@ -81,7 +80,6 @@ const std::string kOfGivenRays = " scene/examples/lecture-examples.toml";
 const std::map<std::string, std::string> kNeeded = {
     {"check", kTenSpheres},
     {"explain", kTenSpheres + " --pixel 3,3"},
-    {"generate", "--family rays"},
     {"grade", "lecture7.toml"},
     {"image", kTenSpheres + " --what error --out /proc/x.png"},
     {"list", ""},
@@ -91,7 +89,6 @@ const std::map<std::string, std::string> kNeeded = {
     {"stress", "--cases 1"},
     {"tradeoff", "--family distance --cases 1"},
     {"try", "lecture7.toml README.md"},
-    {"verify", "--family rays"},
     {"view", kTenSpheres + " --format json"},
     {"worst", "--method intersect/cross --family rays --cases 1 --steps 1"}};
 
@@ -173,8 +170,6 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"properties --replay klass:direct/cross:distance:1", "klass"},
     {"properties --replay class:direct/none:distance:1", "direct/none"},
     {"stress --family moon", "no such family; the families are far-camera"},
-    {"generate --family nowhere", "family nowhere"},
-    {"generate --family cameras", "family cameras: its cases have cameras"},
     // Severities stay in the range of a family.
     {"properties --source distance@16", "severities of 'distance' are 0 to 15"},
     {"worst --method cross --family distance@77", "0 to 15"},
@@ -229,8 +224,8 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"rubric lecture7/frame", "rubric lecture7/frame: none of that name"},
     {"rubric --out somewhere", "--out requires NAME"},
     // Numbers; none is of octal digits.
-    {"generate --family rays --cases 010", "give a whole number from 1 to 1000000000, not '010'"},
-    {"generate --family rays --cases 0x10", "not '0x10'"},
+    {"properties --cases 010", "give a whole number from 1 to 1000000000, not '010'"},
+    {"properties --cases 0x10", "not '0x10'"},
     {"properties --cases 0", "--cases"},
     {"check FAR --pixels 0", "--pixels 0"},
     {"check FAR --pixels some", "--pixels some"},

@@ -186,15 +186,6 @@ TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
     return "'" + temporary_file(name, text) + "'";
   };
   const std::string nul(1, '\0');
-  for (const auto& [line, why] :
-       {std::pair("distance@3:1:0:0" + nul + "x miss\n",
-                  "line 1: 'distance@3:1:0:0\\x00x' was not asked"),
-        {"distance@3:1:0:0 1" + nul + " 1 2 3\n", "line 1: '1\\x00' is not a number\n"},
-        {"a" + nul + "b miss\n", "line 1: 'a\\x00b' was not asked"}}) {
-    const Outcome outcome =
-        run("verify --family distance@3 --cases 2 <" + file("answers", line), 2);
-    EXPECT_TRUE(has(outcome.err, why));
-  }
   const std::string rubric = contents(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7.toml");
   expect_refused("grade " + file("nul.toml", "bounds = \"cross\\u0000x\"\n" + rubric),
                  "nul.toml:1: bounds = \"cross\\x00x\": must be without NUL\n");

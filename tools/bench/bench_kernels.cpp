@@ -119,26 +119,27 @@ Kernel certified_s() {
   auto cases = tools::hitting_cases();
   cases.resize(2000);
   const auto answers = std::make_shared<std::vector<double>>(cases.size());
-  return {"certified-s", cases.size(),
-          [=] {
-            for (std::size_t k = 0; k < cases.size(); ++k) {
-              const reference::ExactRay ray(cases[k].ray);
-              const auto at = ray.intersect(cases[k].sphere);
-              (*answers)[k] =
-                  reference::ulp_error(cases[k].answer, ray.parameter(cases[k].sphere, at));
-            }
-          },
-          [=] {
-            for (std::size_t k = 0; k < cases.size(); ++k) {
-              const reference::ExactRay ray(cases[k].ray);
-              const auto at = ray.intersect(cases[k].sphere, scene::Root::kNearest,
-                                            {reference::Engine::kFieldOnly});
-              const double exact =
-                  reference::ulp_error(cases[k].answer, ray.parameter(cases[k].sphere, at, 400));
-              if ((*answers)[k] < exact || (*answers)[k] > exact + 0x1p-10) return false;
-            }
-            return true;
-          }};
+  return {
+      "certified-s", cases.size(),
+      [=] {
+        for (std::size_t k = 0; k < cases.size(); ++k) {
+          const reference::ExactRay ray(cases[k].ray);
+          const auto at = ray.intersect(cases[k].sphere);
+          (*answers)[k] =
+              reference::ulp_error(cases[k].answer, ray.parameter(cases[k].sphere, at)).value;
+        }
+      },
+      [=] {
+        for (std::size_t k = 0; k < cases.size(); ++k) {
+          const reference::ExactRay ray(cases[k].ray);
+          const auto at = ray.intersect(cases[k].sphere, scene::Root::kNearest,
+                                        {reference::Engine::kFieldOnly});
+          const double exact =
+              reference::ulp_error(cases[k].answer, ray.parameter(cases[k].sphere, at, 400)).value;
+          if ((*answers)[k] < exact || (*answers)[k] > exact + 0x1p-10) return false;
+        }
+        return true;
+      }};
 }
 
 Kernel rays_of_pixels(const fast::PixelRayMethod& method) {

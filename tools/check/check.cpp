@@ -1,6 +1,6 @@
 #include "tools/check/check.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <span>
@@ -76,66 +76,6 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
   return std::move(draft.report);
 }
 
-/// What was left out, a line for each reason, with the candidate's name where not all left it out.
-std::vector<std::string> left_out_lines(const CheckReport& report) {
-  std::vector<std::string> lines;
-  if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
-    lines.push_back(fmt::format("{} of {} pixels: only {} were asked for",
-                                report.rays_in_scene - report.rays_judged, report.rays_in_scene,
-                                report.rays_judged));
-  }
-  if (report.scene.camera && report.scene.camera->far) {
-    lines.emplace_back("camera.far: no quantity depends on it");
-  }
-  lines.emplace_back("laws that relate several answers: raycheck properties tries them");
-  /// The laws left out for one reason, for all candidates or for one, in order.
-  struct Group {
-    std::string whose, reason;
-    std::vector<std::string> laws;
-  };
-  std::vector<Group> groups;
-  const auto add = [&](const std::string& whose, const LeftOut& entry) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
-      return known.whose == whose && known.reason == entry.reason;
-    });
-    if (group == groups.end()) group = groups.insert(group, {whose, entry.reason, {}});
-    if (std::find(group->laws.begin(), group->laws.end(), entry.law) == group->laws.end()) {
-      group->laws.push_back(entry.law);
-    }
-  };
-  for (const CandidateReport& candidate : report.candidates) {
-    for (const LeftOut& entry : candidate.left_out) {
-      const bool all = std::all_of(
-          report.candidates.begin(), report.candidates.end(), [&](const CandidateReport& other) {
-            return std::find(other.left_out.begin(), other.left_out.end(), entry) !=
-                   other.left_out.end();
-          });
-      add(all ? "" : candidate.name + ", ", entry);
-    }
-  }
-  for (const auto& [whose, reason, laws] : groups) {
-    lines.push_back(fmt::format("{}{}: {}", whose, fmt::join(laws, ", "), reason));
-  }
-  return lines;
-}
-
-}  // namespace
-
-bool CheckReport::holds() const {
-  return std::all_of(candidates.begin(), candidates.end(),
-                     [this](const CandidateReport& one) { return one.verdict.holds(strict); });
-}
-
-bool CheckReport::is_enough_judged() const {
-  const bool knows_undecided = ratchet && ratchet->is_conclusive;
-  return !candidates.empty() &&
-         std::all_of(candidates.begin(), candidates.end(), [&](const CandidateReport& one) {
-           return knows_undecided ? one.is_judged() : one.is_enough_judged();
-         });
-}
-
-namespace {
-
 /// The scene, and the implementations as they are to be given it: renderers in the file's own
 /// dialect, where they do not keep their form.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
@@ -175,6 +115,19 @@ std::vector<Implementation> without_equals(const std::vector<Implementation>& im
 
 }  // namespace
 
+bool CheckReport::holds() const {
+  return std::all_of(candidates.begin(), candidates.end(),
+                     [this](const CandidateReport& one) { return one.verdict.holds(strict); });
+}
+
+bool CheckReport::is_enough_judged() const {
+  const bool knows_undecided = ratchet && ratchet->is_conclusive;
+  return !candidates.empty() &&
+         std::all_of(candidates.begin(), candidates.end(), [&](const CandidateReport& one) {
+           return knows_undecided ? one.is_judged() : one.is_enough_judged();
+         });
+}
+
 CheckReport check(const CheckOptions& options, const RunControl& control) {
   const scene::Interruptible interruptible(control.interrupted);
   std::vector<Implementation> implementations = options.implementations;
@@ -213,7 +166,6 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   }
   for (Draft& draft : drafts) report.candidates.push_back(finish(std::move(draft), report.scene));
   report.interrupted = control.interrupted();
-  report.left_out = left_out_lines(report);
   return report;
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,17 +9,13 @@
 
 #include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
-#include "properties/tally.h"
 #include "properties/trial.h"
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
 #include "tools/gates/baseline.h"
 #include "tools/gates/gate.h"
-#include "tools/gates/gate_views.h"
 #include "tools/implementations/implementation.h"
-#include "tools/report/json.h"
 #include "tools/report/view.h"
-#include "tools/report/words.h"
 #include "tools/view/document.h"
 
 namespace raycheck::tools {
@@ -50,9 +45,6 @@ struct ExcludedHits {
 
 /// How many of the worst are kept.
 inline constexpr std::size_t kKeptExcluded = 10;
-
-/// For the rays and spheres of a trial, by the truth alone; empty where every root >= 0 counts.
-ExcludedHits excluded_hits(properties::Trial& trial);
 
 struct CheckOptions {
   std::string path;
@@ -120,7 +112,6 @@ struct CheckReport {
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;
-  std::vector<std::string> left_out;  ///< What no candidate was asked, one line each.
   std::size_t top = 0;
   bool interrupted = false;
   bool strict = false;
@@ -163,19 +154,12 @@ Gate check_gate(const CheckReport& report);
 inline constexpr View<CheckReport> kCheckViews[] = {
     {"text", check_text},
     {"json", check_json},
-    {"junit", gate_view<junit, check_gate>},
-    {"markdown", gate_view<markdown, check_gate>},
-    {"github", gate_view<github, check_gate>, ViewKind::kCommands},
-    {"gitlab-codequality", gate_view<gitlab_codequality, check_gate>},
 };
 
-using NamedPlace = std::function<std::string(const properties::Place&)>;
-/// What was compared of a candidate, a row per quantity; `named` says where it was worst.
-std::string quantities_table(const CandidateReport& candidate,
-                             const NamedPlace& named = place_text);
 /// Why too little was judged to say anything; empty if enough was.
 std::string too_few_text(const CandidateReport& candidate);
-Json candidate_json(const CandidateReport& candidate, std::size_t top);
+/// What was left out, a line for each reason, with the candidate's name where not all left it out.
+std::vector<std::string> left_out_lines(const CheckReport& report);
 
 /// Certificates of each candidate's worst discrepancies, as in check_json: one per line.
 std::string check_certificates(const CheckReport& report);

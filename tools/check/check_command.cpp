@@ -22,7 +22,6 @@ struct CheckArguments {
   std::optional<std::string> certificates;
   std::optional<std::string> view;
   int threads = tbb::info::default_concurrency();
-  std::string format;
   GateArguments gate;
 };
 
@@ -37,11 +36,13 @@ int run_check(CheckArguments& arguments) {
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   CheckReport report = check(options, run_control(options.path, arguments.threads));
-  report.ratchet = files.ratchet(check_gate(report).findings, report.interrupted);
+  Gate gate = check_gate(report);
+  report.ratchet = files.ratchet(gate.findings, report.interrupted);
+  if (report.ratchet) gate = check_gate(report);  // which the baseline is part of
   print_warnings(report.warnings);
-  files.write(kCheckViews, report);
+  files.write(kCheckViews, report, gate);
   if (certificates) certificates->write(check_certificates(report));
-  print_view(kCheckViews, arguments.format, report);
+  print_view(kCheckViews, arguments.gate.format, report, gate);
   if (view) {
     const CheckPageOptions shown = {{}, arguments.judged.name_methods()};
     view->write(page(check_document(report, shown, run_control("page", arguments.threads))));
@@ -82,7 +83,6 @@ CommandRun add_check(CLI::App& command) {
   add_threads(command, arguments.threads, "the report");
   add_certificates(command, arguments.certificates);
   add_view(command, arguments.view, "the scene and its worst discrepancies");
-  add_format(command, arguments.format, kCheckViews);
   add_gate(command, arguments.gate, kCheckViews);
   return [given] { return run_check(*given); };
 }

@@ -6,7 +6,6 @@
 
 #include "properties/laws/law.h"
 #include "tools/check/check.h"
-#include "tools/gates/gate_views.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

@@ -1,5 +1,4 @@
 
-#include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "scene/number.h"
 #include "tools/check/check.h"
@@ -25,8 +24,6 @@ Json excluded_json(const CandidateReport& candidate) {
   });
   return json;
 }
-
-}  // namespace
 
 Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   Json json;
@@ -62,6 +59,8 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   return json;
 }
 
+}  // namespace
+
 std::string check_json(const CheckReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("check");
   add_scene(json, report.path, report.scene);
@@ -80,7 +79,7 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["max_ulp"] = error_json(report.max_error);
   json["strict"] = report.strict;
   json["holds"] = report.holds();
-  json["left_out"] = report.left_out;
+  json["left_out"] = left_out_lines(report);
   json["held_against"] = ratchet_json(report.ratchet);
   return json_text(json);
 }

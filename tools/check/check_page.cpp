@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "properties/quantity.h"
 #include "properties/search/worst_case.h"
-#include "properties/stage.h"
 #include "tools/check/check.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"

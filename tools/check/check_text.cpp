@@ -1,10 +1,9 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
 #include "scene/number.h"
 #include "tools/check/check.h"
-#include "tools/gates/gate_views.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 
@@ -45,20 +44,17 @@ std::string class_error_text(const Tally& tally) {
 }
 
 /// Where a quantity is worst, if it has errors.
-std::string worst_text(const Tally& tally, Quantity quantity, const NamedPlace& named) {
+std::string worst_text(const Tally& tally, Quantity quantity) {
   std::string text;
-  if (tally.worst > 0 && has_place(quantity)) {
-    text = named(tally.worst_place);
-  }
+  if (tally.worst > 0 && has_place(quantity)) text = place_text(tally.worst_place);
   if (tally.ill_conditioned > 0) {
     text += fmt::format("{}({} ill-conditioned)", text.empty() ? "" : " ", tally.ill_conditioned);
   }
   return text;
 }
 
-}  // namespace
-
-std::string quantities_table(const CandidateReport& candidate, const NamedPlace& named) {
+/// What was compared of a candidate, a row per quantity.
+std::string quantities_table(const CandidateReport& candidate) {
   using enum Table::Align;
   Table table({{"quantity"},
                {"cases", kRight},
@@ -73,8 +69,7 @@ std::string quantities_table(const CandidateReport& candidate, const NamedPlace&
     table.add({std::string(info(quantity).name), std::to_string(tally.cases),
                measured ? "" : class_error_text(tally), error_text(tally.median()),
                error_text(tally.max()), error_text(tally.bound()),
-               std::string(unit_name(quantity, candidate.precision)),
-               worst_text(tally, quantity, named)});
+               std::string(unit_name(quantity, candidate.precision)), worst_text(tally, quantity)});
   }
   return table.text();
 }
@@ -171,22 +166,6 @@ std::string failed_question_text(const CheckReport& report) {
   return "";
 }
 
-std::string too_few_text(const CandidateReport& candidate) {
-  if (!candidate.not_asked.empty()) {
-    return fmt::format("  not judged here: {}\n", candidate.not_asked);
-  }
-  if (!candidate.inside_domain) {
-    return "  not judged here: a length of the scene lies outside the domain that is judged\n";
-  }
-  const auto too_few = candidate.too_few_judged();
-  if (!too_few) return "";
-  return fmt::format(
-      "  too few judged: of {}, question \"{}\", no answer is right without an excuse\n",
-      info(too_few->first).name, name(too_few->second));
-}
-
-namespace {
-
 /// What was judged of a candidate, and how.
 std::string candidate_text(const CheckReport& report, const CandidateReport& candidate) {
   const Implementation& implementation = candidate.implementation;
@@ -237,6 +216,62 @@ std::vector<RankedDiscrepancy> worst_of_all(const CheckReport& report) {
 
 }  // namespace
 
+std::string too_few_text(const CandidateReport& candidate) {
+  if (!candidate.not_asked.empty()) {
+    return fmt::format("  not judged here: {}\n", candidate.not_asked);
+  }
+  if (!candidate.inside_domain) {
+    return "  not judged here: a length of the scene lies outside the domain that is judged\n";
+  }
+  const auto too_few = candidate.too_few_judged();
+  if (!too_few) return "";
+  return fmt::format(
+      "  too few judged: of {}, question \"{}\", no answer is right without an excuse\n",
+      info(too_few->first).name, name(too_few->second));
+}
+
+std::vector<std::string> left_out_lines(const CheckReport& report) {
+  std::vector<std::string> lines;
+  if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
+    lines.push_back(fmt::format("{} of {} pixels: only {} were asked for",
+                                report.rays_in_scene - report.rays_judged, report.rays_in_scene,
+                                report.rays_judged));
+  }
+  if (report.scene.camera && report.scene.camera->far) {
+    lines.emplace_back("camera.far: no quantity depends on it");
+  }
+  lines.emplace_back("laws that relate several answers: raycheck properties tries them");
+  /// The laws left out for one reason, for all candidates or for one, in order.
+  struct Group {
+    std::string whose, reason;
+    std::vector<std::string> laws;
+  };
+  std::vector<Group> groups;
+  const auto add = [&](const std::string& whose, const LeftOut& entry) {
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
+      return known.whose == whose && known.reason == entry.reason;
+    });
+    if (group == groups.end()) group = groups.insert(group, {whose, entry.reason, {}});
+    if (std::find(group->laws.begin(), group->laws.end(), entry.law) == group->laws.end()) {
+      group->laws.push_back(entry.law);
+    }
+  };
+  for (const CandidateReport& candidate : report.candidates) {
+    for (const LeftOut& entry : candidate.left_out) {
+      const bool all = std::all_of(
+          report.candidates.begin(), report.candidates.end(), [&](const CandidateReport& other) {
+            return std::find(other.left_out.begin(), other.left_out.end(), entry) !=
+                   other.left_out.end();
+          });
+      add(all ? "" : candidate.name + ", ", entry);
+    }
+  }
+  for (const auto& [whose, reason, laws] : groups) {
+    lines.push_back(fmt::format("{}{}: {}", whose, fmt::join(laws, ", "), reason));
+  }
+  return lines;
+}
+
 std::string check_text(const CheckReport& report, const ViewOptions& options) {
   std::string text = scene_text(report);
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
@@ -258,8 +293,8 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   } else {
     text += report.compared() > 0 ? "\nno discrepancy\n" : "\nnothing was checked\n";
   }
-  if (!report.left_out.empty()) text += "\nleft out:\n";
-  for (const std::string& line : report.left_out) text += "  " + line + "\n";
+  text += "\nleft out:\n";
+  for (const std::string& line : left_out_lines(report)) text += "  " + line + "\n";
   return report.ratchet ? text + "\n" + ratchet_text(*report.ratchet) : text;
 }
 

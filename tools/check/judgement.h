@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/case.h"
 #include "properties/cases/scene_cases.h"
-#include "properties/rounded_case.h"
 #include "properties/run_control.h"
 #include "properties/trial.h"
 #include "scene/plan/plan.h"

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/rounded_case.h"
+#include "properties/case.h"
 #include "reference/account/condition.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"

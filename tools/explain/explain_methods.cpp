@@ -49,16 +49,15 @@ class Steps {
  public:
   explicit Steps(MethodReport& report) : report_(report) {}
 
-  /// `error` counts ulp of the format, or u of doubles, as the quantity has it.
-  MethodStep& add(const char* symbol, std::vector<double> value, std::optional<double> error,
-                  Quantity quantity) {
-    if (error && quantity != Quantity::kParameter) *error = in_u(*error);
-    report_.steps.push_back(
-        {symbol, std::move(value), error, unit_name(quantity, report_.precision)});
+  MethodStep& add(const char* symbol, std::vector<double> value,
+                  const std::optional<scene::Measured>& error, Quantity quantity) {
+    report_.steps.push_back({symbol, std::move(value),
+                             error ? std::optional(in_its_unit(*error)) : std::nullopt,
+                             unit_name(quantity, report_.precision)});
     return report_.steps.back();
   }
-  double in_u(double error_of_doubles) const {
-    return error_of_doubles * properties::kDoubleRoundoff / scene::unit_roundoff(report_.precision);
+  double in_its_unit(const scene::Measured& error) const {
+    return error.in(report_.precision).value;
   }
 
  private:
@@ -104,8 +103,8 @@ void add_ray_steps(Trial& trial, bool is_own, Steps steps) {
         steps.add("P", numbers(got), reference::relative_error(got, exact.pixel_point()),
                   Quantity::kPixelPoint);
     if (own_along) {
-      step.error_alone = reference::relative_error(
-          got, reference::enclose_exactly(camera.eye) - scaled(Enclosure(-1), *own_along));
+      step.error_alone = steps.in_its_unit(reference::relative_error(
+          got, reference::enclose_exactly(camera.eye) - scaled(Enclosure(-1), *own_along)));
     }
   }
   if (trial.has_rays()) {
@@ -113,7 +112,7 @@ void add_ray_steps(Trial& trial, bool is_own, Steps steps) {
     const scene::UnitVector3 got = {D.x, D.y, D.z};
     MethodStep& step = steps.add("D", numbers(got), reference::angle_error(got, exact.direction()),
                                  Quantity::kDirection);
-    if (own_along) step.error_alone = reference::angle_error(got, *own_along);
+    if (own_along) step.error_alone = steps.in_its_unit(reference::angle_error(got, *own_along));
   }
 }
 
@@ -155,7 +154,8 @@ std::optional<double> error_alone(double s, const fast::Roots& roots, const Exac
   const Enclosure d = sqrt(Enclosure(roots.half_chord_sq, kBits));
   const Enclosure3 direction = reference::enclose_exactly(exact.source().given.direction);
   return reference::ulp_error(
-      s, (root == reference::WhichRoot::kSmaller ? v - d : v + d) / norm(direction));
+             s, (root == reference::WhichRoot::kSmaller ? v - d : v + d) / norm(direction))
+      .value;
 }
 
 void add_hit_steps(Trial& trial, const fast::IntersectMethod* own, MethodReport& report) {
@@ -175,16 +175,18 @@ void add_hit_steps(Trial& trial, const fast::IntersectMethod* own, MethodReport&
   report.parameter = hit->parameter;
   const reference::Intersection at = exact.intersect(sphere, trial.conventions());
   const bool meets = reference::counts_as_hit(at.hit_class, trial.conventions().tangent);
-  std::optional<double> off_s, off_point;
+  std::optional<scene::Measured> off_s, off_point;
   if (meets) {
     off_s = reference::ulp_error(hit->parameter, exact.parameter(sphere, at), report.precision);
     off_point = reference::relative_error(hit->point, exact.point(sphere, at));
   }
   const properties::Returns returns = trial.candidate().returns;
   if (trial.exact_hit(0, 0) && properties::gives_parameter(returns)) {
-    report.ulp_error = reference::ulp_error(
-        hit->parameter, trial.exact_ray(0).parameter(sphere, trial.exact_intersection(0, 0)),
-        report.precision);
+    report.ulp_error =
+        reference::ulp_error(hit->parameter,
+                             trial.exact_ray(0).parameter(sphere, trial.exact_intersection(0, 0)),
+                             report.precision)
+            .value;
   }
   if (properties::gives_parameter(returns)) {
     MethodStep& s = steps.add("s", {hit->parameter}, off_s, Quantity::kParameter);
@@ -193,7 +195,7 @@ void add_hit_steps(Trial& trial, const fast::IntersectMethod* own, MethodReport&
   if (!properties::gives_point(returns)) return;
   MethodStep& point = steps.add("Q", numbers(hit->point), off_point, Quantity::kHitPoint);
   if (meets && std::isfinite(hit->parameter)) {
-    point.error_alone = steps.in_u(reference::relative_error(
+    point.error_alone = steps.in_its_unit(reference::relative_error(
         hit->point,
         reference::enclose_exactly(ray.origin) -
             scaled(-Enclosure(hit->parameter, 256), reference::enclose_exactly(ray.direction))));

@@ -4,12 +4,15 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "properties/failures.h"
 #include "tools/gates/baseline.h"
+#include "tools/report/json.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -77,5 +80,23 @@ std::map<std::string, std::array<std::size_t, kGateOutcomes>> outcomes_by_candid
     const Gate& gate);
 /// "12 passed, 1 failed, 2 left out"
 std::string outcomes_text(const Gate& gate);
+
+/// The comparison of a run with a baseline, in lines, for people.
+std::string ratchet_text(const Ratchet& ratchet);
+/// The same as JSON; null where there is no baseline.
+Json ratchet_json(const std::optional<Ratchet>& ratchet);
+
+/// A format for continuous integration: its name for --format and --report, and its writer.
+/// docs/ci.md cites the documentation of the readers.
+struct GateFormat {
+  std::string_view name;
+  std::string (*write)(const Gate& gate);
+  ViewKind kind = ViewKind::kText;
+};
+/// Every format, in the order of --help (formats.cpp).
+std::span<const GateFormat> gate_formats();
+
+/// GitHub accepts summaries of a step up to 1 MiB.
+inline constexpr std::size_t kMostMarkdownBytes = 1'000'000;
 
 }  // namespace raycheck::tools

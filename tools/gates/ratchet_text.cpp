@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "tools/gates/gate_views.h"
+#include "tools/gates/gate.h"
 
 namespace raycheck::tools {
 namespace {

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "properties/rounded_case.h"
+#include "properties/case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/run/in_order.h"

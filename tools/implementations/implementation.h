@@ -9,7 +9,7 @@
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "properties/candidate.h"
-#include "properties/stage.h"
+#include "properties/quantity.h"
 #include "scene/files/scene_file.h"
 
 namespace raycheck::tools {

@@ -11,7 +11,6 @@
 #include "properties/search/campaign.h"
 #include "tools/gates/baseline.h"
 #include "tools/gates/gate.h"
-#include "tools/gates/gate_views.h"
 #include "tools/implementations/implementation.h"
 #include "tools/report/view.h"
 #include "tools/view/document.h"
@@ -78,10 +77,6 @@ Gate properties_gate(const PropertiesReport& report);
 inline constexpr View<PropertiesReport> kPropertiesViews[] = {
     {"text", properties_text},
     {"json", properties_json},
-    {"junit", gate_view<junit, properties_gate>},
-    {"markdown", gate_view<markdown, properties_gate>},
-    {"github", gate_view<github, properties_gate>, ViewKind::kCommands},
-    {"gitlab-codequality", gate_view<gitlab_codequality, properties_gate>},
 };
 
 /// The parts of each source, in the order of sources.

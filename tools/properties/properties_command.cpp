@@ -17,7 +17,6 @@ struct PropertiesArguments {
   std::vector<std::string> sources;
   std::string level;
   std::optional<std::string> view;
-  std::string format;
   GateArguments gate;
 };
 
@@ -38,9 +37,11 @@ int run_properties_command(PropertiesArguments& arguments) {
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   PropertiesReport report = run_properties(options, run_control("laws"));
-  report.ratchet = files.ratchet(properties_gate(report).findings, report.interrupted);
-  files.write(kPropertiesViews, report);
-  print_view(kPropertiesViews, arguments.format, report);
+  Gate gate = properties_gate(report);
+  report.ratchet = files.ratchet(gate.findings, report.interrupted);
+  if (report.ratchet) gate = properties_gate(report);  // which the baseline is part of
+  files.write(kPropertiesViews, report, gate);
+  print_view(kPropertiesViews, arguments.gate.format, report, gate);
   if (view) view->write(page(properties_document(report, run_control("page"))));
   const bool fails = report.ratchet ? report.ratchet->fails() : report.failures() > 0;
   return exit_code(report.interrupted, fails, report.is_conclusive());
@@ -84,7 +85,6 @@ CommandRun add_properties(CLI::App& command) {
   add_view(command, given->view, "the shrunk case of every broken law");
   add_max_ulp(command, options.max_error,
               "the bound on every error (default: the method's documented bounds)");
-  add_format(command, given->format, kPropertiesViews);
   add_gate(command, given->gate, kPropertiesViews);
   return [given] { return run_properties_command(*given); };
 }

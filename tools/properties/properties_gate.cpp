@@ -5,7 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "tools/gates/gate_views.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 

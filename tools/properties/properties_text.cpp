@@ -6,7 +6,6 @@
 #include <span>
 
 #include "properties/cases/case_text.h"
-#include "tools/gates/gate_views.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 

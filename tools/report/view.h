@@ -10,7 +10,7 @@ struct ViewOptions {
   bool colours = false;  ///< For a terminal.
 };
 
-/// What in a view acts on its reader.
+/// What in a text acts on its reader.
 enum class ViewKind {
   kText,      ///< Nothing.
   kCommands,  ///< Lines that GitHub's workflow log interprets.
@@ -22,7 +22,6 @@ template <class Report>
 struct View {
   std::string_view name;
   std::string (*render)(const Report& report, const ViewOptions& options);
-  ViewKind kind = ViewKind::kText;
 };
 
 }  // namespace raycheck::tools

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/case.h"
 #include "properties/cases/random.h"
-#include "properties/rounded_case.h"
 #include "scene/interruption.h"
 #include "tools/tradeoff/tradeoff.h"
 

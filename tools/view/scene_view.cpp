@@ -7,7 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "properties/rounded_case.h"
+#include "properties/case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/implementations/built_in.h"

@@ -2,7 +2,7 @@
 
 #include "properties/case.h"
 #include "properties/run_control.h"
-#include "properties/tally.h"
+#include "properties/verdict.h"
 #include "tools/implementations/built_in.h"
 #include "tools/view/document.h"
 #include "tools/view/pictures/pictures.h"

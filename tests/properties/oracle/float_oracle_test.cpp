@@ -12,11 +12,10 @@
 #include <tuple>
 #include <vector>
 
+#include "properties/case.h"
 #include "properties/cases/case_source.h"
 #include "properties/cases/random.h"
-#include "properties/given_rays.h"
 #include "properties/laws/law.h"
-#include "properties/rounded_case.h"
 #include "properties/trial.h"
 #include "tests/reference/random_cases.h"
 

@@ -1,7 +1,5 @@
 // What an answer is worth: one case for every outcome, and what a family shows of a method.
 
-#include "properties/stability.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "properties/laws/law.h"
 #include "properties/search/stress.h"
 #include "properties/search/worst_case.h"
+#include "properties/verdict.h"
 #include "tests/numbers.h"
 
 namespace raycheck::properties {

@@ -9,7 +9,7 @@
 
 #include "scene/files/file_text.h"
 #include "scene/files/scene_file.h"
-#include "scene/files/toml_numbers.h"
+#include "scene/files/toml_fields.h"
 
 namespace raycheck::scene {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "properties/rounded_case.h"
+#include "properties/case.h"
 #include "scene/files/scene_file.h"
 #include "tests/tools/external/judged.h"
 #include "tools/implementations/built_in.h"

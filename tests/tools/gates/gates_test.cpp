@@ -15,7 +15,7 @@
 
 #include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
-#include "tools/gates/gate_views.h"
+#include "tools/gates/gate.h"
 
 namespace raycheck::tests {
 namespace {
@@ -44,6 +44,13 @@ Gate gate_of(std::size_t failures, const std::string& text, const std::string& c
   gate.checks.push_back({candidate, "parameter/rays", GateOutcome::kInconclusive, text, {}, {}});
   tools::complete(gate, false);
   return gate;
+}
+
+std::string written(std::string_view format, const Gate& gate) {
+  for (const tools::GateFormat& one : tools::gate_formats()) {
+    if (one.name == format) return one.write(gate);
+  }
+  return {};
 }
 
 /// What a JUnit file says, read by Python's XML parser: tests, failures, errors, skipped.
@@ -80,28 +87,29 @@ std::size_t commands_in(const std::string& log) {
 }
 
 TEST(HostileJunit, HasEachCheckOnceWhateverTextsHold) {
-  const std::string path = temporary_file("hostile.xml", junit(gate_of(3, kHostile, kHostile)));
+  const std::string path =
+      temporary_file("hostile.xml", written("junit", gate_of(3, kHostile, kHostile)));
   EXPECT_EQ(read_by_python(path), "6 3 1 1\n");
   EXPECT_TRUE(suits_schema(path));
   EXPECT_FALSE(has(contents(path), "##["));
 }
 
 TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
-  const std::string text = junit(gate_of(100'000, std::string(400, '&'), "mine"));
+  const std::string text = written("junit", gate_of(100'000, std::string(400, '&'), "mine"));
   EXPECT_LT(text.size(), std::size_t{30'000'000});
   const std::string path = temporary_file("large.xml", text);
   EXPECT_EQ(read_by_python(path), "100003 100000 1 1\n");
 }
 
 TEST(HostileMarkdown, IsBelowWhatGitHubTakesAndSaysWhatIsLeftOut) {
-  const std::string text = markdown(gate_of(100'000, "why it failed", "mine"));
+  const std::string text = written("markdown", gate_of(100'000, "why it failed", "mine"));
   EXPECT_LE(text.size(), tools::kMostMarkdownBytes);
   EXPECT_TRUE(has(text, " more: the report as JSON has all"));
   EXPECT_TRUE(has(text, "| mine | 1 | 100000 | 0 | 1 | 1 |"));
 }
 
 TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {
-  const std::string text = markdown(gate_of(1, kHostile, kHostile));
+  const std::string text = written("markdown", gate_of(1, kHostile, kHostile));
   EXPECT_TRUE(has(text, "````text\n"));
   std::size_t rows = 0;
   bool inside = false;
@@ -117,7 +125,7 @@ TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {
 
 TEST(HostileAnnotations, AreAtMostTenAndNoOnesOwn) {
   for (const std::size_t failures : {1, 9, 10, 100}) {
-    const std::string text = github(gate_of(failures, kHostile, kHostile));
+    const std::string text = written("github", gate_of(failures, kHostile, kHostile));
     EXPECT_EQ(commands_in(text), std::min<std::size_t>(failures + 1, 10)) << text;
   }
 }
@@ -127,7 +135,7 @@ TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
   gate.sources = {{"mine", "src/tracer.cpp"}};
   gate.ratchet.emplace();
   gate.ratchet->known = gate.checks[1].defects;
-  const json list = json::parse(gitlab_codequality(gate));
+  const json list = json::parse(written("gitlab-codequality", gate));
   ASSERT_EQ(list.size(), 2u);
   std::set<std::string> fingerprints;
   for (const json& one : list) {
@@ -143,13 +151,13 @@ TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
 
 TEST(Annotations, AreAtTheLineAtWhichTheCandidateDiedOrElseAtItsSource) {
   Gate gate = gate_of(2, "why", "mine");
-  EXPECT_TRUE(has(github(gate), "::error title="));
+  EXPECT_TRUE(has(written("github", gate), "::error title="));
   gate.sources = {{"mine", "src/tracer.cpp"}};
   gate.checks[1].line = {"src/sphere.h", 42};
-  const std::string text = github(gate);
+  const std::string text = written("github", gate);
   EXPECT_TRUE(has(text, "::error file=src/tracer.cpp,line=1,title=raycheck%3A class/0::"));
   EXPECT_TRUE(has(text, "::error file=src/sphere.h,line=42,title=raycheck%3A class/1::"));
-  const json location = json::parse(gitlab_codequality(gate))[1]["location"];
+  const json location = json::parse(written("gitlab-codequality", gate))[1]["location"];
   EXPECT_EQ(location, (json{{"path", "src/sphere.h"}, {"lines", {{"begin", 42}}}}));
 }
 

@@ -37,7 +37,6 @@ std::string scene(const std::string& name) { return " scene/examples/" + name + 
 
 const std::string kRenderer =
     " --candidate \"renderer:python3 tests/candidates/rt.py upside-down {scene} {image}\"";
-const std::string kAnswers = " python3 tests/candidates/answers.py ";
 
 const std::vector<Reports>& all_reports() {
   static const std::vector<Reports> reports = {
@@ -66,9 +65,6 @@ const std::vector<Reports>& all_reports() {
        {"view" + scene("optical-axis") + " --method quadratic", "view" + scene("lecture-examples"),
         "view --family distance --method quadratic --cases 20"}},
       {"plan", {"plan" + scene("ten-spheres")}},
-      {"verify",
-       {"generate --family tangency@2 --cases 20 |" + kAnswers +
-        "all-hits | '" RAYCHECK_BINARY "' verify --family tangency@2 --cases 20"}},
       {"grade",
        {"grade lecture7.toml tests/submissions/rays.py --out OUT",
         "grade lecture7.toml tests/submissions/class/ella tests/submissions/rays.py --probe"}},
@@ -228,7 +224,7 @@ void expect_the_same_tally_everywhere() {
   EXPECT_GE(tallies, 100u);
   EXPECT_GE(wrong, 5u);
   EXPECT_GE(weighed, 20u);
-  for (const char* command : {"check", "properties", "stress", "tradeoff", "verify"}) {
+  for (const char* command : {"check", "properties", "stress", "tradeoff"}) {
     EXPECT_EQ(keys[command].size(), 1u) << command;
     EXPECT_EQ(keys[command], keys["check"]) << command;
   }

@@ -17,7 +17,7 @@
 #include <optional>
 #include <vector>
 
-#include "properties/level.h"
+#include "properties/case.h"
 #include "properties/returns.h"
 #include "scene/precision.h"
 #include "tools/external/protocol/frames.h"

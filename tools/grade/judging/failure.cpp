@@ -4,9 +4,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/case.h"
 #include "properties/cases/shrink.h"
 #include "properties/mistakes/picture_evidence.h"
-#include "properties/rounded_case.h"
 #include "tools/grade/judging/item_trial.h"
 
 namespace raycheck::tools {

@@ -8,8 +8,6 @@
 #include "properties/cases/scene_cases.h"
 #include "properties/cases/varied_scene.h"
 #include "properties/laws/law.h"
-#include "properties/laws/needs.h"
-#include "properties/rounded_case.h"
 #include "properties/search/stress.h"
 #include "properties/trial.h"
 #include "tools/external/pictures/sphere_colours.h"

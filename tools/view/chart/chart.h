@@ -10,8 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/stage.h"
-#include "properties/tally.h"
+#include "properties/quantity.h"
 #include "properties/verdict.h"
 #include "tools/report/json.h"
 
