@@ -8,7 +8,10 @@
 #include "adapter.h"
 
 using namespace raycheck;
-using Kernel = CGAL::Simple_cartesian<double>;
+#ifndef KERNEL
+#define KERNEL CGAL::Simple_cartesian<double>
+#endif
+using Kernel = KERNEL;
 
 static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
   const Kernel::Ray_3 line(to<Kernel::Point_3>(ray.origin), to<Kernel::Vector_3>(ray.direction));

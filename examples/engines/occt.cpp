@@ -4,16 +4,17 @@
 // Source: opencascade/IntAna_IntConicQuad.hxx, gp_Lin.hxx. gp_Dir makes directions unit. Silent on
 // the order of points and on tangents.
 
-#include <IntAna_IntConicQuad.hxx>
-#include <IntAna_Quadric.hxx>
+// IntAna_Quadric.hxx needs the others first.
+// clang-format off
 #include <gp.hxx>
 #include <gp_Ax3.hxx>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
-#include <gp_Dir.hxx>
 #include <gp_Lin.hxx>
-#include <gp_Pnt.hxx>
 #include <gp_Sphere.hxx>
+#include <IntAna_Quadric.hxx>
+#include <IntAna_IntConicQuad.hxx>
+// clang-format on
 
 #include "adapter.h"
 

@@ -1,9 +1,9 @@
-// VecGeom's UnplacedSphere of no inner radius, in doubles: DistanceToIn, and from inside (-1)
-// DistanceToOut. Debian: libvecgeom-dev, whose headers need the macro of the backend that it was
-// built with: -DVECCORE_ENABLE_VC ... -lvecgeom. Source: VecGeom 1.2,
-// VecGeom/volumes/UnplacedSphere.h, UnplacedVolume.h (unit directions), and base/Global.h:
-// what is within kTolerance = 1e-9 of the surface is on it, too coarse for lengths below 1e-3.
-// Spheres have their centres at the origin: whoever uses them subtracts.
+// VecGeom's UnplacedSphere of no inner radius, in doubles: DistanceToOut from inside, DistanceToIn
+// from elsewhere, for which points inside are undefined. Debian: libvecgeom-dev, whose headers need
+// the macro of the backend that it was built with: -DVECCORE_ENABLE_VC ... -lvecgeom.
+// Source: VecGeom/volumes/UnplacedSphere.h, UnplacedVolume.h (unit directions), base/Global.h: what
+// is within kTolerance = 1e-9 of the surface is on it, too coarse for lengths below 1e-3. Spheres
+// have their centres at the origin: whoever uses them subtracts.
 
 #include <VecGeom/volumes/UnplacedSphere.h>
 
@@ -15,7 +15,7 @@ using Vec = vecgeom::Vector3D<double>;
 static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
   const auto origin = to<Vec>(ray.origin) - to<Vec>(sphere.centre), unit = to<Vec>(ray.direction);
   const vecgeom::UnplacedSphere ball(0, sphere.radius);
-  const double distance = ball.Contains(origin)
+  const double distance = ball.Inside(origin) == vecgeom::kInside
                               ? ball.DistanceToOut(origin, unit, vecgeom::kInfLength)
                               : ball.DistanceToIn(origin, unit, vecgeom::kInfLength);
   if (!(distance >= 0 && distance < vecgeom::kInfLength)) return std::nullopt;

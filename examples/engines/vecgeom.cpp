@@ -1,9 +1,9 @@
-// VecGeom's UnplacedOrb, in doubles: DistanceToOut of points that it contains, DistanceToIn of
-// others. Debian: libvecgeom-dev, whose headers need the macro of the backend that it was built
-// with: -DVECCORE_ENABLE_VC ... -lvecgeom. Source: VecGeom 1.2, VecGeom/volumes/UnplacedOrb.h,
-// UnplacedVolume.h (unit directions), and base/Global.h: what is within kTolerance = 1e-9 of the
-// surface is on it, too coarse for lengths below 1e-3. Orbs have their centres at the origin:
-// whoever uses them subtracts.
+// VecGeom's UnplacedOrb, in doubles: DistanceToIn, and where that is negative, from inside,
+// DistanceToOut. Debian: libvecgeom-dev, whose headers need the macro of the backend that it was
+// built with: -DVECCORE_ENABLE_VC ... -lvecgeom.
+// Source: VecGeom/volumes/UnplacedOrb.h, UnplacedVolume.h (unit directions), base/Global.h: what is
+// within kTolerance = 1e-9 of the surface is on it, too coarse for lengths below 1e-3. Orbs have
+// their centres at the origin: whoever uses them subtracts.
 
 #include <VecGeom/volumes/UnplacedOrb.h>
 
@@ -15,9 +15,8 @@ using Vec = vecgeom::Vector3D<double>;
 static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
   const auto origin = to<Vec>(ray.origin) - to<Vec>(sphere.centre), unit = to<Vec>(ray.direction);
   const vecgeom::UnplacedOrb orb(sphere.radius);
-  const double distance = orb.Contains(origin)
-                              ? orb.DistanceToOut(origin, unit, vecgeom::kInfLength)
-                              : orb.DistanceToIn(origin, unit, vecgeom::kInfLength);
+  double distance = orb.DistanceToIn(origin, unit, vecgeom::kInfLength);
+  if (distance < 0) distance = orb.DistanceToOut(origin, unit, vecgeom::kInfLength);
   if (!(distance >= 0 && distance < vecgeom::kInfLength)) return std::nullopt;
   return Hit{distance, {}};
 }
