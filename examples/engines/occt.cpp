@@ -11,6 +11,7 @@
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Lin.hxx>
+#include <gp_Pln.hxx>
 #include <gp_Sphere.hxx>
 #include <IntAna_Quadric.hxx>
 #include <IntAna_IntConicQuad.hxx>
