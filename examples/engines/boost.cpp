@@ -14,4 +14,5 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere,
 }
 
 RAYCHECK_CANDIDATE(.name = "boost-math", .tangent = Tangent::hit, .intersect = intersect,
-                   .level = Level::ordinary, .smallest_length = 0x1p-200, .largest_length = 0x1p200)
+                   .level = Level::ordinary, .smallest_length = kSmallest,
+                   .largest_length = kLargest)

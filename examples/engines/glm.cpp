@@ -1,5 +1,8 @@
-// GLM's intersectRaySphere, which asks for unit directions: whoever uses it sees to that. Debian:
-// libglm-dev.
+// GLM's intersectRaySphere with a distance (in doubles; glm-float.cpp: in floats), which asks for
+// unit directions. Debian: libglm-dev.
+// Source: glm/gtx/intersect.hpp. Silent on tangents, on the root (it is the nearest), and on its
+// epsilon, an absolute ulp of 1: what is not farther than that is behind the origin, so that
+// lengths stay far above it.
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/intersect.hpp>
@@ -8,20 +11,19 @@
 #include "adapter.h"
 
 using namespace raycheck;
-
-static glm::dvec3 dvec3(const Vector& v) { return {v.x, v.y, v.z}; }
+using Vec = glm::vec<3, Real>;
 
 static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
-  const double length = glm::length(dvec3(ray.direction));
-  double distance = 0;
-  if (!glm::intersectRaySphere(dvec3(ray.origin), dvec3(ray.direction) / length,
-                               dvec3(sphere.centre), sphere.radius * sphere.radius, distance)) {
+  const auto radius = static_cast<Real>(sphere.radius);
+  Real distance = 0;
+  if (!glm::intersectRaySphere(to<Vec, Real>(ray.origin), to<Vec, Real>(ray.direction),
+                               to<Vec, Real>(sphere.centre), radius * radius, distance)) {
     return std::nullopt;
   }
-  return hit_at(ray, distance / length);
+  return Hit{distance, {}};
 }
 
-// Its epsilon is the absolute 2^-52: what is not farther than that is behind the origin.
-RAYCHECK_CANDIDATE(.name = "glm", .root = Root::nearest, .tangent = Tangent::hit,
-                   .intersect = intersect, .level = Level::ordinary, .smallest_length = 0x1p-20,
-                   .largest_length = 0x1p200)
+RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
+                   .level = Level::ordinary, .smallest_length = 0x1p-10, .largest_length = kLargest,
+                   .precision = kPrecision, .directions = Directions::unit,
+                   .returns = Returns::distance)

@@ -1,0 +1,22 @@
+// Embree's rtcOccluded1 on a sphere point in a scene of its own, in floats: tfar is -inf where the
+// ray meets it. Debian: libembree-dev; -lembree3.
+// Source: the Embree 3 manual, RTC_GEOMETRY_TYPE_SPHERE_POINT and rtcOccluded1. Silent on tangents;
+// any direction is a ray's.
+
+#include "embree.h"
+
+using namespace raycheck;
+
+static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay query = query_of(ray);
+  rtcOccluded1(kept_scene_of(sphere), &context, &query);
+  if (query.tfar != -std::numeric_limits<float>::infinity()) return std::nullopt;
+  return Hit{};
+}
+
+RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
+                   .level = Level::ordinary, .smallest_length = kSmallest,
+                   .largest_length = kLargest, .precision = kPrecision,
+                   .returns = Returns::class_only)

@@ -1,0 +1,2 @@
+#define SINGLE
+#include "irrlicht.cpp"

@@ -1,0 +1,28 @@
+// OpenVDB's math::Ray::intersects(center, radius, t0, t1), in doubles. Debian: libopenvdb-dev.
+// Of a hit it returns both times, clipped to those of the ray, 1e-9 to the largest double unless
+// it is told others; a clipped one is no intersection. Directions need not be unit.
+// Source: openvdb/math/Ray.h. Silent on tangents.
+
+#include <openvdb/math/Ray.h>
+
+#include "adapter.h"
+
+using namespace raycheck;
+using Vec = openvdb::math::Vec3<Real>;
+
+static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
+  const openvdb::math::Ray<Real> line(to<Vec, Real>(ray.origin), to<Vec, Real>(ray.direction));
+  Real t0 = 0, t1 = 0;
+  if (!line.intersects(to<Vec, Real>(sphere.centre), static_cast<Real>(sphere.radius), t0, t1)) {
+    return std::nullopt;
+  }
+  if (t0 != line.t0()) return Hit{t0, {}};
+  if (t1 != line.t1()) return Hit{t1, {}};
+  return std::nullopt;
+}
+
+RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
+                   .level = Level::ordinary, .smallest_length = kSmallest,
+                   .largest_length = kLargest, .precision = kPrecision, .roots = Roots::declared,
+                   .valid = {.t_min = openvdb::math::Delta<Real>::value()},
+                   .returns = Returns::parameter)
