@@ -1,0 +1,11 @@
+// OGL (npm ogl), Raycast.intersectSphere: the distance, or 0 for a miss. There is no documentation: the directions that its
+// own castMouse makes are unit, and its own intersectBounds takes 0 for a miss. Source: src/extras/Raycast.js.
+import { run } from "./raycheck_candidate.mjs";
+import { Raycast, Vec3 } from "ogl";
+
+function intersect({ origin, direction }, { centre, radius }) {
+  return new Raycast().intersectSphere({ center: new Vec3(...centre), radius }, new Vec3(...origin), new Vec3(...direction)) || null;
+}
+
+// An origin on the sphere cannot be told from a miss.
+run("ogl", { directions: "unit", returns: "distance", tangent: "either", roots: { ends: "(]" }, level: "ordinary", intersect });
