@@ -34,5 +34,7 @@ function intersectBatch(rays, { centre, radius }) {
   return hits;
 }
 
-run("ammo", { precision: "single", returns: "point", root: "smaller", tangent: "either", roots: { tMax: reach }, level: "ordinary",
-  lengths: [2 ** -20, 2 ** 20], intersectBatch });
+run("ammo", {
+  precision: "single", returns: "point", root: "smaller", tangent: "either", roots: { tMax: reach }, level: "ordinary",
+  lengths: [2 ** -20, 2 ** 20], intersectBatch,
+});

@@ -13,5 +13,7 @@ function intersect({ origin, direction }, { centre, radius }) {
   return s > 0 ? s : null;
 }
 
-run("away", { precision: "single", returns: "parameter", root: "smaller", tangent: "either", roots: { ends: "(]" },
-  level: "ordinary", lengths: [2 ** -30, 2 ** 30], intersect });
+run("away", {
+  precision: "single", returns: "parameter", root: "smaller", tangent: "either", roots: { ends: "(]" },
+  level: "ordinary", lengths: [2 ** -30, 2 ** 30], intersect,
+});

@@ -11,4 +11,6 @@ function intersect({ origin, direction }, { centre, radius }) {
   return ray.intersectsSphere(BoundingSphere.CreateFromCenterAndRadius(new Vector3(...centre), radius));
 }
 
-run("babylon", { directions: "unit", returns: "class", tangent: "either", level: "ordinary", intersect });
+run("babylon", {
+  directions: "unit", returns: "class", root: "nearest", tangent: "either", level: "ordinary", intersect,
+});

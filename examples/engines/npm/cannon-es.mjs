@@ -14,4 +14,6 @@ function intersect({ origin, direction }, { centre, radius }) {
   return world.raycastClosest(new Vec3(...origin), far, {}, result) && result.hitPointWorld.toArray();
 }
 
-run("cannon-es", { returns: "point", tangent: "either", roots: { tMax: reach }, level: "ordinary", intersect });
+run("cannon-es", {
+  returns: "point", root: "nearest", tangent: "either", roots: { tMax: reach }, level: "ordinary", intersect,
+});

@@ -11,4 +11,4 @@ function intersect({ origin, direction }, { centre, radius }) {
   return interval && (interval.start > 0 ? interval.start : interval.stop);
 }
 
-run("cesium", { returns: "distance", tangent: "either", level: "ordinary", intersect });
+run("cesium", { returns: "distance", root: "nearest", tangent: "either", level: "ordinary", intersect });

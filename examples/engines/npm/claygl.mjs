@@ -11,5 +11,7 @@ function intersect({ origin, direction }, { centre, radius }) {
   return ray.intersectSphere(new Vector3(...centre), radius)?.array;
 }
 
-run("claygl", { precision: "single", directions: "unit", returns: "point", tangent: "either", level: "ordinary",
-  lengths: [2 ** -30, 2 ** 30], intersect });
+run("claygl", {
+  precision: "single", directions: "unit", returns: "point", root: "nearest", tangent: "either", level: "ordinary",
+  lengths: [2 ** -30, 2 ** 30], intersect,
+});

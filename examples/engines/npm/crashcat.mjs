@@ -12,9 +12,12 @@ const settings = { collideWithBackfaces: false, treatConvexAsSolid: false };
 function intersect({ origin, direction }, { centre, radius }) {
   const collector = createClosestCastRayCollector();
   collector.reset();
-  castRayVsShape(collector, settings, ...origin, ...direction, reach, sphere.create({ radius }), 0, 0, ...centre, 0, 0, 0, 1, 1, 1, 1);
+  const shape = sphere.create({ radius });
+  castRayVsShape(collector, settings, ...origin, ...direction, reach, shape, 0, 0, ...centre, 0, 0, 0, 1, 1, 1, 1);
   return collector.hit.status === CastRayStatus.COLLIDING ? collector.hit.fraction * reach : null;
 }
 
-run("crashcat", { directions: "unit", returns: "distance", tangent: "either", roots: { tMax: reach, unit: "length", culling: "back-faces" },
-  level: "ordinary", intersect });
+run("crashcat", {
+  directions: "unit", returns: "distance", root: "nearest", tangent: "either",
+  roots: { tMax: reach, unit: "length", culling: "back-faces" }, level: "ordinary", intersect,
+});

@@ -11,5 +11,7 @@ function intersect({ origin, direction }, { centre, radius }) {
   return distance > 0 ? distance : null;
 }
 
-run("galacean", { directions: "unit", returns: "distance", root: "smaller", tangent: "either", roots: { ends: "(]" },
-  level: "ordinary", intersect });
+run("galacean", {
+  directions: "unit", returns: "distance", root: "smaller", tangent: "either", roots: { ends: "(]" },
+  level: "ordinary", intersect,
+});

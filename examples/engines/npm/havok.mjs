@@ -31,5 +31,7 @@ function intersectBatch(rays, { centre, radius }) {
   return hits;
 }
 
-run("havok", { precision: "single", returns: "parameter", root: "smaller", tangent: "either", roots: { tMax: reach }, level: "ordinary",
-  lengths: [2 ** -20, 2 ** 20], intersectBatch });
+run("havok", {
+  precision: "single", returns: "parameter", root: "smaller", tangent: "either", roots: { tMax: reach },
+  level: "ordinary", lengths: [2 ** -20, 2 ** 20], intersectBatch,
+});

@@ -1,5 +1,5 @@
 // Hilo3d (npm hilo3d), Ray.intersectsSphere(center, radius): the point, or null. Vectors are stored in floats (gl-matrix).
-// Silent about unit directions, which the code needs, tangents and origins inside. The package is for browsers: what it looks
+// Silent about unit directions, which the code needs, tangents and origins inside; the code takes the smaller root alone. The package is for browsers: what it looks
 // for while it loads is made up here. Source: types/index.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 
@@ -14,5 +14,7 @@ function intersect({ origin, direction }, { centre, radius }) {
   return ray.intersectsSphere(centre, radius)?.elements;
 }
 
-run("hilo3d", { precision: "single", directions: "unit", returns: "point", tangent: "either", level: "ordinary",
-  lengths: [2 ** -30, 2 ** 30], intersect });
+run("hilo3d", {
+  precision: "single", directions: "unit", returns: "point", root: "smaller", tangent: "either", level: "ordinary",
+  lengths: [2 ** -30, 2 ** 30], intersect,
+});

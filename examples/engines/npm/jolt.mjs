@@ -38,5 +38,7 @@ function intersectBatch(rays, { centre, radius }) {
   return hits;
 }
 
-run("jolt", { precision: "single", returns: "parameter", tangent: "either", roots: { tMax: reach }, level: "ordinary",
-  lengths: [2 ** -30, 2 ** 30], intersectBatch });
+run("jolt", {
+  precision: "single", returns: "parameter", root: "nearest", tangent: "either", roots: { tMax: reach },
+  level: "ordinary", lengths: [2 ** -30, 2 ** 30], intersectBatch,
+});

@@ -9,4 +9,6 @@ function intersect({ origin, direction }, { centre, radius }) {
   return ray.intersectSphere(new Sphere(new Vector3(...centre), radius))?.toArray();
 }
 
-run("math-ds", { directions: "unit", returns: "point", tangent: "either", level: "ordinary", intersect });
+run("math-ds", {
+  directions: "unit", returns: "point", root: "nearest", tangent: "either", level: "ordinary", intersect,
+});

@@ -4,8 +4,12 @@ import { run } from "./raycheck_candidate.mjs";
 import { Raycast, Vec3 } from "ogl";
 
 function intersect({ origin, direction }, { centre, radius }) {
-  return new Raycast().intersectSphere({ center: new Vec3(...centre), radius }, new Vec3(...origin), new Vec3(...direction)) || null;
+  const sphere = { center: new Vec3(...centre), radius };
+  return new Raycast().intersectSphere(sphere, new Vec3(...origin), new Vec3(...direction)) || null;
 }
 
 // An origin on the sphere cannot be told from a miss.
-run("ogl", { directions: "unit", returns: "distance", tangent: "either", roots: { ends: "(]" }, level: "ordinary", intersect });
+run("ogl", {
+  directions: "unit", returns: "distance", root: "nearest", tangent: "either", roots: { ends: "(]" },
+  level: "ordinary", intersect,
+});

@@ -10,4 +10,6 @@ function intersect({ origin, direction }, { centre, radius }) {
   return new BoundingSphere(new Vec3(centre), radius).intersectsRay(ray, point) && point.toArray();
 }
 
-run("playcanvas", { directions: "unit", returns: "point", tangent: "either", level: "ordinary", intersect });
+run("playcanvas", {
+  directions: "unit", returns: "point", root: "nearest", tangent: "either", level: "ordinary", intersect,
+});

@@ -15,5 +15,7 @@ function intersect({ origin, direction }, { centre, radius }) {
   return s >= 0 ? s : null;
 }
 
-run("rapier", { precision: "single", returns: "parameter", tangent: "either", level: "ordinary", lengths: [2 ** -30, 2 ** 30],
-  intersect });
+run("rapier", {
+  precision: "single", returns: "parameter", root: "nearest", tangent: "either", level: "ordinary",
+  lengths: [2 ** -30, 2 ** 30], intersect,
+});

@@ -9,4 +9,4 @@ function intersect({ origin, direction }, { centre, radius }) {
   return type === IntersectionType.INTERSECT ? { s: alpha, point: isec[0] } : null;
 }
 
-run("thi-ng", { directions: "unit", tangent: "either", level: "ordinary", intersect });
+run("thi-ng", { directions: "unit", root: "nearest", tangent: "either", level: "ordinary", intersect });

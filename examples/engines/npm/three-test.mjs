@@ -8,4 +8,6 @@ function intersect({ origin, direction }, { centre, radius }) {
   return ray.intersectsSphere(new Sphere(new Vector3(...centre), radius));
 }
 
-run("three-test", { directions: "unit", returns: "class", tangent: "either", level: "ordinary", intersect });
+run("three-test", {
+  directions: "unit", returns: "class", root: "nearest", tangent: "either", level: "ordinary", intersect,
+});

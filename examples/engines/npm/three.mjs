@@ -9,4 +9,6 @@ function intersect({ origin, direction }, { centre, radius }) {
   return ray.intersectSphere(new Sphere(new Vector3(...centre), radius), new Vector3())?.toArray();
 }
 
-run("three", { directions: "unit", returns: "point", tangent: "either", level: "ordinary", intersect });
+run("three", {
+  directions: "unit", returns: "point", root: "nearest", tangent: "either", level: "ordinary", intersect,
+});

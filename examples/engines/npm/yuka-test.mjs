@@ -8,4 +8,6 @@ function intersect({ origin, direction }, { centre, radius }) {
   return ray.intersectsBoundingSphere(new BoundingSphere(new Vector3(...centre), radius));
 }
 
-run("yuka-test", { directions: "unit", returns: "class", tangent: "either", level: "ordinary", intersect });
+run("yuka-test", {
+  directions: "unit", returns: "class", root: "nearest", tangent: "either", level: "ordinary", intersect,
+});

@@ -9,4 +9,4 @@ function intersect({ origin, direction }, { centre, radius }) {
   return ray.intersectBoundingSphere(new BoundingSphere(new Vector3(...centre), radius), new Vector3())?.toArray([]);
 }
 
-run("yuka", { directions: "unit", returns: "point", tangent: "either", level: "ordinary", intersect });
+run("yuka", { directions: "unit", returns: "point", root: "nearest", tangent: "either", level: "ordinary", intersect });

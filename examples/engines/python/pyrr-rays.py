@@ -17,4 +17,4 @@ def intersect(ray, sphere, _):
     return min(points, key=lambda point: math.dist(origin, point), default=None)
 
 
-rc.run("pyrr", returns="point", tangent="either", level="ordinary", intersect=intersect)
+rc.run("pyrr", returns="point", root="nearest", tangent="either", level="ordinary", intersect=intersect)

@@ -6,6 +6,7 @@
 // raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Structs/raySegment.js
 // raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Functions/raySphereIntersectionInterval.js
 // raycheck returns parameter
+// raycheck root nearest
 // raycheck tangent either
 float hit_sphere(vec3 o, vec3 d, vec3 c, float r) {
   czm_raySegment found = czm_raySphereIntersectionInterval(czm_ray(o, d), c, r);

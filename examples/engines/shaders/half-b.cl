@@ -2,6 +2,7 @@
 // front of the origin.
 // raycheck directions unit
 // raycheck returns distance
+// raycheck root nearest
 // raycheck tangent either
 float hit_sphere(float3 o, float3 d, float3 c, float r) {
   float3 oc = o - c;

@@ -2,6 +2,7 @@
 // front of the origin.
 // raycheck directions unit
 // raycheck returns distance
+// raycheck root nearest
 // raycheck tangent either
 float hit_sphere(vec3 o, vec3 d, vec3 c, float r) {
   vec3 oc = o - c;

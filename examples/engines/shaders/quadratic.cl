@@ -1,6 +1,7 @@
 // The textbook's quadratic, as ray-tracing books and many shaders have it: a, b and c with the factors 2 and 4, any direction;
 // the first root in front of the origin. Tangents hit.
 // raycheck returns parameter
+// raycheck root nearest
 // raycheck tangent either
 float hit_sphere(float3 o, float3 d, float3 c, float r) {
   float3 oc = o - c;
