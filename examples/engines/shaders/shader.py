@@ -3,7 +3,7 @@
 The file has one function, float hit_sphere(origin, direction, centre, radius), that returns s, or something negative for a
 miss. Its comment lines `// raycheck WORD VALUE...` are what it declares, as keywords of raycheck_candidate.run (`directions
 unit`, `returns distance`, `roots [] 0 inf absolute none`), and `// raycheck include PATH` puts the shader in that file before
-it, of which PATH is relative to this folder or one above it; of a JavaScript module it is its longest string.
+it, which is sought in this folder, those above it and their npm/; of a JavaScript module it is its longest string.
 """
 import pathlib
 import re
@@ -12,9 +12,11 @@ _STRING = re.compile(r'`([^`]*)`|"((?:[^"\\]|\\.|\\\n)*)"', re.DOTALL)
 
 
 def _included(path):
-    found = next((folder / path for folder in pathlib.Path(__file__).resolve().parents if (folder / path).exists()), None)
+    above = pathlib.Path(__file__).resolve().parents
+    places = [place / path for folder in above for place in (folder, folder / "npm")]
+    found = next(filter(pathlib.Path.exists, places), None)
     if found is None:
-        raise SystemExit(f"no file {path} beside or above this folder")
+        raise SystemExit(f"no file {path} in this folder or one above it")
     text = found.read_text()
     if found.suffix != ".js":
         return text
