@@ -1,6 +1,6 @@
 // Bullet as ammo.js (npm ammo.js: C++ by Emscripten, in floats), btCollisionWorld.rayTest with a ClosestRayResultCallback and
-// a btSphereShape: m_hitPointWorld. The ends of the ray are 2^14 directions apart, a multiple that rounds nothing; the far end
-// does round. Bullet casts such rays by GJK. Silent about tangents and about origins inside, of which there is no hit.
+// a btSphereShape: m_hitPointWorld. It takes a segment by its ends: here a ray's first 2^14 lengths, the far end of which is
+// rounded. Bullet casts such rays by GJK. Silent about tangents and about origins inside, of which there is no hit.
 // Source: Bullet's manual, "Performing queries"; btCollisionWorld.h.
 import { run } from "./raycheck_candidate.mjs";
 import ammo from "ammo.js";
@@ -35,6 +35,6 @@ function intersectBatch(rays, { centre, radius }) {
 }
 
 run("ammo", {
-  precision: "single", returns: "point", root: "smaller", tangent: "either", roots: { tMax: reach }, level: "ordinary",
-  lengths: [2 ** -20, 2 ** 20], intersectBatch,
+  precision: "single", directions: "unit", returns: "point", root: "smaller", tangent: "either",
+  roots: { tMax: reach, unit: "length" }, level: "ordinary", lengths: [2 ** -20, 2 ** 20], intersectBatch,
 });

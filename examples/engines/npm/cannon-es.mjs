@@ -1,6 +1,6 @@
 // cannon-es (npm cannon-es), World.raycastClosest(from, to, options, result): "Ray cast, and return information of the closest
-// hit"; result.hitPointWorld. It takes a segment by its ends: here 2^20 directions long, a multiple that rounds nothing; the
-// far end does round. Silent about tangents. Source: dist/cannon-es.d.ts.
+// hit"; result.hitPointWorld. It takes a segment by its ends: here a ray's first 2^20 lengths, the far end of which is rounded.
+// Silent about tangents. Source: dist/cannon-es.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 import { Body, RaycastResult, Sphere, Vec3, World } from "cannon-es";
 
@@ -15,5 +15,6 @@ function intersect({ origin, direction }, { centre, radius }) {
 }
 
 run("cannon-es", {
-  returns: "point", root: "nearest", tangent: "either", roots: { tMax: reach }, level: "ordinary", intersect,
+  directions: "unit", returns: "point", root: "nearest", tangent: "either", roots: { tMax: reach, unit: "length" },
+  level: "ordinary", intersect,
 });

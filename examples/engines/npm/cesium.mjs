@@ -3,7 +3,13 @@
 // sphere. Ray normalises its direction, so that these are distances. Silent about tangents.
 // Source: Source/Core/IntersectionTests.js, Source/Core/Ray.js.
 import { run } from "./raycheck_candidate.mjs";
-import { BoundingSphere, Cartesian3, IntersectionTests, Ray } from "@cesium/engine";
+
+// One after the other, and not all of Cesium: its modules are more files at once than a sandbox opens.
+const core = async (name) => (await import(`@cesium/engine/Source/Core/${name}.js`)).default;
+const Cartesian3 = await core("Cartesian3");
+const Ray = await core("Ray");
+const IntersectionTests = await core("IntersectionTests");
+const BoundingSphere = await core("BoundingSphere");
 
 function intersect({ origin, direction }, { centre, radius }) {
   const ray = new Ray(Cartesian3.fromArray(origin), Cartesian3.fromArray(direction));

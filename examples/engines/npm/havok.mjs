@@ -1,6 +1,6 @@
 // Havok (npm @babylonjs/havok: a closed engine in WebAssembly, in floats), HP_World_CastRayWithCollector with a body of
-// HP_Shape_CreateSphere: the fraction of the way between the ends, here 2^14 directions apart, a multiple that rounds nothing;
-// the far end does round. Silent about tangents and about origins inside, of which there is no hit. Source: HavokPhysics.d.ts.
+// HP_Shape_CreateSphere: the fraction of the way between the ends of a segment: here a ray's first 2^14 lengths, the far
+// end of which is rounded. Silent about tangents and about origins inside, of which there is no hit. Source: HavokPhysics.d.ts.
 import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { run } from "./raycheck_candidate.mjs";
@@ -32,6 +32,6 @@ function intersectBatch(rays, { centre, radius }) {
 }
 
 run("havok", {
-  precision: "single", returns: "parameter", root: "smaller", tangent: "either", roots: { tMax: reach },
-  level: "ordinary", lengths: [2 ** -20, 2 ** 20], intersectBatch,
+  precision: "single", directions: "unit", returns: "distance", root: "smaller", tangent: "either",
+  roots: { tMax: reach, unit: "length" }, level: "ordinary", lengths: [2 ** -20, 2 ** 20], intersectBatch,
 });

@@ -1,12 +1,13 @@
 // Jolt Physics (npm jolt-physics: C++ in WebAssembly, in floats), TransformedShape.CastRay of a body with a SphereShape:
 // "mFraction: Hit fraction of the ray [0, 1], HitPoint = Start + mFraction * (End - Start)". With mTreatConvexAsSolid false and
-// back faces not ignored a ray from inside hits where it leaves. The ray is 2^20 directions long. Silent about tangents.
-// Source: Jolt/Physics/Collision/CastResult.h, RayCast.h (Doxygen); dist/types.d.ts.
+// back faces not ignored a ray from inside hits where it leaves. "mDirection:
+// Direction and length of the ray (anything beyond this length will not be reported as a hit)": here 2^14. Silent about
+// tangents. Source: Jolt/Physics/Collision/CastResult.h, RayCast.h (Doxygen); dist/types.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 import initJolt from "jolt-physics";
 
 const Jolt = await initJolt();
-const reach = 2 ** 20;
+const reach = 2 ** 14;
 const layers = { object: new Jolt.ObjectLayerPairFilterTable(1), broad: new Jolt.BroadPhaseLayerInterfaceTable(1, 1) };
 layers.object.EnableCollision(0, 0);
 layers.broad.MapObjectToBroadPhaseLayer(0, new Jolt.BroadPhaseLayer(0));
@@ -39,6 +40,6 @@ function intersectBatch(rays, { centre, radius }) {
 }
 
 run("jolt", {
-  precision: "single", returns: "parameter", root: "nearest", tangent: "either", roots: { tMax: reach },
-  level: "ordinary", lengths: [2 ** -30, 2 ** 30], intersectBatch,
+  precision: "single", directions: "unit", returns: "distance", root: "nearest", tangent: "either",
+  roots: { tMax: reach, unit: "length" }, level: "ordinary", lengths: [2 ** -30, 2 ** 30], intersectBatch,
 });

@@ -1,7 +1,8 @@
 // OGL (npm ogl), Raycast.intersectSphere: the distance, or 0 for a miss. There is no documentation: the directions that its
 // own castMouse makes are unit, and its own intersectBounds takes 0 for a miss. Source: src/extras/Raycast.js.
 import { run } from "./raycheck_candidate.mjs";
-import { Raycast, Vec3 } from "ogl";
+import { Raycast } from "ogl/src/extras/Raycast.js"; // not all of ogl: a sandbox opens few files
+import { Vec3 } from "ogl/src/math/Vec3.js";
 
 function intersect({ origin, direction }, { centre, radius }) {
   const sphere = { center: new Vec3(...centre), radius };

@@ -2,7 +2,7 @@
 // there is an intersection, the intersection point will be copied into here". Silent about tangents, and about origins
 // inside. Source: core/shape/bounding-sphere.d.ts.
 import { run } from "./raycheck_candidate.mjs";
-import { BoundingSphere, Ray, Vec3 } from "playcanvas";
+import { BoundingSphere, Ray, Vec3 } from "playcanvas/build/playcanvas.mjs"; // one file: a sandbox opens few
 
 function intersect({ origin, direction }, { centre, radius }) {
   const point = new Vec3();
