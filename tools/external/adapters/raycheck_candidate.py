@@ -42,7 +42,8 @@ USUAL_ROOTS = Roots("[]", 0.0, float("inf"), "absolute", "none")
 Conventions = collections.namedtuple("Conventions", "rows samples origin root tangent roots",
                                      defaults=[USUAL_ROOTS])
 
-_FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "intersect_batch", "nearest")
+_FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "intersect_batch",
+              "nearest")
 
 
 def _words(*values):
