@@ -10,7 +10,7 @@ const { default: { Sphere, Vector3D } } = await import("@awayjs/core");
 
 function intersect({ origin, direction }, { centre, radius }) {
   const s = new Sphere(...centre, radius).rayIntersection(new Vector3D(...origin), new Vector3D(...direction), new Vector3D());
-  return s > 0 ? s : null;
+  return s <= 0 ? null : s;
 }
 
 run("away", {

@@ -8,7 +8,7 @@ import { BoundingSphere, Ray, Vector3 } from "@galacean/engine-math";
 function intersect({ origin, direction }, { centre, radius }) {
   const ray = new Ray(new Vector3(...origin), new Vector3(...direction));
   const distance = ray.intersectSphere(new BoundingSphere(new Vector3(...centre), radius));
-  return distance > 0 ? distance : null;
+  return distance <= 0 ? null : distance;
 }
 
 run("galacean", {

@@ -6,7 +6,8 @@ import { Vec3 } from "ogl/src/math/Vec3.js";
 
 function intersect({ origin, direction }, { centre, radius }) {
   const sphere = { center: new Vec3(...centre), radius };
-  return new Raycast().intersectSphere(sphere, new Vec3(...origin), new Vec3(...direction)) || null;
+  const distance = new Raycast().intersectSphere(sphere, new Vec3(...origin), new Vec3(...direction));
+  return distance === 0 ? null : distance;
 }
 
 // An origin on the sphere cannot be told from a miss.

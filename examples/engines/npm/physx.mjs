@@ -32,7 +32,7 @@ function intersectBatch(rays, { centre, radius }) {
   const hit = new PX.PxRaycastHit();
   const hits = rays.map(({ origin, direction }) => {
     const found = scene.raycastSingle(vector(origin), vector(direction), reach, hitFlags, hit, all, anything, null);
-    return found && hit.distance > 0 ? hit.distance : null;
+    return !found || hit.distance === 0 ? null : hit.distance;
   });
   scene.removeActor(actor, false);
   hit.delete();

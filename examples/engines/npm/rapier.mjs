@@ -12,7 +12,7 @@ const upright = { x: 0, y: 0, z: 0, w: 1 };
 function intersect({ origin, direction }, { centre, radius }) {
   const ray = new RAPIER.Ray(vector(origin), vector(direction));
   const s = new RAPIER.Ball(radius).castRay(ray, vector(centre), upright, Infinity, false);
-  return s >= 0 ? s : null;
+  return s < 0 ? null : s;
 }
 
 run("rapier", {
