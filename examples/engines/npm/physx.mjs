@@ -1,7 +1,8 @@
 // PhysX 4 (npm @cocos/physx: NVIDIA's C++ by Emscripten, in floats), PxScene::raycast with a PxSphereGeometry: hit.distance of
-// "unitDir: Normalized direction of the ray" up to 2^20. "If the origin is inside, the distance is 0": that is no point on the
-// sphere: it is passed as no hit, and only the first root, in front of the origin, is asked for. Silent about tangents.
-// Source: PhysX 4.1 SDK Guide, "Scene Queries" (Raycasts; Initial Overlaps); PxScene.h.
+// "unitDir: Normalized direction of the ray", up to 2^20. Of an origin inside "the reported hit distance is set to zero": that
+// is no point on the sphere: it is passed as no hit, and only the first root, in front of the origin, is asked for. An end "very
+// close to the surface [...] may be treated as being on either side". Silent about tangents.
+// Source: PhysX SDK Guide, "Geometry Queries" (raycasts against spheres); PxScene.h.
 import { run } from "./raycheck_candidate.mjs";
 import initPhysX from "@cocos/physx";
 

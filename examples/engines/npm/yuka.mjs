@@ -1,6 +1,6 @@
 // Yuka (npm yuka), Ray.intersectBoundingSphere: "Performs a ray/sphere intersection test and stores the intersection point
-// to the given 3D vector. If no intersection is detected, *null* is returned." Its documentation says "direction vector" only;
-// the code needs unit ones. Silent about tangents. Source: build/yuka.module.js.
+// to the given 3D vector. If no intersection is detected, *null* is returned." Silent about unit directions,
+// which the code needs, and tangents. Source: build/yuka.module.js.
 import { run } from "./raycheck_candidate.mjs";
 import { BoundingSphere, Ray, Vector3 } from "yuka";
 
