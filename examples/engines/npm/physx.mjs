@@ -1,7 +1,7 @@
 // PhysX 4 (npm @cocos/physx: NVIDIA's C++ by Emscripten, in floats), PxScene::raycast with a PxSphereGeometry: hit.distance of
 // "unitDir: Normalized direction of the ray", up to 2^20. Of an origin inside "the reported hit distance is set to zero": that
-// is no point on the sphere: it is passed as no hit, and only the first root, in front of the origin, is asked for. An end "very
-// close to the surface [...] may be treated as being on either side". Silent about tangents.
+// is no point on the sphere: it is passed as no hit, and only the first root, in front of the origin, is asked for. An end very
+// close to the surface may count as on either side of it. Silent about tangents.
 // Source: PhysX SDK Guide, "Geometry Queries" (raycasts against spheres); PxScene.h.
 import { run } from "./raycheck_candidate.mjs";
 import initPhysX from "@cocos/physx";
