@@ -15,6 +15,7 @@ and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The funct
     pixel_ray(camera, conventions, pixel) -> (P, direction) from P, direction unit
     focal_ray(camera, conventions, pixel) -> (E, direction) from the eye
     intersect(ray, sphere, conventions) -> (s, point) or None
+    intersect_batch(rays, sphere, conventions) -> a list of the same, one a ray; instead of intersect
     nearest(ray, spheres, conventions) -> index or None
 
 Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
@@ -23,7 +24,11 @@ up to which cases they are to be right, level="ordinary" (the default), "demandi
 and between which lengths, lengths=(1e-100, 1e100). Who computes in floats (of struct or numpy) says
 precision="single": all numbers that it is given are floats then, and its errors count those of
 float. Who does not take every root >= 0 says which: roots=Roots("()", 1e-4, 100, "absolute", "none")
-(ends, t_min, t_max, "absolute" or "radius", culling), or follows conventions.roots: "as-asked".
+(ends, t_min, t_max, "absolute", "radius" or "length", culling), or follows conventions.roots:
+"as-asked". directions="unit" asks for unit directions alone. What intersect returns other than s and
+the point is declared, and returned as it is: with returns="parameter", "distance" or
+"squared-distance" a number, with "point" a vector, with "class" True or False; None and False are
+misses.
 What the functions print goes to the standard error. The lines exchanged are those of
 docs/candidates.md.
 """
@@ -37,7 +42,8 @@ USUAL_ROOTS = Roots("[]", 0.0, float("inf"), "absolute", "none")
 Conventions = collections.namedtuple("Conventions", "rows samples origin root tangent roots",
                                      defaults=[USUAL_ROOTS])
 
-_FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "nearest")
+_FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "intersect_batch",
+              "nearest")
 
 
 def _words(*values):
@@ -85,19 +91,33 @@ def _read(lines, first):
     raise ValueError("a request without an end")
 
 
-def _answer(functions, request):
+def _hit(hit, returns):
+    """s and Q of a hit as the reply's line has them: 0 for what is not returned."""
+    if returns == "class":
+        return 0, (0, 0, 0)
+    if returns == "point":
+        return 0, tuple(hit)
+    return hit if returns == "hit" else (hit, (0, 0, 0))
+
+
+def _hits(functions, rays, sphere, asked):
+    if "intersect_batch" in functions:
+        return functions["intersect_batch"](rays, sphere, asked)
+    return [functions["intersect"](ray, sphere, asked) for ray in rays]
+
+
+def _answer(functions, returns, request):
     name = request["function"]
-    function = functions[name]
+    function = functions.get(name)
     if name == "frame":
         return [_line(axis) for axis in function(request["camera"])]
     asked = request["conventions"]
     if name == "intersect":
         lines = []
         for s, sphere in enumerate(request["spheres"]):
-            for r, ray in enumerate(request["rays"]):
-                hit = function(ray, sphere, asked)
-                if hit is not None:
-                    lines.append(f"{r} {s} {_line(*hit)}")
+            for r, hit in enumerate(_hits(functions, request["rays"], sphere, asked)):
+                if hit is not None and hit is not False:
+                    lines.append(f"{r} {s} {_line(*_hit(hit, returns))}")
         return lines
     if name == "nearest":
         found = (function(ray, request["spheres"], asked) for ray in request["rays"])
@@ -106,7 +126,7 @@ def _answer(functions, request):
 
 
 def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, level=None,
-        lengths=None, precision=None, roots=None, **functions):
+        lengths=None, precision=None, roots=None, directions=None, returns="hit", **functions):
     """Answers raycheck until it has no more requests."""
     unknown = set(functions) - set(_FUNCTIONS)
     if unknown:
@@ -117,7 +137,8 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
         sys.exit("raycheck_candidate.run: not spoken to by raycheck")
     declared = {"rows": rows, "samples": samples, "origin": origin, "root": root,
                 "tangent": tangent}
-    said = [f"raycheck 1 {name}"] + [f"function {function}" for function in functions]
+    said = [f"raycheck 1 {name}"]
+    said += dict.fromkeys(f"function {function.removesuffix('_batch')}" for function in functions)
     said += [f"convention {which} {value}" for which, value in declared.items() if value]
     said += [f"level {level}"] if level else []
     said += [f"lengths {_line(*lengths)}"] if lengths else []
@@ -126,11 +147,13 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
         told = roots if isinstance(roots, str) else " ".join(
             word if isinstance(word, str) else repr(float(word)) for word in roots)
         said.append(f"roots {told}")
+    said += [f"directions {directions}"] if directions else []
+    said += [f"returns {returns}"] if returns != "hit" else []
     print("\n".join(said + ["ready"]), file=replies, flush=True)
     for line in lines:
         request = _read(lines, line.split())
         try:
-            body = _answer(functions, request)
+            body = _answer(functions, returns, request)
             last = f"end {request['id']}"
         except Exception as error:  # the student's; what it says belongs in the report
             said = " ".join(f"{type(error).__name__}: {error}".split())

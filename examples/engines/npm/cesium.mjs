@@ -1,0 +1,20 @@
+// CesiumJS (npm @cesium/engine), IntersectionTests.raySphere: "The interval containing scalar points along the ray or
+// undefined if there are no intersections"; it starts at 0 where the origin is inside, so that its stop is the point on the
+// sphere. Ray normalises its direction, so that these are distances. Silent about tangents.
+// Source: Source/Core/IntersectionTests.js, Source/Core/Ray.js.
+import { run } from "./raycheck_candidate.mjs";
+
+// One after the other, and not all of Cesium: its modules are more files at once than a sandbox opens.
+const core = async (name) => (await import(`@cesium/engine/Source/Core/${name}.js`)).default;
+const Cartesian3 = await core("Cartesian3");
+const Ray = await core("Ray");
+const IntersectionTests = await core("IntersectionTests");
+const BoundingSphere = await core("BoundingSphere");
+
+function intersect({ origin, direction }, { centre, radius }) {
+  const ray = new Ray(Cartesian3.fromArray(origin), Cartesian3.fromArray(direction));
+  const interval = IntersectionTests.raySphere(ray, new BoundingSphere(Cartesian3.fromArray(centre), radius));
+  return interval && (interval.start > 0 ? interval.start : interval.stop);
+}
+
+run("cesium", { returns: "distance", root: "nearest", tangent: "either", level: "ordinary", intersect });

@@ -1,0 +1,17 @@
+// ClayGL (npm claygl), Ray.intersectSphere: "Calculate intersection point between ray and sphere". Vectors are stored in
+// floats (Float32Array of gl-matrix). Silent about unit directions, which the code needs, tangents and origins inside, of
+// which the code returns the point where the ray leaves. Source: src/math/Ray.js.
+import { run } from "./raycheck_candidate.mjs";
+import clay from "claygl";
+
+const { Ray, Vector3 } = clay;
+
+function intersect({ origin, direction }, { centre, radius }) {
+  const ray = new Ray(new Vector3(...origin), new Vector3(...direction));
+  return ray.intersectSphere(new Vector3(...centre), radius)?.array;
+}
+
+run("claygl", {
+  precision: "single", directions: "unit", returns: "point", root: "nearest", tangent: "either", level: "ordinary",
+  lengths: [2 ** -30, 2 ** 30], intersect,
+});

@@ -1,0 +1,16 @@
+// Orillusion (npm @orillusion/core), Ray.intersectSphere(o, dir, center, radius): "Determine whether a ray intersects the
+// sphere", "point of intersection" or null. Any directions: it divides by their square. Silent about tangents and about
+// origins inside; the code takes the smaller root alone. The package is for browsers with WebGPU: what it looks for while it
+// loads is made up here. Source: dist/types/math/Ray.d.ts.
+import { run } from "./raycheck_candidate.mjs";
+
+Object.assign(globalThis, { window: globalThis, navigator: { userAgent: "" },
+  document: { createElement: () => ({ getContext: () => ({}), style: {} }) } });
+const { Ray, Vector3 } = await import("@orillusion/core");
+
+function intersect({ origin, direction }, { centre, radius }) {
+  const point = new Ray().intersectSphere(new Vector3(...origin), new Vector3(...direction), new Vector3(...centre), radius);
+  return point && [point.x, point.y, point.z];
+}
+
+run("orillusion", { returns: "point", root: "smaller", tangent: "either", level: "ordinary", intersect });

@@ -1,0 +1,14 @@
+// CesiumJS (npm @cesium/engine), czm_raySphereIntersectionInterval: "The intersection interval of the ray with the sphere", or
+// czm_emptyRaySegment. Any direction. Its structs are those of
+// Source/Shaders/Builtin/Structs. Of an origin inside the stop is the point on the sphere.
+// raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Constants/infinity.js
+// raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Structs/ray.js
+// raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Structs/raySegment.js
+// raycheck include node_modules/@cesium/engine/Source/Shaders/Builtin/Functions/raySphereIntersectionInterval.js
+// raycheck returns parameter
+// raycheck root nearest
+// raycheck tangent either
+float hit_sphere(vec3 o, vec3 d, vec3 c, float r) {
+  czm_raySegment found = czm_raySphereIntersectionInterval(czm_ray(o, d), c, r);
+  return found == czm_emptyRaySegment ? -1.0 : found.start >= 0.0 ? found.start : found.stop;
+}

@@ -1,0 +1,49 @@
+"""What glsl.py and opencl.py share: a shader's file, and what it declares.
+
+The file has one function, float hit_sphere(origin, direction, centre, radius), that returns s, or something negative for a
+miss. Its comment lines `// raycheck WORD VALUE...` are what it declares, as keywords of raycheck_candidate.run (`directions
+unit`, `returns distance`, `roots [] 0 inf absolute none`), and `// raycheck include PATH` puts the shader in that file before
+it, which is sought in this folder, those above it and their npm/; of a JavaScript module it is its longest string.
+"""
+import pathlib
+import re
+
+_STRING = re.compile(r'`([^`]*)`|"((?:[^"\\]|\\.|\\\n)*)"', re.DOTALL)
+
+
+def _included(path):
+    above = pathlib.Path(__file__).resolve().parents
+    places = [place / path for folder in above for place in (folder, folder / "npm")]
+    found = next(filter(pathlib.Path.exists, places), None)
+    if found is None:
+        raise SystemExit(f"no file {path} in this folder or one above it")
+    text = found.read_text()
+    if found.suffix != ".js":
+        return text
+    string = max((a or b for a, b in _STRING.findall(text)), key=len)
+    return string.replace("\\n\\\n", "\n").replace("\\n", "\n")
+
+
+def read(file):
+    """Its source, and the keywords of raycheck_candidate.run."""
+    source = pathlib.Path(file).read_text()
+    declared, parts = {"precision": "single", "level": "ordinary", "lengths": (2.0**-30, 2.0**30)}, []
+    for word, value in re.findall(r"^// raycheck (\S+) (.*)$", source, re.MULTILINE):
+        if word == "include":
+            parts.append(_included(value))
+        elif word == "roots":
+            ends, t_min, t_max, *rest = value.split()
+            declared[word] = (ends, float(t_min), float(t_max), *rest)
+        else:
+            declared[word] = value
+    return "\n".join(parts + [source]), declared
+
+
+def flat(rays):
+    """Origins and directions, one number after the other."""
+    return [x for ray in rays for part in ray for x in part]
+
+
+def hits(answers):
+    """What raycheck_candidate takes: None where the shader says that there is no hit."""
+    return [None if s < 0 else float(s) for s in answers]

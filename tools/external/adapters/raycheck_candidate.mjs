@@ -1,0 +1,161 @@
+// A candidate for raycheck in JavaScript (Node 18 or later), of nothing but Node itself.
+//
+//     import { run } from "./raycheck_candidate.mjs";
+//
+//     const pixelRay = (camera, conventions, pixel) => ...
+//     const intersect = (ray, sphere, conventions) => ...
+//
+//     run("mine", { pixelRay, intersect });
+//
+// and then `raycheck check SCENE --candidate "command:node mine.mjs"`. In CommonJS:
+// import("./raycheck_candidate.mjs").then(({ run }) => run("mine", { intersect })). The functions, all optional:
+//
+//     frame(camera) -> [u, v, w]                               the camera's axes
+//     pixelPoint(camera, conventions, pixel) -> point          P
+//     pixelRay(camera, conventions, pixel) -> { origin, direction }   from P, direction unit
+//     focalRay(camera, conventions, pixel) -> { origin, direction }   from the eye
+//     intersect(ray, sphere, conventions) -> { s, point } or null
+//     intersectBatch(rays, sphere, conventions) -> an array of the same, one a ray; instead of `intersect`
+//     nearest(ray, spheres, conventions) -> index or null
+//
+// Vectors are arrays [x, y, z], pixels [i, j], a ray { origin, direction }, a sphere { centre, radius }, a camera { eye,
+// lookAt, up, near, left, right, bottom, top, width, height }. Any of the functions may be async. Conventions that they
+// fix are declared beside them: run("mine", { rows: "top-first", intersect }); so are `level`, `lengths: [1e-100, 1e100]`,
+// `precision: "single"`, and the roots that count, `roots: { ends: "()", tMin: 1e-4 }` (ends, tMin, tMax, unit: "absolute",
+// "radius" or "length", culling), or "as-asked". `directions: "unit"` asks for unit directions alone. What `intersect`
+// returns other than s and the point is declared, and returned as it is: with returns: "parameter", "distance" or
+// "squared-distance" a number, with "point" a vector, with "class" true or false; null, undefined and false are misses.
+// What the functions print goes to the standard error. The lines exchanged are those of docs/candidates.md.
+const reply = process.stdout.write.bind(process.stdout);
+process.stdout.write = process.stderr.write.bind(process.stderr); // that of console.log, too
+console.log = console.info = console.debug = console.error;
+
+const protocolNames = {
+  frame: "frame", pixelPoint: "pixel_point", pixelRay: "pixel_ray", focalRay: "focal_ray",
+  intersect: "intersect", intersectBatch: "intersect", nearest: "nearest",
+};
+const conventionNames = ["rows", "samples", "origin", "root", "tangent"];
+const declarationNames = [...conventionNames, "level", "lengths", "precision", "roots", "directions", "returns"];
+
+const numberOf = (word) => (word.endsWith("inf") ? (word[0] === "-" ? -Infinity : Infinity) : Number(word));
+
+function wordOf(number) {
+  if (typeof number !== "number") throw new TypeError(`not a number: ${number}`);
+  if (Number.isFinite(number)) return Object.is(number, -0) ? "-0" : String(number);
+  return Number.isNaN(number) ? "nan" : number > 0 ? "inf" : "-inf";
+}
+
+const line = (...values) => values.flatMap((value) => Array.from(value, wordOf)).join(" ");
+
+function rootsOf([ends, tMin, tMax, unit, culling]) {
+  return { ends, tMin: numberOf(tMin), tMax: numberOf(tMax), unit, culling };
+}
+
+function cameraOf(words) {
+  const n = words.map(numberOf);
+  const [near, left, right, bottom, top, width, height] = n.slice(9);
+  return { eye: n.slice(0, 3), lookAt: n.slice(3, 6), up: n.slice(6, 9), near, left, right, bottom, top, width, height };
+}
+
+// The lines of the standard input, as they come.
+async function* linesOf(stream) {
+  let rest = "";
+  stream.setEncoding("utf8");
+  for await (const chunk of stream) {
+    const lines = (rest + chunk).split("\n");
+    rest = lines.pop();
+    yield* lines;
+  }
+}
+
+async function nextRows(lines, count) {
+  const rows = [];
+  while (rows.length < Number(count)) rows.push((await lines.next()).value.split(" ").map(numberOf));
+  return rows;
+}
+
+// A request after its first line.
+async function readRequest(lines, first) {
+  const [, id, name] = first.split(" ");
+  const request = { id, name, conventions: null };
+  for (;;) {
+    const [kind, ...words] = (await lines.next()).value.split(" ");
+    if (kind === "end") return request;
+    else if (kind === "conventions") {
+      request.conventions = Object.fromEntries(conventionNames.map((key, k) => [key, words[k]]));
+      request.conventions.roots = rootsOf(["[]", "0", "inf", "absolute", "none"]);
+    } else if (kind === "roots") request.conventions.roots = rootsOf(words);
+    else if (kind === "camera") request.camera = cameraOf(words);
+    else if (kind === "pixels") request.pixels = await nextRows(lines, words[0]);
+    else if (kind === "rays")
+      request.rays = (await nextRows(lines, words[0])).map((row) => ({ origin: row.slice(0, 3), direction: row.slice(3) }));
+    else if (kind === "spheres")
+      request.spheres = (await nextRows(lines, words[0])).map((row) => ({ centre: row.slice(0, 3), radius: row[3] }));
+    else throw new Error(`no such part of a request: ${kind}`);
+  }
+}
+
+// s and Q of a hit as the reply's line has them: 0 for what is not returned; null for a miss.
+function hitWords(hit, returns) {
+  if (hit === null || hit === undefined || hit === false) return null;
+  if (returns === "class") return line([0, 0, 0, 0]);
+  if (returns === "point") return line([0], hit);
+  return returns === "hit" ? line([hit.s], hit.point) : line([hit, 0, 0, 0]);
+}
+
+async function answer(functions, returns, { name, camera, pixels, rays, spheres, conventions }) {
+  if (name === "frame") return (await functions.frame(camera)).map((axis) => line(axis));
+  const lines = [];
+  if (name === "intersect") {
+    for (const [s, sphere] of spheres.entries()) {
+      const batch = await functions.intersectBatch?.(rays, sphere, conventions);
+      for (const [r, ray] of rays.entries()) {
+        const hit = hitWords(batch ? batch[r] : await functions.intersect(ray, sphere, conventions), returns);
+        if (hit) lines.push(`${r} ${s} ${hit}`);
+      }
+    }
+  } else if (name === "nearest") {
+    for (const ray of rays) lines.push(`${(await functions.nearest(ray, spheres, conventions)) ?? "none"}`);
+  } else {
+    const key = { pixel_point: "pixelPoint", pixel_ray: "pixelRay", focal_ray: "focalRay" }[name];
+    for (const pixel of pixels) {
+      const found = await functions[key](camera, conventions, pixel);
+      lines.push(key === "pixelPoint" ? line(found) : line(found.origin, found.direction));
+    }
+  }
+  return lines;
+}
+
+/** Answers raycheck until it has no more requests. */
+export async function run(name, given) {
+  const unknown = Object.keys(given).find((key) => !(key in protocolNames) && !declarationNames.includes(key));
+  if (unknown) throw new Error(`raycheck_candidate.run: no such function or declaration: ${unknown}`);
+  const { level, lengths, precision, roots, directions, returns = "hit" } = given;
+  const functions = Object.keys(protocolNames).filter((key) => given[key]);
+  const said = [`raycheck 1 ${name || "-"}`, ...new Set(functions.map((key) => `function ${protocolNames[key]}`))];
+  for (const key of conventionNames) if (given[key]) said.push(`convention ${key} ${given[key]}`);
+  if (level) said.push(`level ${level}`);
+  if (lengths) said.push(`lengths ${line(lengths)}`);
+  if (precision) said.push(`precision ${precision}`);
+  if (typeof roots === "string") said.push(`roots ${roots}`);
+  else if (roots) {
+    const { ends = "[]", tMin = 0, tMax = Infinity, unit = "absolute", culling = "none" } = roots;
+    said.push(`roots ${ends} ${line([tMin, tMax])} ${unit} ${culling}`);
+  }
+  if (directions) said.push(`directions ${directions}`);
+  if (returns !== "hit") said.push(`returns ${returns}`);
+  const lines = linesOf(process.stdin);
+  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: not spoken to by raycheck");
+  reply(`${[...said, "ready"].join("\n")}\n`);
+  for (let first = await lines.next(); !first.done; first = await lines.next()) {
+    const request = await readRequest(lines, first.value);
+    let body = [];
+    let last = `end ${request.id}`;
+    try {
+      body = await answer(given, returns, request);
+    } catch (error) { // the engine's; what it says belongs in the report
+      last = `error ${request.id} ${String(error).split(/\s+/).join(" ")}`;
+    }
+    reply(`${[`reply ${request.id}`, ...body, last].join("\n")}\n`);
+  }
+}
