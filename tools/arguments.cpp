@@ -254,6 +254,16 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
                          "command:'WORDS' or renderer:'WORDS'; several times for several");
   add_sandbox(command, arguments.sandbox)->needs(candidate);
   command
+      .add_option("--read", arguments.reads,
+                  "a folder that candidates may read, besides their own and the system's")
+      ->needs(candidate)
+      ->check(CLI::ExistingDirectory);
+  command
+      .add_option("--include", arguments.includes,
+                  "a folder of headers for source:PATH, which it may read")
+      ->needs(candidate)
+      ->check(CLI::ExistingDirectory);
+  command
       .add_option("--timeout", arguments.seconds,
                   "seconds of CPU time a candidate has for one reply")
       ->check(number_between(kLeastSeconds, kMostSeconds))
@@ -306,6 +316,13 @@ std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
   RunOptions options;
   options.layers = chosen_layers(sandbox_of(arguments.sandbox)).layers;
   options.limits.seconds = arguments.seconds;
+  const auto canonical = [](const std::vector<std::string>& folders) {
+    std::vector<std::filesystem::path> paths;
+    for (const std::string& one : folders) paths.push_back(std::filesystem::canonical(one));
+    return paths;
+  };
+  options.includes = canonical(arguments.includes);
+  options.reads = canonical(arguments.reads);
   if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
   if (driver) options.driver = driver->form;
   options.precision = arguments.precision;

@@ -94,6 +94,7 @@ Sandbox sandbox_of(const SandboxArguments& arguments);
 /// The values of --candidate, --sandbox, --timeout and --bounds; the last three need the first.
 struct ExternalArguments {
   std::vector<std::string> candidates;
+  std::vector<std::string> reads, includes;  ///< Folders that they may read; with headers.
   SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
   std::string bounds;  ///< Whose bounds; empty: kDefaultMethods'.

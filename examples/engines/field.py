@@ -11,7 +11,7 @@ import concurrent.futures
 import json
 import math
 import pathlib
-import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -32,22 +32,21 @@ DIALS = {  # frontier columns: the source, how its severity reads, and its highe
 
 
 def words_of(engine, build):
-    """What --candidate is given; None if it is not installed."""
-    language, name = engine["language"], engine["name"]
-    if language in ("c++", "c"):
-        library = build / "examples/engines" / f"{name}.so"
-        return f"library:{library}" if library.exists() else None
-    if language == "javascript":
-        module = build / "field/npm" / engine["adapter"]
-        return f"command:node {module}" if module.exists() and version_of(engine, build) else None
+    """What follows --candidate; empty if it is not installed."""
     if not version_of(engine, build):
-        return None
-    files = [str(HERE / part) for part in engine["adapter"].split()]
-    return "command:python3 " + " ".join(files)
+        return []
+    if "command" not in engine:
+        library = build / "examples/engines" / f"{engine['name']}.so"
+        return [f"library:{library}"] if library.exists() else []
+    field = build / "field"
+    words = [str(field / word) if "/" in word else word for word in engine["command"].split()] + [str(field / engine["adapter"])]
+    return ["command:" + " ".join(words), "--read", str(field)]
 
 
 def version_of(engine, build):
     """That of the package that is installed; empty: none is."""
+    if "package" not in engine:
+        return "as it is written everywhere"
     if engine["language"] == "javascript":
         package = build / "field/npm/node_modules" / engine["package"] / "package.json"
         return json.loads(package.read_text())["version"] if package.exists() else ""
@@ -135,33 +134,28 @@ def scene_numbers(scene):
 
 
 def reproduction(engine, numbers, build):
-    """The program that shows a case without raycheck, and what it prints when it is run."""
-    text = engine["reproduction"]
+    """The program that shows a case without raycheck, and what it prints when it is run; None: it has none."""
+    templates = sorted((HERE / "reproductions").glob(engine["name"] + ".*"))
+    if not templates:
+        return None
+    text = templates[0].read_text()
     for name, value in numbers.items():
         text = text.replace("{" + name + "}", repr(value))
-    with tempfile.TemporaryDirectory() as folder:
-        if engine["language"] in ("c++", "c"):
-            source = pathlib.Path(folder, "case." + ("cpp" if engine["language"] == "c++" else "c"))
-            source.write_text(text)
-            made = subprocess.run(["sh", "-c", f"{engine['compile']} {source} -o {folder}/case {engine.get('link', '')}"],
-                                  capture_output=True, text=True)
-            if made.returncode != 0:
-                raise RuntimeError(f"{engine['name']}: its reproduction does not compile: {made.stderr[:300]}")
-            run = [f"{folder}/case"]
-        elif engine["language"] == "javascript":
-            source = build / "field/npm" / f".case-{engine['name']}.mjs"
-            source.write_text(text)
-            run = ["node", str(source)]
-        else:
-            source = pathlib.Path(folder, "case.py")
-            source.write_text(text)
-            run = ["python3", str(source)]
-        shown = subprocess.run(run, capture_output=True, text=True, timeout=60)
-        if engine["language"] == "javascript":
-            source.unlink()
+    kind = templates[0].suffix
+    folder = build / "field/npm" / f"case-{engine['name']}" if kind == ".mjs" else pathlib.Path(tempfile.mkdtemp())
+    folder.mkdir(exist_ok=True)
+    try:
+        source = folder / f"case{kind}"
+        source.write_text(text)
+        run = {".mjs": f"node {engine.get('command', 'node')[5:]} case.mjs", ".py": "python3 case.py"}.get(kind)
+        # Of compiled ones the first line says how.
+        run = run or text.splitlines()[0].strip("/* ") + " && ./case"
+        shown = subprocess.run(["sh", "-c", run], cwd=folder, capture_output=True, text=True, timeout=120)
+    finally:
+        shutil.rmtree(folder)
     if shown.returncode != 0:
-        raise RuntimeError(f"{engine['name']}: its reproduction fails: {shown.stderr[:300]}")
-    return text.strip(), shown.stdout.strip()
+        raise RuntimeError(f"its reproduction fails: {shown.stderr[-300:]}")
+    return kind[1:], text.strip(), shown.stdout.strip()
 
 
 class Page:
@@ -170,7 +164,7 @@ class Page:
     def __init__(self, engine, raycheck, build):
         self.engine, self.name = engine, engine["name"]
         self.version = engine.get("version") or version_of(engine, build)
-        who = ["--candidate", words_of(engine, build)] if "package" in engine else ["--intersect", self.name]
+        who = ["--intersect", self.name] if self.name in OWN else ["--candidate", *words_of(engine, build)]
         self.ordinary = raycheck.judged(who, "ordinary")
         self.extreme = raycheck.judged(who, "extreme")
         self.breaks = {level: broken_at(self.ordinary if level == "ordinary" else self.extreme, level)
@@ -195,8 +189,7 @@ class Page:
                 ray = ",".join(repr(numbers[k]) for k in ("ox", "oy", "oz", "dx", "dy", "dz"))
                 sphere = ",".join(repr(numbers[k]) for k in ("cx", "cy", "cz", "r"))
                 case["exact"] = raycheck.json("explain", f"--ray={ray}", f"--sphere={sphere}")["exact"]
-                if "reproduction" in self.engine:
-                    case["program"], case["prints"] = reproduction(self.engine, numbers, build)
+                case["reproduction"] = reproduction(self.engine, numbers, build)
             found[what] = case
         return found
 
@@ -232,9 +225,9 @@ class Page:
         for what, case in self.cases.items():
             lines += ["", f"## Breaks {what}", "", f"The law: {case['law']}. The smallest case found ({case['level']}):", "",
                       "```toml", case["scene"], "```", "", answer_text(case)]
-            if "program" in case:
-                lines += ["", "Without raycheck:", "", "```" + engine["language"], case["program"], "```", "",
-                          "It prints:", "", "```text", case["prints"], "```"]
+            if case.get("reproduction"):
+                kind, program, prints = case["reproduction"]
+                lines += ["", "Without raycheck:", "", f"```{kind}", program, "```", "", "It prints:", "", "```text", prints, "```"]
         return "\n".join(lines) + "\n"
 
 
@@ -257,35 +250,40 @@ def decimal(number):
 
 def add_times(pages, raycheck, build):
     """Time a ray over that of `quadratic`, of those that can be called in process, in one run."""
-    libraries = [page for page in pages if page.engine["language"] in ("c++", "c") and "package" in page.engine]
-    words = [word for page in libraries for word in ("--candidate", words_of(page.engine, build))]
+    libraries = [page for page in pages if page.engine["language"] in ("c++", "c") and page.name not in OWN]
+    words = [word for page in libraries for word in ("--candidate", words_of(page.engine, build)[0])]
     found = raycheck.json("tradeoff", "--cases", "500", "--sandbox", "none", "--i-know", *words,
                           "--method", ",".join(OWN))["intersections"]
     ns = {one["name"]: (one["call"] or {}).get("median_ns") for one in found}
     base = ns.get("quadratic")
     for page in pages:
-        own = ns.get(page.name if page.name in OWN else words_of(page.engine, build))
+        own = ns.get(page.name if page.name in OWN else words_of(page.engine, build)[0])
         page.ratio = own / base if own and base else None
 
 
 def chart(pages, path):
-    """Frontier of distance against time, a dot an engine: SVG by gnuplot."""
-    dots = [(page.ratio, max(page.frontiers["distance"] or 0, 0), page.name) for page in pages
+    """Up to which distance each is right against its time a ray, a dot an engine, as SVG."""
+    dots = [(page.ratio, max(page.frontiers["distance"], 0), page.name) for page in pages
             if page.ratio and page.frontiers["distance"] is not None]
-    rows = "\n".join(f'{ratio:.3g} {held} "{name}"' for ratio, held, name in dots)
-    script = f"""set terminal svg size 900,560 font 'sans,12' background 'white'
-set output '{path}'
-set logscale x
-set xlabel 'time a ray, over that of quadratic'
-set ylabel 'right up to a distance of 10^k radii'
-set yrange [-0.5:16]
-set grid
-$dots << EOD
-{rows}
-EOD
-plot $dots using 1:2 with points pt 7 ps 0.8 notitle, $dots using 1:2:3 with labels offset 0,0.7 font ',9' notitle
-"""
-    subprocess.run(["gnuplot"], input=script, text=True, check=True)
+    least, most = (math.log10(choose(ratio for ratio, _, _ in dots)) for choose in (min, max))
+    across = lambda ratio: 70 + 780 * (math.log10(ratio) - least) / max(most - least, 1e-9)
+    up = lambda held: 500 - 28 * held
+    lines = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 960 560" font-family="sans-serif" font-size="11">',
+             '<rect width="960" height="560" fill="white"/>']
+    for held in range(0, 16, 5):
+        lines.append(f'<path d="M60 {up(held)}H930" stroke="#ccc"/><text x="22" y="{up(held) + 4}">10^{held}</text>')
+    for power in range(math.ceil(least), math.floor(most) + 1):
+        x = across(10 ** power)
+        lines.append(f'<path d="M{x:.0f} 60V510" stroke="#ccc"/><text x="{x:.0f}" y="526">{10 ** power:g}</text>')
+    lines += ['<text x="330" y="550">time a ray, over that of quadratic</text>',
+              '<text x="22" y="40">right up to this distance, in radii</text>']
+    stacked = {}
+    for ratio, held, name in sorted(dots):
+        below = stacked.setdefault((round(across(ratio) / 90), held), [0])
+        y = up(held) - 11 * below[0]
+        below[0] += 1
+        lines.append(f'<circle cx="{across(ratio):.0f}" cy="{up(held)}" r="3"/><text x="{across(ratio) + 5:.0f}" y="{y - 3}">{name}</text>')
+    path.write_text("\n".join(lines) + "\n</svg>\n")
 
 
 HEAD = (["library", "function"] + list(LEVELS) + [title for title, _, _ in DIALS.values()]
@@ -314,7 +312,7 @@ def main():
             "version": "this"} for name in OWN]
     chosen = [engine for engine in own + [e for e in engines if e.get("taken", True)]
               if not options.names or engine["name"] in options.names]
-    skipped = [engine["name"] for engine in chosen if "package" in engine and not words_of(engine, options.build)]
+    skipped = [engine["name"] for engine in chosen if engine["name"] not in OWN and not words_of(engine, options.build)]
     chosen = [engine for engine in chosen if engine["name"] not in skipped]
     pages, failed = [], []
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
@@ -341,7 +339,7 @@ def main():
             (folder / f"{page.name}.md").write_text(page.text())
         chart(pages, folder / "frontier.svg")
         text = (options.write / "field.in.md").read_text()
-        not_taken = "\n".join(f"- {e['library']} (`{e['package']}`): {e['reason']}" for e in engines if not e.get("taken", True))
+        not_taken = "\n".join(f"- {e['library']} (`{e.get('package', '-')}`): {e['reason']}" for e in engines if not e.get("taken", True))
         (options.write / "field.md").write_text(text.replace("{table}", table(pages)).replace("{not taken}", not_taken))
     sys.exit("\n".join(f"field: {line}" for line in failed) if failed else 0)
 

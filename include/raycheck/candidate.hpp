@@ -14,13 +14,13 @@
 //
 // <raycheck/candidate.h> says what each function must do. Declare the conventions that yours fix:
 // RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray). Name members in the order of
-// Functions. C++20.
+// Functions: C++20 has them, and GCC and Clang take them from C++17 on. C++17.
 
 #include <raycheck/candidate.h>
 #include <raycheck/scene.h>
 
-#include <bit>
 #include <cstddef>
+#include <cstring>
 #include <optional>
 #include <vector>
 
@@ -60,7 +60,9 @@ inline Functions functions;
 template <class To, class From>
 To as(const From& from) {
   static_assert(sizeof(To) == sizeof(From));
-  return std::bit_cast<To>(from);
+  To to;
+  std::memcpy(static_cast<void*>(&to), &from, sizeof to);
+  return to;
 }
 inline Conventions asked_of(const raycheck_conventions* conventions) {
   return as<Conventions>(*(const raycheck_asked*)(const void*)conventions);

@@ -65,6 +65,22 @@ class LawSearch {
       shrink();
     });
   }
+  /// Shrinks one case of a source that is undecided, as far as it still is.
+  void replay_undecided(const ChosenSource& source, std::uint64_t seed) {
+    part.source = source;
+    const auto look = [&](const Case& one) {
+      if (!is_of_format(one.scene, candidate_.input_format())) return false;
+      Verdict verdict = verdict_on(law_, candidate_, one, max_error_).verdict;
+      if (verdict.count(Standing::kUndecided) == 0) return false;
+      failure = Failure{one, std::move(verdict), replay_of(seed), true};
+      return true;
+    };
+    until_interrupted([&] {
+      const auto rounded = rounded_case(source.make(seed), candidate_.input_format()).the_case;
+      if (!rounded || !look(*rounded)) return;
+      smallest(failure->shrunk, std::numeric_limits<int>::max(), look);
+    });
+  }
   /// Judges a case, and shrinks it.
   void replay(Case the_case) {
     until_interrupted([&] {
@@ -85,12 +101,18 @@ class LawSearch {
   }
 
   void judge_seed(std::uint64_t seed) {
+    const std::uint64_t undecided = part.verdict.count(Standing::kUndecided);
     judge(rounded_case(part.source.make(seed), candidate_.input_format()));
-    if (!failure) return;
+    if (!part.undecided_seed && part.verdict.count(Standing::kUndecided) > undecided) {
+      part.undecided_seed = seed;
+    }
+    if (failure) part.replay = failure->replay = replay_of(seed);
+  }
+
+  std::string replay_of(std::uint64_t seed) const {
     char digits[17] = {};
     std::to_chars(digits, digits + 16, seed, 16);
-    part.replay = failure->replay =
-        std::string(law_.name) + ":" + candidate_.name + ":" + part.source.name() + ":" + digits;
+    return std::string(law_.name) + ":" + candidate_.name + ":" + part.source.name() + ":" + digits;
   }
 
   void judge(const RoundedCase& rounded) {
@@ -231,7 +253,8 @@ void CaseCounts::add(const CaseCounts& other) {
 }
 
 Finding CampaignResult::finding() const {
-  if (failure || std::any_of(parts.begin(), parts.end(),
+  if ((failure && !failure->is_undecided) ||
+      std::any_of(parts.begin(), parts.end(),
                              [](const CampaignPart& part) { return part.is_broken(); })) {
     return Finding::kBroken;
   }
@@ -298,6 +321,14 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
     if (!result.failure) {  // interrupted before it was judged again
       result.failure = Failure{first->source.make(seed), first->verdict, first->replay};
     }
+    return result;
+  }
+  for (const CampaignPart& part : result.parts) {
+    if (!part.undecided_seed || result.finding() != Finding::kUndecided) continue;
+    LawSearch search(law, candidate, options.max_error, options.strict);
+    search.replay_undecided(part.source, *part.undecided_seed);
+    result.failure = std::move(search.failure);
+    break;
   }
   return result;
 }

@@ -56,16 +56,18 @@ struct CampaignPart {
   std::string replay;
   std::vector<DefectKind> defects;    ///< What that case shows,
   std::optional<CodeLine> failed_at;  ///< and the line at which the candidate died or threw there.
-  std::vector<DefectKind> undecided;  ///< What is undecided in all its cases.
+  std::vector<DefectKind> undecided;  ///< What is undecided in all its cases,
+  std::optional<std::uint64_t> undecided_seed;  ///< and the first of these.
 
   bool is_broken() const { return !replay.empty(); }
 };
 
-/// A case that breaks a law, shrunk as far as it still does.
+/// A case that breaks a law, or leaves it undecided, shrunk as far as it still does.
 struct Failure {
   Case shrunk;
   Verdict verdict;
   std::string replay;
+  bool is_undecided = false;
 };
 
 /// A law holds only if at least this many answers to each kind of question that it asked, hits for
@@ -86,7 +88,8 @@ struct CampaignResult {
   std::vector<CampaignPart> parts;  ///< In the order of sources and severities.
   CaseCounts counts;                ///< Of all parts together,
   Verdict verdict;                  ///< shrinking aside.
-  /// Of the first part that is broken, among those of the lowest level.
+  /// Of the first part that is broken, among those of the lowest level; where none is, of the first
+  /// with an undecided case.
   std::optional<Failure> failure;
 
   std::uint64_t fewest_right = kFewestRight;  ///< 0 for a replay: its one case is enough.

@@ -95,7 +95,9 @@ fs::path source_folder(const fs::path& source) {
 fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& options) {
   const fs::path include = include_folder();
   Confined confined = compiler(options);
-  confined.readable = {include};
+  confined.readable.push_back(include);
+  confined.readable.insert(confined.readable.end(), options.includes.begin(),
+                           options.includes.end());
   const bool is_folder = fs::is_directory(source);
   const fs::path folder = source_folder(source);
   confined.readable.push_back(folder);
@@ -121,6 +123,9 @@ fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& o
   }
   confined.arguments = {"g++",      "-std=c++20", "-O2",      kLineTables, "-fPIC", "-shared",
                         "-isystem", include,      "-isystem", kEigen,      "-o",    "candidate.so"};
+  for (const fs::path& one : options.includes) {
+    confined.arguments.insert(confined.arguments.end(), {"-I", one});
+  }
   if (is_folder) {
     const auto files = files_in(source, ".cpp");
     if (files.empty()) {
@@ -137,7 +142,7 @@ fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& o
 void build(const fs::path& folder, const BuildWords& words, const fs::path& to,
            const RunOptions& options) {
   Confined confined = compiler(options);
-  confined.readable = {folder, include_folder()};
+  confined.readable.insert(confined.readable.end(), {folder, include_folder()});
   confined.arguments = {
       "sh", "-c",   "cp -r \"$1\"/. \"$2\"/*.java . && { " + words.words + "\n} >&2",
       "sh", folder, adapters()};

@@ -26,13 +26,16 @@ fs::path existing(const std::string& path, const RunOptions& options) {
 /// The library in a folder that the candidate's user may read.
 External library(const std::string& name, const fs::path& path, const RunOptions& options) {
   auto folder = std::make_shared<PrivateFolder>();
-  const fs::path copy = folder->path() / path.filename();
-  fs::copy_file(path, copy);
+  // Where it may read what lies beside it, it stays there: its rpath may begin with $ORIGIN.
+  const bool stays = std::find(options.reads.begin(), options.reads.end(), path.parent_path()) !=
+                     options.reads.end();
+  const fs::path copy = stays ? path : folder->path() / path.filename();
+  if (!stays) fs::copy_file(path, copy);
   open_to_others(folder->path());
   const std::string worker = helper("raycheck-worker");
   Confined program = options.confined();
   program.arguments = {worker, copy.string()};
-  program.readable = {worker, folder->path()};
+  program.readable.insert(program.readable.end(), {worker, folder->path()});
   External external = introduced(name, program, std::move(folder), options.answers);
   external.library = copy;
   return external;
@@ -256,6 +259,20 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
   return renderer(spec, options);
 }
 
+/// What lets it see a file that it says it does not find.
+std::string hint_of_missing(const CandidateError& error, const RunOptions& options) {
+  if (!options.layers.bubblewrap && !options.layers.landlock) return "";
+  const std::string all = error.why() + error.said();
+  // Of compilers and loaders, of Python and of Node.
+  for (const char* words : {"No such file or directory", "cannot open shared object file",
+                            "No module named", "Cannot find module", "Cannot find package"}) {
+    if (all.find(words) == std::string::npos) continue;
+    return "; it sees its own folder and the system's alone: --read DIR shows it another, and "
+           "--include DIR its headers";
+  }
+  return "";
+}
+
 template <class Find>
 External named_in_errors(const CandidateSpec& spec, const RunOptions& options, const Find& found) {
   try {
@@ -263,7 +280,7 @@ External named_in_errors(const CandidateSpec& spec, const RunOptions& options, c
     external.bounds = options.bounds;
     return external;
   } catch (const CandidateError& error) {
-    throw CandidateError(error.why(), error.said(), spec.text());
+    throw CandidateError(error.why() + hint_of_missing(error, options), error.said(), spec.text());
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "tools/external/candidate_spec.h"
 #include "tools/external/external_candidate.h"
@@ -18,6 +19,9 @@ struct RunOptions {
   scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
+  /// What it may read besides its own folder.
+  std::vector<std::filesystem::path> reads = {};
+  std::vector<std::filesystem::path> includes = {};  ///< Where a source's headers are; it reads these.
   /// The base of relative paths; empty: the working folder.
   std::filesystem::path folder = {};
   double build_seconds = 120;           ///< To compile it, of CPU time.
@@ -31,7 +35,7 @@ struct RunOptions {
   /// A program to run in this way, without its words yet.
   Confined confined() const {
     return {.arguments = {},
-            .readable = {},
+            .readable = reads,
             .layers = layers,
             .limits = limits,
             .surroundings = surroundings};

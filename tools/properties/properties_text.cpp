@@ -119,7 +119,7 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   const CampaignResult& result = campaign.result;
   const properties::Failure& failure = *result.failure;
   std::string text;
-  if (result.parts.size() > 1) {
+  if (result.parts.size() > 1 && !failure.is_undecided) {
     text += fmt::format("broken on {}\n", broken_text(result));
     const std::string holding = holding_text(result);
     if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
@@ -130,7 +130,8 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   }
   const bool draws = campaign.implementation.draws();
   const std::string reason =
-      fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
+      fmt::format("{} the law {} with {}", failure.is_undecided ? "leaves undecided" : "breaks",
+                  campaign.law->name, campaign.candidate);
   text += broken_law_text(campaign.law->sentence, discrepancies,
                           explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
                           replay_text(campaign, failure.replay),

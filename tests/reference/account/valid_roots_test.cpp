@@ -41,6 +41,7 @@ std::string met(const ExactRay& ray, const scene::Sphere& sphere, const scene::V
 
 const ExactRay kRayAlongX(scene::Ray{{0, 0, 0}, {1, 0, 0}});
 const scene::Sphere kFromTwoToFour{{3, 0, 0}, 1};
+const scene::Sphere kRadius3{{}, 3};
 
 TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
   // D is unit, g = (1, 1, -1): s counts lengths, and sqrt(3) is none.
@@ -84,6 +85,37 @@ TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
   EXPECT_GE(hits, 200);
 }
 
+TEST(ValidRoots, MayBeSceneLengthsAlongTheRay) {
+  // At 1, 1.5 and 2 scene lengths: s = 2^-10 of them.
+  const ExactRay ray(scene::Ray{{0, 0, 0}, {1024, 0, 0}});
+  const scene::Sphere sphere{{1.5, 0, 0}, 0.5};
+  const auto from = [](double t, Ends ends) {
+    return scene::ValidRoots{t, kNoEnd, ends, TUnit::kLength, {}};
+  };
+  EXPECT_EQ(met(ray, sphere, from(1, Ends::kClosed)), "near");
+  EXPECT_EQ(met(ray, sphere, from(1, Ends::kOpen)), "far");
+  EXPECT_EQ(met(ray, sphere, from(nudged(2, 1), Ends::kClosed)), "miss");
+  // |direction| = sqrt(3) is no double: the sphere lies from 10 sqrt(3) on.
+  const ExactRay slanted(scene::Ray{{0, 0, 0}, {1, 1, 1}});
+  const scene::Sphere point{{10, 10, 10}, 0};
+  const double s = 10 * std::sqrt(3.0);
+  EXPECT_EQ(met(slanted, point, from(nudged(s, -1), Ends::kOpen)), "tangent");
+  EXPECT_EQ(met(slanted, point, from(nudged(s, 1), Ends::kOpen)), "miss");
+  EXPECT_TRUE(is_outside(from(1e-3, Ends::kOpen), ray, sphere, 0x1p-20));
+  EXPECT_FALSE(is_outside(from(1e-3, Ends::kOpen), ray, sphere, 0x1p-10));
+  EXPECT_TRUE(is_outside(from(1, Ends::kOpen), ray, sphere, 0x1p-10));
+  EXPECT_FALSE(is_outside(from(1, Ends::kClosed), ray, sphere, 0x1p-10));
+}
+
+TEST(ValidRoots, OfLinesLieBehindTheOriginToo) {
+  const scene::ValidRoots line{-kInfinity, kNoEnd, Ends::kClosed, {}, {}};
+  EXPECT_EQ(met(kRayAlongX, {{-3, 0, 0}, 1}, line), "near");
+  EXPECT_EQ(met(kRayAlongX, {{0, 0, 0}, 1}, line), "near");
+  EXPECT_EQ(met(kRayAlongX, {{-3, 1, 0}, 1}, line), "tangent");
+  EXPECT_EQ(met(kRayAlongX, {{-3, 2, 0}, 1}, line), "miss");
+  EXPECT_FALSE(is_outside(line, kRayAlongX, kFromTwoToFour, -1e300));
+}
+
 Nearby nearby(const std::optional<double>& answer, const scene::ValidRoots& valid) {
   return right_nearby(kRayAlongX, kFromTwoToFour, {.relative_change = 16 * 0x1p-53, .valid = valid},
                       answer)
@@ -96,6 +128,21 @@ TEST(RefutedNearby, IsWhatNoInputsCloseByMakeRight) {
   EXPECT_EQ(nearby(4, from_one), Nearby::kRefuted);                   // the far root
   EXPECT_EQ(nearby(2, {5, kNoEnd, {}, {}, {}}), Nearby::kRefuted);    // nothing counts
   EXPECT_EQ(nearby(2, {2.5, kNoEnd, {}, {}, {}}), Nearby::kRefuted);  // the culled near one
+}
+
+/// Tangents far from any end are excused as they are where every root >= 0 counts.
+TEST(RefutedNearby, LeavesTangentsFarFromAnyEndToTheSearchForWitnesses) {
+  const scene::Sphere touched{{3, 1, 0}, 1};
+  const auto missed = [&](const scene::ValidRoots& valid) {
+    return right_nearby(kRayAlongX, touched, {.relative_change = 16 * 0x1p-53, .valid = valid}, {})
+        .found;
+  };
+  for (const TUnit unit : {TUnit::kAbsolute, TUnit::kRadius, TUnit::kLength}) {
+    EXPECT_EQ(missed({1e-3, kNoEnd, Ends::kOpen, unit, {}}), Nearby::kWitness);
+    EXPECT_EQ(missed({0, 3, Ends::kOpen, unit, {}}), Nearby::kUndecided);  // it is the end
+  }
+  EXPECT_EQ(missed({1e-3, kNoEnd, Ends::kOpen, {}, Culling::kBackFaces}), Nearby::kWitness);
+  EXPECT_EQ(missed({1e-3, kNoEnd, Ends::kOpen, {}, Culling::kFrontFaces}), Nearby::kUndecided);
 }
 
 TEST(RefutedNearby, LeavesUndecidedWhatLiesAtAnEnd) {
@@ -124,17 +171,18 @@ TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
   for (const Ends ends : {Ends::kClosed, Ends::kOpen}) {
     const scene::ValidRoots from{0.1, kNoEnd, ends, TUnit::kRadius, {}};
     const scene::ValidRoots to{0, 0.1, ends, TUnit::kRadius, {}};
-    EXPECT_FALSE(is_outside(from, 3, rounded));
-    EXPECT_TRUE(is_outside(from, 3, nudged(rounded, -1)));
-    EXPECT_TRUE(is_outside(to, 3, rounded));
-    EXPECT_FALSE(is_outside(to, 3, nudged(rounded, -1)));
+    EXPECT_FALSE(is_outside(from, kRayAlongX, kRadius3, rounded));
+    EXPECT_TRUE(is_outside(from, kRayAlongX, kRadius3, nudged(rounded, -1)));
+    EXPECT_TRUE(is_outside(to, kRayAlongX, kRadius3, rounded));
+    EXPECT_FALSE(is_outside(to, kRayAlongX, kRadius3, nudged(rounded, -1)));
     // Where it is a double, the end decides.
     const scene::ValidRoots half{0.5, kNoEnd, ends, TUnit::kRadius, {}};
-    EXPECT_EQ(is_outside(half, 3, 1.5), ends == Ends::kOpen);
+    EXPECT_EQ(is_outside(half, kRayAlongX, kRadius3, 1.5), ends == Ends::kOpen);
   }
   const scene::ValidRoots wide{0, 0x1p1000, Ends::kClosed, TUnit::kRadius, {}};
-  EXPECT_FALSE(is_outside(wide, 0x1p1000, 0x1p1023));
-  EXPECT_TRUE(is_outside({0x1p-1000, 1, Ends::kClosed, TUnit::kRadius, {}}, 0x1p-60, 0));
+  EXPECT_FALSE(is_outside(wide, kRayAlongX, {{}, 0x1p1000}, 0x1p1023));
+  EXPECT_TRUE(is_outside({0x1p-1000, 1, Ends::kClosed, TUnit::kRadius, {}}, kRayAlongX,
+                         {{}, 0x1p-60}, 0));
 }
 
 TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {

@@ -188,6 +188,19 @@ TEST(Candidate, is_right_in_java) {
   expect_right(kRays, "command:java -cp " + folder + " Right");
 }
 
+TEST(Candidate, in_JavaScript_offers_all_that_one_in_Python_does) {
+  if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
+  const std::string folder = temporary_file("javascript", "") + ".d";
+  std::filesystem::create_directory(folder);
+  for (const char* name :
+       {"/tests/candidates/right.mjs", "/tools/external/adapters/raycheck_candidate.mjs"}) {
+    const std::filesystem::path from = std::string(RAYCHECK_SOURCE_DIR) + name;
+    std::filesystem::copy_file(from, std::filesystem::path(folder) / from.filename());
+  }
+  expect_right(kRays, "command:node " + folder + "/right.mjs");
+  expect_right(kCamera, "command:node " + folder + "/right.mjs");
+}
+
 TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
   const std::string candidate = "--candidate 'command:python3 tests/candidates/right.py'";
   run("properties --filter nearest-root --source rays --cases 60 " + candidate, 0);

@@ -133,7 +133,7 @@ struct Limits {
   std::uint64_t memory = std::uint64_t{4} << 30;
   std::uint64_t disk = std::uint64_t{1} << 30;   ///< In total, in bytes.
   std::uint64_t file = std::uint64_t{64} << 20;  ///< The largest file, in bytes.
-  std::uint64_t files = 64;                      ///< Open at a time.
+  std::uint64_t files = 256;                     ///< Open at a time.
   std::uint64_t processes = 64;
   LimitNames names = {};
 };

@@ -1,0 +1,187 @@
+// Candidates that demand unit directions, meet lines, end in scene lengths, or return less than s
+// and Q: each is asked and judged by what it says of itself.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "properties/candidate.h"
+#include "properties/case.h"
+#include "tests/tools/external/judged.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+/// Right intersections by the cross product; of the roots that `counts` the first becomes what it
+/// `returns`, and it `says` this of itself.
+std::string tracer(const std::string& name, const std::string& counts, const std::string& returns,
+                   const std::string& says) {
+  return "command:python3 " + temporary_file(name, R"(import math, raycheck_candidate as rc
+def cross(p, q):
+    return (p[1]*q[2] - p[2]*q[1], p[2]*q[0] - p[0]*q[2], p[0]*q[1] - p[1]*q[0])
+def dot(p, q):
+    return p[0]*q[0] + p[1]*q[1] + p[2]*q[2]
+def intersect(ray, sphere, by):
+    (o, d), (c, r) = ray, sphere
+    t = [x - y for x, y in zip(c, o)]
+    a, b, m = dot(d, d), dot(t, d), cross(t, d)
+    length = math.sqrt(a)
+    under = a * r * r - dot(m, m)
+    if under < 0: return None
+    q = b + math.copysign(math.sqrt(under), b)
+    other = (math.sqrt(dot(t, t)) - r) * (math.sqrt(dot(t, t)) + r) / q if q else 0.0
+    for s in sorted((q / a, other)):
+        point = [x + s * y for x, y in zip(o, d)]
+        if )" + counts + ": return " + returns + R"(
+rc.run('mine', intersect=intersect, root='nearest', tangent='either', )" + says + ")\n");
+}
+
+json laws_of(const std::string& candidate, const std::string& more = "") {
+  return report_of("properties --cases 150 " + more, candidate, 0)["campaigns"];
+}
+
+/// The finding of a law.
+std::string finding(const json& campaigns, const std::string& law) {
+  for (const json& one : campaigns) {
+    if (one["law"] == law) return one["finding"];
+  }
+  return "";
+}
+
+TEST(Contracts, that_return_less_are_judged_by_what_they_return) {
+  struct Contract {
+    const char *says, *returns;
+    bool gives_parameter, gives_point;
+  };
+  for (const auto& [says, returns, parameter, point] :
+       {Contract{"parameter", "s", true, false}, Contract{"point", "point", false, true},
+        Contract{"distance", "s * length", true, false},
+        Contract{"squared-distance", "(s * length) ** 2", true, false},
+        Contract{"class", "True", false, false}}) {
+    const json laws = laws_of(tracer("returns.py", "s >= 0", returns,
+                                     std::string("returns='") + says + "'"));
+    EXPECT_EQ(finding(laws, "class"), "holds") << says;
+    EXPECT_EQ(finding(laws, "parameter"), parameter ? "holds" : "left out") << says;
+    EXPECT_EQ(finding(laws, "hit-point"), point ? "holds" : "left out") << says;
+    EXPECT_EQ(finding(laws, "nearest-root"), parameter || point ? "holds" : "left out") << says;
+  }
+}
+
+TEST(Contracts, that_return_something_else_than_they_say_are_broken) {
+  const std::string far = tracer("far.py", "s >= 0", "[x + 1e-3 for x in point]", "returns='point'");
+  EXPECT_EQ(report_of("properties --filter hit-point", far, 1)["campaigns"][0]["finding"], "broken");
+  const std::string plain = tracer("plain.py", "s >= 0", "s", "returns='distance'");
+  EXPECT_EQ(report_of("properties --filter parameter", plain, 1)["campaigns"][0]["finding"],
+            "broken");
+}
+
+/// Such code takes s for a length: right for unit directions alone.
+TEST(Contracts, that_demand_unit_directions_are_asked_about_no_others) {
+  const std::string says = "returns='parameter', directions='unit'";
+  const std::string unit = tracer("unit.py", "s >= 0 and abs(length - 1) < 1e-15", "s", says);
+  const json laws = laws_of(unit, "--level demanding --source direction-length --source rays");
+  EXPECT_EQ(finding(laws, "class"), "holds");
+  EXPECT_EQ(finding(laws, "parameter"), "holds");
+  const std::string scene = temporary_file(
+      "long.toml",
+      "[[ray]]\norigin = [0, 0, 0]\ndirection = [1024, 0, 0]\n"
+      "[[ray]]\norigin = [0, 0, 0]\ndirection = [0.6, 0, 0.8]\n"
+      "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n");
+  const json report = judged(scene, unit);
+  EXPECT_EQ(report["made_unit"], 1);
+  EXPECT_EQ(report["discrepancies"], 0);
+  expect_parts(run("check " + scene + " --candidate '" + unit + "'").out,
+               {"demands unit directions: 1 direction of the scene made unit"});
+}
+
+/// The commonest epsilon of all.
+TEST(Contracts, may_end_in_scene_lengths) {
+  const std::string roots = "roots=rc.Roots('()', 1e-3, float('inf'), 'length', 'none')";
+  const std::string epsilon = tracer("epsilon.py", "s * length > 1e-3", "(s, point)", roots);
+  const json laws = laws_of(epsilon, "--source direction-length --source surface --source rays");
+  EXPECT_EQ(finding(laws, "class"), "holds");
+  EXPECT_EQ(finding(laws, "nearest-root"), "holds");
+  const std::string scene =
+      temporary_file("longer.toml", "[[ray]]\norigin = [0, 0, 0]\ndirection = [1024, 0, 0]\n"
+                                    "[[sphere]]\ncentre = [3, 0, 0]\nradius = 2\n");
+  EXPECT_EQ(judged(scene, epsilon)["discrepancies"], 0);
+  EXPECT_GT(judged(scene, tracer("wrong.py", "s > 1e-3", "(s, point)", roots))["discrepancies"], 0);
+}
+
+TEST(Contracts, may_be_of_lines) {
+  const std::string roots = "roots=rc.Roots('[]', float('-inf'), float('inf'), 'absolute', 'none')";
+  const json laws = laws_of(tracer("line.py", "True", "(s, point)", roots), "--source rays");
+  EXPECT_EQ(finding(laws, "class"), "holds");
+  EXPECT_EQ(finding(laws, "parameter"), "holds");
+  const std::string ray = tracer("ray.py", "s >= 0", "(s, point)", roots);
+  EXPECT_EQ(report_of("properties --filter class --source rays", ray, 1)["campaigns"][0]["finding"],
+            "broken");
+}
+
+/// An end as declared is exact: next to the float 0.001f there are floats between it and 0.001.
+TEST(Contracts, in_floats_keep_their_ends_in_doubles) {
+  const std::string scene =
+      temporary_file("float-end.toml", "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+                                       "[[sphere]]\ncentre = [3.0010001659393310546875, 0, 0]\n"
+                                       "radius = 3\n");
+  const std::string says =
+      "precision='single', roots=rc.Roots('()', 1e-3, float('inf'), 'absolute', 'none')";
+  EXPECT_EQ(judged(scene, tracer("float.py", "s > 1e-3", "(s, point)", says))["discrepancies"], 0);
+}
+
+/// Nothing decides whether a missed root within a rounding of the declared end counts.
+TEST(Contracts, show_the_case_that_is_left_undecided) {
+  const std::string misses =
+      tracer("misses.py", "s > 1.0000000000000002 ", "(s, point)",
+             "roots=rc.Roots('[]', 1.0, float('inf'), 'absolute', 'none')");
+  const std::string scene = temporary_file(
+      "end.toml", "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+                  "[[sphere]]\ncentre = [3, 0, 0]\nradius = 2\n");
+  const Outcome outcome = run("check " + scene + " --candidate '" + misses + "'");
+  EXPECT_EQ(outcome.exit_code, 4);
+  expect_parts(outcome.out, {"undecided"});
+}
+
+TEST(Completed, IsWhatWasReturnedAndWhatFollows) {
+  using properties::Returns;
+  const scene::Ray ray{{1, 0, 0}, {4, 0, 0}};
+  const scene::Sphere sphere{{9, 0, 0}, 4};  // from s = 1 on
+  const auto of = [&](Returns returns, const properties::HitAnswer& given) {
+    properties::Functions functions;
+    functions.intersect = [&](auto, auto, const auto&) {
+      return std::vector<properties::SphereHits>{{{0, given}}};
+    };
+    return completed(functions, returns).intersect({&ray, 1}, {&sphere, 1}, {}).at(0).at(0).hit;
+  };
+  EXPECT_EQ(of(Returns::kParameter, {1, {}}).point.x, 5);
+  EXPECT_EQ(of(Returns::kDistance, {4, {}}).parameter, 1);
+  EXPECT_EQ(of(Returns::kSquaredDistance, {16, {}}).parameter, 1);
+  EXPECT_EQ(of(Returns::kPoint, {0, {5, 0, 0}}).parameter, 1);
+  EXPECT_EQ(of(Returns::kClass, {}).parameter, 2);
+  EXPECT_TRUE(std::isnan(of(Returns::kSquaredDistance, {-1, {}}).parameter));
+}
+
+TEST(RoundedCase, MakesDirectionsUnitWhereTheyHaveToBe) {
+  using scene::Precision;
+  properties::Case one;
+  one.scene.rays = {{{}, {0.6, 0, 0.8}}, {{}, {0x1p900, 0x1p900, 0}}, {{}, {0x1p-1074, 0, 0}}};
+  one.scene.spheres = {{{3, 0, 0}, 1}};
+  for (const Precision precision : {Precision::kDouble, Precision::kSingle}) {
+    const auto rounded = rounded_case(one, {precision, true});
+    EXPECT_EQ(rounded.made_unit, 2u);
+    ASSERT_TRUE(rounded.the_case);
+    EXPECT_EQ(rounded.the_case->scene.rays[2].direction.x, 1);
+    EXPECT_TRUE(is_of_format(rounded.the_case->scene, {precision, true}));
+    EXPECT_EQ(rounded_case(*rounded.the_case, {precision, true}).made_unit, 0u);
+  }
+  EXPECT_FALSE(is_of_format(one.scene, {Precision::kDouble, true}));
+  EXPECT_TRUE(is_of_format(one.scene, Precision::kDouble));
+}
+
+}  // namespace
+}  // namespace raycheck::tests
