@@ -1,7 +1,7 @@
 // Eigen's PolynomialSolver of the textbook's rounded coefficients: eigenvalues of a companion
 // matrix. Debian: libeigen3-dev.
 // Source: unsupported/Eigen/Polynomials, smallestRealRoot(): roots whose imaginary part is at most
-// 1e-12 are real.
+// 1e-12 are real, so that lengths stay far above it.
 
 #include <unsupported/Eigen/Polynomials>
 
@@ -20,4 +20,4 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere,
 }
 
 RAYCHECK_CANDIDATE(.tangent = Tangent::hit, .intersect = intersect, .level = Level::ordinary,
-                   .smallest_length = kSmallest, .largest_length = kLargest)
+                   .smallest_length = 0x1p-10, .largest_length = kLargest)

@@ -1,7 +1,8 @@
 // geometric_shapes' (ROS, MoveIt) bodies::Sphere::intersectsRay, in doubles: the intersections in
 // order along the ray, of which one is asked for. Debian: libgeometric-shapes-dev;
 // -lgeometric_shapes.
-// Source: geometric_shapes/bodies.h: a unit direction is only faster. Silent on tangents.
+// Source: geometric_shapes/bodies.h: a unit direction is only faster. Silent on tangents and
+// on its epsilon, an absolute 1e-9: lengths stay far above it.
 
 #include <geometric_shapes/bodies.h>
 #include <geometric_shapes/shapes.h>
@@ -23,5 +24,5 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
 }
 
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
-                   .level = Level::ordinary, .smallest_length = kSmallest,
-                   .largest_length = kLargest, .returns = Returns::point)
+                   .level = Level::ordinary, .smallest_length = 0x1p-10, .largest_length = kLargest,
+                   .returns = Returns::point)

@@ -1,8 +1,8 @@
 // Wild Magic 5's IntrRay3Sphere3 (in doubles; wildmagic-ray-float.cpp: in floats): the first point
 // of P + t D, t >= 0, and its t; D must be unit. Debian: libwildmagic-dev; -lWm5Mathematics
 // -lWm5Core.
-// Source: libwildmagic/Wm5IntrRay3Sphere3.h, Wm5Ray3.h. Silent on tangents, and on the order of
-// two points.
+// Source: libwildmagic/Wm5IntrRay3Sphere3.h, Wm5Ray3.h. Silent on tangents, on the order of two
+// points, and on what Math::ZERO_TOLERANCE, 1e-8 (1e-6 in floats), does: lengths stay above it.
 
 #include <libwildmagic/Wm5IntrRay3Sphere3.h>
 
@@ -21,6 +21,5 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
 }
 
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
-                   .level = Level::ordinary, .smallest_length = kSmallest,
-                   .largest_length = kLargest, .precision = kPrecision,
-                   .directions = Directions::unit)
+                   .level = Level::ordinary, .smallest_length = 0x1p-10, .largest_length = kLargest,
+                   .precision = kPrecision, .directions = Directions::unit)
