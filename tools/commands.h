@@ -48,6 +48,7 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
   ROW(grade, grade, "Grade submissions by a rubric; without any, try the rubric")                   \
   ROW(try, grade, "Grade your own submission by a rubric, as your instructors will")                \
   ROW(rubric, grade, "Print or copy a rubric that comes with raycheck; without a name, list them")  \
+  ROW(new, study, "Write an adapter for your own code, to fill in")                                 \
   ROW(list, study, "Show methods, laws, sources and conventions")
 // clang-format on
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <optional>
 #include <span>
 
 #include "properties/cases/case_text.h"
@@ -15,6 +17,7 @@ namespace {
 using properties::CampaignPart;
 using properties::CampaignResult;
 using properties::Finding;
+using properties::Level;
 using properties::Standing;
 
 /// "rays, all of up, distance@3..7, tangency@6,9..12": runs of successively judged severities.
@@ -94,6 +97,46 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
   return text + fmt::format("    {}\n", too_few_text(result));
 }
 
+/// What matters most about someone else's implementation, of the campaigns about it: the mistake
+/// that explains most, or up to which level it is right.
+std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
+  const properties::Explanation* cause = nullptr;
+  std::optional<properties::Level> broken;
+  std::string laws;
+  for (const CampaignReport* campaign : campaigns) {
+    for (const properties::Explanation& one : campaign->explanations) {
+      if (cause == nullptr || one.explained > cause->explained) cause = &one;
+    }
+    if (campaign->finding != Finding::kBroken) continue;
+    laws += (laws.empty() ? "" : ", ") + std::string(campaign->law->name);
+    for (const CampaignPart& part : campaign->result.parts) {
+      if (part.is_broken()) broken = std::min(broken.value_or(Level::kExtreme), part.source.level());
+    }
+  }
+  const Level tried = campaigns.front()->result.level;
+  if (!broken) return fmt::format("right on {} cases, as far as it was asked", name(tried));
+  const std::string right =
+      *broken > Level::kOrdinary
+          ? fmt::format("right on {} cases; ", name(static_cast<Level>(static_cast<int>(*broken) - 1)))
+          : "";
+  if (cause == nullptr) return fmt::format("{}breaks {}", right, laws);
+  return fmt::format("{}{} ({} of {} wrong answers)", right, cause->sentence, cause->explained,
+                     cause->errors);
+}
+
+/// A line about each of them, where several laws were tried.
+std::string first_sentences(const PropertiesReport& report) {
+  std::map<std::string, std::vector<const CampaignReport*>> by_candidate;
+  for (const CampaignReport& campaign : report.campaigns) {
+    if (!campaign.implementation.methods) by_candidate[campaign.candidate].push_back(&campaign);
+  }
+  std::string text;
+  for (const auto& [candidate, campaigns] : by_candidate) {
+    if (campaigns.size() > 1) text += fmt::format("{}: {}\n", candidate, first_sentence(campaigns));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& result) {
@@ -146,7 +189,7 @@ std::string too_few_text(const CampaignResult& result) {
 }
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {
-  std::string text;
+  std::string text = first_sentences(report);
   for (const BorrowedBounds& bounds : report.borrowed) {
     text += fmt::format("{} documents no bounds: judged by those of {} (--bounds)\n",
                         bounds.candidate, bounds.methods);

@@ -65,10 +65,17 @@ public abstract class RaycheckCandidate {
    */
   public String precision() { return null; }
   /**
-   * Which roots count: "() 1e-4 100 absolute none" (ends, t_min, t_max, "absolute" or "radius",
-   * culling); null: every one that is 0 or more.
+   * Which roots count: "() 1e-4 100 absolute none" (ends, t_min, t_max, "absolute", "radius" or
+   * "length", culling); null: every one that is 0 or more.
    */
   public String roots() { return null; }
+  /** "unit" if it is to be given unit directions alone; null: any. */
+  public String directions() { return null; }
+  /**
+   * What it returns of a hit, "parameter", "point", "distance", "squared-distance" or "class"
+   * (the rest of a Hit means nothing then); null: s and the point.
+   */
+  public String returns() { return null; }
 
   private record Name(String java, String asked) {}
   private static final List<Name> FUNCTIONS = List.of(new Name("frame", "frame"),
@@ -104,6 +111,8 @@ public abstract class RaycheckCandidate {
     if (level() != null) said.append("level ").append(level()).append('\n');
     if (roots() != null) said.append("roots ").append(roots()).append('\n');
     if (precision() != null) said.append("precision ").append(precision()).append('\n');
+    if (directions() != null) said.append("directions ").append(directions()).append('\n');
+    if (returns() != null) said.append("returns ").append(returns()).append('\n');
     if (lengths() != null) {
       said.append("lengths ").append(text(lengths()[0])).append(' ');
       said.append(text(lengths()[1])).append('\n');
@@ -163,6 +172,8 @@ public abstract class RaycheckCandidate {
         case "conventions":
           request.asked = new Conventions(words[1], words[2], words[3], words[4], words[5]);
           break;
+        case "roots":
+          break;  // declared ones are known to who declares them
         case "camera":
           request.camera = new Camera(vector(words, 1), vector(words, 4), vector(words, 7),
               number(words[10]), number(words[11]), number(words[12]), number(words[13]),
@@ -223,7 +234,7 @@ public abstract class RaycheckCandidate {
             Hit hit = intersect(request.rays.get(r), request.spheres.get(s), request.asked);
             if (hit == null) continue;
             reply.append(r).append(' ').append(s).append(' ').append(text(hit.s)).append(' ');
-            reply.append(text(hit.point)).append('\n');
+            reply.append(hit.point == null ? "0 0 0" : text(hit.point)).append('\n');
           }
         }
       }

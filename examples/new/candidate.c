@@ -1,0 +1,27 @@
+/* NAME, judged by raycheck: call your function below, and say what it promises. */
+
+#include <raycheck/candidate.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static raycheck_hit intersect(const raycheck_ray* ray, const raycheck_sphere* sphere,
+                              const raycheck_conventions* asked) {
+  /* Doubles: ray->origin, ray->direction, sphere->centre (x, y, z), sphere->radius. Return
+     {0, ...} for a miss, or {1, s, {x, y, z}} with the point at origin + s direction. */
+  (void)ray, (void)sphere, (void)asked;
+  fputs("NAME: intersect() does not call your function yet\n", stderr);
+  exit(1);
+}
+
+#ifdef __cplusplus
+extern "C"
+#endif
+const raycheck_candidate* raycheck_candidate_functions(void) {
+  static raycheck_candidate candidate;
+  candidate.version = RAYCHECK_CANDIDATE_VERSION;
+  candidate.name = "NAME";
+  candidate.intersect = intersect;
+  /* Add what holds: candidate.declared.root, .tangent; candidate.precision if it computes in
+     floats; candidate.roots and .declared_roots; candidate.directions; candidate.returns. */
+  return &candidate;
+}

@@ -1,0 +1,20 @@
+// NAME, judged by raycheck: call your function below, and say at the end what it promises.
+
+#include <raycheck/candidate.hpp>
+#include <stdexcept>
+
+using namespace raycheck;
+
+static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
+  // ray.origin, ray.direction, sphere.centre (x, y, z) and sphere.radius are doubles. Return
+  // std::nullopt for a miss, or Hit{s, {x, y, z}} with the point at origin + s direction.
+  (void)ray, (void)sphere;
+  throw std::runtime_error("NAME: intersect() does not call your function yet");
+}
+
+// Add what holds, in this order: .root = Root::nearest or Root::smaller, .tangent = Tangent::hit,
+// miss or either, .precision = Precision::single if it computes in floats,
+// .roots = Roots::declared and .valid = {.t_min = 1e-3, .ends = Ends::open, .unit = TUnit::length}
+// if it takes no hit nearer than that, .directions = Directions::unit if it demands them,
+// .returns = Returns::parameter, point, distance, squared_distance or class_only.
+RAYCHECK_CANDIDATE(.name = "NAME", .intersect = intersect)

@@ -1,0 +1,15 @@
+/** NAME, judged by raycheck: call your function below, and override what it promises. */
+public class NAME extends RaycheckCandidate {
+  @Override
+  public Hit intersect(Ray ray, Sphere sphere, Conventions asked) {
+    // Return null for a miss, or new Hit(s, point) with the point at origin + s direction.
+    throw new UnsupportedOperationException("NAME: intersect() does not call your function yet");
+  }
+
+  // Override what holds: declared() { return List.of("root nearest", "tangent hit"); }, precision(),
+  // roots(), directions(), returns().
+
+  public static void main(String[] arguments) throws java.io.IOException {
+    new NAME().run("NAME");
+  }
+}

@@ -1,0 +1,12 @@
+// NAME, judged by raycheck: call your function below, and say at the end what it promises.
+import { run } from "./raycheck_candidate.mjs";
+
+function intersect({ origin, direction }, { centre, radius }) {
+  // Vectors are [x, y, z]. Return null for a miss, or { s, point } with the point at origin + s direction.
+  throw new Error("NAME: intersect() does not call your function yet");
+}
+
+// Add what holds: root: "nearest" or "smaller", tangent: "hit", "miss" or "either", precision: "single",
+// roots: { ends: "()", tMin: 1e-3, unit: "length" } if it takes no hit nearer than that, directions: "unit" if it demands
+// them, returns: "parameter", "point", "distance", "squared-distance" or "class".
+run("NAME", { intersect });

@@ -1,0 +1,15 @@
+"""NAME, judged by raycheck: call your function below, and say at the end what it promises."""
+import raycheck_candidate as rc
+
+
+def intersect(ray, sphere, conventions):
+    (origin, direction), (centre, radius) = ray, sphere
+    # Return None for a miss, or (s, point) with the point at origin + s direction.
+    raise NotImplementedError("NAME: intersect() does not call your function yet")
+
+
+# Add what holds: root="nearest" or "smaller", tangent="hit", "miss" or "either", precision="single",
+# roots=rc.Roots("()", 1e-3, float("inf"), "length", "none") if it takes no hit nearer than that,
+# directions="unit" if it demands them, returns="parameter", "point", "distance",
+# "squared-distance" or "class".
+rc.run("NAME", intersect=intersect)

@@ -1,0 +1,96 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <memory>
+#include <regex>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scene/files/file_text.h"
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/external/sandbox/launch.h"
+#include "tools/report/output_file.h"
+#include "tools/report/version.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A language that adapters may be written in.
+struct Language {
+  std::string_view name, extension;
+  std::string_view beside;  ///< A file of adapters() that lies beside it; empty: none does.
+  std::string_view judged;  ///< How NAME is judged.
+};
+constexpr Language kLanguages[] = {
+    {"cpp", ".cpp", "", "--candidate source:NAME.cpp"},
+    {"c", ".c", "", "--candidate source:NAME.c"},
+    {"python", ".py", "", "--candidate 'command:python3 NAME.py'"},
+    {"node", ".mjs", "raycheck_candidate.mjs", "--candidate 'command:node NAME.mjs'"},
+    {"java", ".java", "RaycheckCandidate.java",
+     "--candidate 'command:java -cp . NAME', once `javac NAME.java RaycheckCandidate.java` has "
+     "compiled it"}};
+
+struct NewArguments {
+  std::string name, language = "cpp", out = ".";
+};
+
+std::string named(std::string_view text, const std::string& name) {
+  return std::regex_replace(std::string(text), std::regex("NAME"), name);
+}
+
+std::string write_adapter(const NewArguments& arguments) {
+  const auto* const language =
+      std::find_if(std::begin(kLanguages), std::end(kLanguages),
+                   [&](const Language& one) { return one.name == arguments.language; });
+  const fs::path installed = prefix() / "share/raycheck/new";
+  const fs::path templates = fs::exists(installed) ? installed : fs::path(kSourceFolder) / "examples/new";
+  const std::string file = arguments.name + std::string(language->extension);
+  std::vector<std::pair<std::string, std::string>> texts = {
+      {file, named(scene::file_text(templates / ("candidate" + std::string(language->extension))),
+                   arguments.name)}};
+  if (!language->beside.empty()) {
+    const std::string beside(language->beside);
+    texts.emplace_back(beside, scene::file_text(adapters() / beside));
+  }
+  const fs::path out = arguments.out;
+  if (fs::exists(out / file)) {
+    throw std::invalid_argument(fmt::format("out {}: {} is there already", arguments.out, file));
+  }
+  for (const auto& [name, text] : texts) OutputFile("out", out / name).write(text);
+  return fmt::format(
+      "wrote {}: it compiles, and says what is missing when it is judged:\n"
+      "  raycheck properties {}\n",
+      (out / file).lexically_normal().string(),
+      named(language->judged, (out / arguments.name).lexically_normal().string()));
+}
+
+}  // namespace
+
+CommandRun add_new(CLI::App& command) {
+  const auto given = std::make_shared<NewArguments>();
+  command.add_option("NAME", given->name, "of the adapter, a file beside your code")
+      ->required()
+      ->check([](const std::string& name) {
+        return std::regex_match(name, std::regex("[A-Za-z][A-Za-z0-9_]*"))
+                   ? std::string()
+                   : "must be a letter, then letters, digits and _";
+      });
+  std::vector<std::string> names;
+  for (const Language& language : kLanguages) names.emplace_back(language.name);
+  command.add_option("--language", given->language, "what your code is called from")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  command.add_option("--out", given->out, "the folder that takes it")
+      ->check(CLI::ExistingDirectory)
+      ->capture_default_str();
+  return [given] {
+    print_report(write_adapter(*given));
+    return kExitNothingFound;
+  };
+}
+
+}  // namespace raycheck::tools
