@@ -144,7 +144,7 @@ struct Functions {
 
 /// What an implementation promises of its answers.
 struct Promises {
-  /// The format that it is judged in: cases are rounded to it (rounded_case.h), and errors and
+  /// The format that it is judged in: cases are rounded to it (rounded_case), and errors and
   /// bounds count its ulp and u.
   scene::Precision precision = scene::Precision::kDouble;
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
