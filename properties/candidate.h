@@ -146,7 +146,7 @@ struct Functions {
 
 /// What an implementation promises of its answers.
 struct Promises {
-  /// The format that it is judged in: cases are rounded to it (rounded_case.h), and errors and
+  /// The format that it is judged in: cases are rounded to it (rounded_case), and errors and
   /// bounds count its ulp and u.
   scene::Precision precision = scene::Precision::kDouble;
   /// Whether it is asked about rays with unit directions alone.

@@ -96,9 +96,9 @@ struct MeasuredError {
 };
 
 /// A case, the truth about it and a candidate's answers to it: what laws compare, and how they
-/// judge it. The truth never sees the candidate. Domain: a valid scene (scene/validate.h) whose
-/// numbers are of the candidate's format
-///         (rounded_case.h), pixels inside its image; otherwise the constructor throws
+/// judge it. The truth never sees the candidate.
+/// Domain: a valid scene (scene/validate.h) whose numbers are of the candidate's format
+///         (rounded_case), pixels inside its image; otherwise the constructor throws
 ///         std::invalid_argument.
 class Trial : public Answers {
  public:

@@ -134,7 +134,7 @@ const Law* find_law(std::string_view name);
 Verdict apply(const Law& law, Trial& trial);
 
 /// A candidate's trial on a case. Laws about rays that it meets with spheres and does not make are
-/// asked on the camera's exact rays, given to it (given_rays.h), and say so of the pixels.
+/// asked on the camera's exact rays, given to it (given_rays), and say so of the pixels.
 class Trials {
  public:
   Trials(const Case& the_case, const Candidate& candidate, const TrialOptions& options = {});

@@ -39,7 +39,7 @@ struct CaseCounts {
   int left_out = 0;    ///< Of those, the ones that the law had nothing to say about, or that the
                        ///< candidate's format cannot hold,
   int not_judged = 0;  ///< and those outside the candidate's stated domain.
-  int given_rays = 0;  ///< Of all, those judged on raycheck's rays (given_rays.h).
+  int given_rays = 0;  ///< Of all, those judged on raycheck's rays (given_rays).
   std::string reason;  ///< Why the last of those left out was.
 
   void add(const CaseCounts& other);

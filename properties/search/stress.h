@@ -31,7 +31,7 @@ struct StressResult {
   Verdict inside;
   Verdict outside;
   std::vector<Example> found;  ///< The first of each law and kind of error.
-  std::uint64_t left_out = 0;  ///< Cases that its format cannot hold (properties/rounded_case.h).
+  std::uint64_t left_out = 0;  ///< Cases that its format cannot hold (rounded_case).
 
   void merge(StressResult other);
 };

@@ -58,4 +58,9 @@ std::string Table::markdown() const {
   return result;
 }
 
+std::string Table::section(std::string_view heading, Markup markup) const {
+  return markup == Markup::kPlain ? fmt::format("\n{}\n\n{}", heading, text())
+                                  : fmt::format("\n### {}\n\n{}", heading, markdown());
+}
+
 }  // namespace raycheck::tools

@@ -6,6 +6,9 @@
 
 namespace raycheck::tools {
 
+/// How a report with tables is written.
+enum class Markup { kPlain, kMarkdown };
+
 /// A table of a report, printed as aligned text or as Markdown.
 class Table {
  public:
@@ -23,6 +26,8 @@ class Table {
   /// Lines indented by `indent`, columns two spaces apart.
   std::string text(std::string_view indent = "  ") const;
   std::string markdown() const;
+  /// Under a heading, with empty lines around it.
+  std::string section(std::string_view heading, Markup markup) const;
 
  private:
   std::vector<Column> columns_;

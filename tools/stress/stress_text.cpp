@@ -171,8 +171,8 @@ std::string explanation() {
       properties::kExcusedChange / properties::kDoubleRoundoff, properties::kStableRatio);
 }
 
-template <class Render>
-std::string rendered(const StressReport& report, Render render, std::string_view heading) {
+std::string rendered(const StressReport& report, Markup markup) {
+  const char* const item = markup == Markup::kPlain ? "" : "- ";
   std::string text;
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n\n";
   text += fmt::format("{} cases at each severity, seed {}.\n{}", report.cases, report.seed,
@@ -186,27 +186,22 @@ std::string rendered(const StressReport& report, Render render, std::string_view
   for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
     const Table table = first_failing_table(report, stage);
     if (table.empty()) continue;
-    text +=
-        fmt::format("\n{}first failing severity, {}\n\n{}", heading, name(stage), render(table));
+    text += table.section(fmt::format("first failing severity, {}", name(stage)), markup);
   }
   const std::size_t curves = count_curves(report);
-  if (curves <= kMostSummed) {
-    text += fmt::format("\n{}by method\n\n{}", heading, render(summary_table(report)));
-  }
-  if (curves <= kMostDetailed) {
-    text += fmt::format("\n{}by severity\n\n{}", heading, render(detail_table(report)));
-  }
+  if (curves <= kMostSummed) text += summary_table(report).section("by method", markup);
+  if (curves <= kMostDetailed) text += detail_table(report).section("by severity", markup);
   text += "\n";
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
       if (curve.left_out() == 0) continue;
-      text += fmt::format("{}{} on {} ({}): {} left out, whose numbers floats cannot hold\n",
-                          heading.empty() ? "" : "- ", curve.method.name, family.family->name,
-                          name(curve.stage), count_text(curve.left_out(), "case"));
+      text += fmt::format("{}{} on {} ({}): {} left out, whose numbers floats cannot hold\n", item,
+                          curve.method.name, family.family->name, name(curve.stage),
+                          count_text(curve.left_out(), "case"));
     }
   }
   for (const FamilyReport& family : report.families) {
-    text += fmt::format("{}{}: severity is {}\n", heading.empty() ? "" : "- ", family.family->name,
+    text += fmt::format("{}{}: severity is {}\n", item, family.family->name,
                         family.family->dial->meaning);
   }
   return text;
@@ -215,13 +210,11 @@ std::string rendered(const StressReport& report, Render render, std::string_view
 }  // namespace
 
 std::string stress_text(const StressReport& report, const ViewOptions& /*options*/) {
-  return rendered(
-      report, [](const Table& table) { return table.text(); }, "");
+  return rendered(report, Markup::kPlain);
 }
 
 std::string stress_markdown(const StressReport& report, const ViewOptions& /*options*/) {
-  return rendered(
-      report, [](const Table& table) { return table.markdown(); }, "### ");
+  return rendered(report, Markup::kMarkdown);
 }
 
 }  // namespace raycheck::tools

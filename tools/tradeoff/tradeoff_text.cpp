@@ -141,57 +141,32 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
   return table;
 }
 
-struct Section {
-  std::string heading;
-  Table table;
-};
-
-std::vector<Section> sections_of(const TradeoffReport& report) {
-  std::vector<Section> sections;
-  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
-    const std::string_view words = precision_words(precision);
-    if (has_any(report.rays, precision)) {
-      sections.push_back({fmt::format("rays{}", words), ray_table(report.rays, precision)});
-    }
-    if (has_any(report.intersections, precision)) {
-      sections.push_back({fmt::format("intersections{}", words),
-                          intersection_table(report.intersections, precision)});
-    }
-  }
-  return sections;
-}
-
-template <class Render>
-std::string rendered(const TradeoffReport& report, Render render, std::string_view heading,
-                     std::string_view item) {
-  std::string text;
-  if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n\n";
-  text += fmt::format("{}: {}, seed {}\n", report.subject, count_text(report.cases, "case"),
-                      report.seed);
-  for (const Section& section : sections_of(report)) {
-    text += fmt::format("\n{}{}\n\n{}", heading, section.heading, render(section.table));
-  }
-  text += fmt::format(
+/// What the columns are.
+std::string legend(std::string_view item, bool has_single) {
+  std::string text = fmt::format(
       "\n{0}*: no other method is as fast in a batch, with as small a share of defects and as "
-      "small a "
-      "99.9% error\n{0}ns: median of interleaved repetitions (and where the middle half of them "
-      "lies); ratio: of batches, to the first; a call to make rays sets up its camera, too\n{0}/M: "
-      "per million decisions; defects: wrong "
-      "decisions that no relative change of the inputs by {1:g} u makes right\n{0}bound: what the "
-      "method documents up to condition number {2:g}; beyond, it grows in proportion; audited: the "
-      "largest error over that growth\n{0}stable: "
-      "no "
-      "defect, and rho = error / ((1 + kappa) u) at most {3:g}\n{0}outside: inputs outside the "
-      "method's stated domain\n",
+      "small a 99.9% error\n"
+      "{0}ns: median of interleaved repetitions (and where the middle half of them lies); ratio: "
+      "of "
+      "batches, to the first; a call to make rays sets up its camera, too\n"
+      "{0}/M: per million decisions; defects: wrong decisions that no relative change of the "
+      "inputs "
+      "by {1:g} u makes right\n"
+      "{0}bound: what the method documents up to condition number {2:g}; beyond, it grows in "
+      "proportion; audited: the largest error over that growth\n"
+      "{0}stable: no defect, and rho = error / ((1 + kappa) u) at most {3:g}\n"
+      "{0}outside: inputs outside the method's stated domain\n",
       item, properties::kExcusedChange / properties::kDoubleRoundoff,
       properties::kModerateCondition, properties::kStableRatio);
-  if (has_any(report.rays, scene::Precision::kSingle) ||
-      has_any(report.intersections, scene::Precision::kSingle)) {
-    text += fmt::format(
-        "{}in single precision: u and ulp are those of float, 2^29 times those of double, as which "
-        "* compares them\n",
-        item);
-  }
+  if (!has_single) return text;
+  return text + fmt::format(
+                    "{}in single precision: u and ulp are those of float, 2^29 times those of "
+                    "double, as which * compares them\n",
+                    item);
+}
+
+/// Whom others' code isolates, and who of it is timed in this process.
+std::string others_text(const TradeoffReport& report, std::string_view item) {
   std::vector<Implementation> methods;
   std::string called_here;
   for (const auto* costs : {&report.rays, &report.intersections}) {
@@ -204,14 +179,16 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
     called_here += fmt::format("{}{} of {}", called_here.empty() ? "" : "; ",
                                name(costs->front().stage), fmt::join(names, ", "));
   }
-  const std::string others = isolation_text(methods);
-  if (!others.empty()) text += "\n" + indented(others, item);
-  if (!called_here.empty()) {
-    text += fmt::format(
-        "{}timed in raycheck's own process (--sandbox none), by the same loops, once the answers "
-        "there were those that were judged: {}\n",
-        item, called_here);
-  }
+  std::string text = indented(isolation_text(methods), item);
+  if (!text.empty()) text = "\n" + text;
+  if (called_here.empty()) return text;
+  return text + fmt::format(
+                    "{}timed in raycheck's own process (--sandbox none), by the same loops, once "
+                    "the answers there were those that were judged: {}\n",
+                    item, called_here);
+}
+
+std::vector<std::string> left_out_of(const TradeoffReport& report) {
   std::vector<std::string> notes = report.left_out;
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
@@ -226,7 +203,31 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
       }
     }
   }
-  if (!notes.empty()) text += fmt::format("\n{}left out\n\n", heading);
+  return notes;
+}
+
+std::string rendered(const TradeoffReport& report, Markup markup) {
+  const bool is_plain = markup == Markup::kPlain;
+  const char* const item = is_plain ? "  " : "- ";
+  std::string text;
+  if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n\n";
+  text += fmt::format("{}: {}, seed {}\n", report.subject, count_text(report.cases, "case"),
+                      report.seed);
+  bool has_single = false;
+  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+    const auto add = [&](std::string_view kind, const std::vector<MethodCost>& costs,
+                         Table (*table_of)(const std::vector<MethodCost>&, scene::Precision)) {
+      if (!has_any(costs, precision)) return;
+      has_single = has_single || precision == scene::Precision::kSingle;
+      text += table_of(costs, precision)
+                  .section(fmt::format("{}{}", kind, precision_words(precision)), markup);
+    };
+    add("rays", report.rays, ray_table);
+    add("intersections", report.intersections, intersection_table);
+  }
+  text += legend(item, has_single) + others_text(report, item);
+  const std::vector<std::string> notes = left_out_of(report);
+  if (!notes.empty()) text += fmt::format("\n{}left out\n\n", is_plain ? "" : "### ");
   for (const std::string& note : notes) text += fmt::format("{}{}\n", item, note);
   return text;
 }
@@ -234,13 +235,11 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
 }  // namespace
 
 std::string tradeoff_text(const TradeoffReport& report, const ViewOptions& /*options*/) {
-  return rendered(
-      report, [](const Table& table) { return table.text(); }, "", "  ");
+  return rendered(report, Markup::kPlain);
 }
 
 std::string tradeoff_markdown(const TradeoffReport& report, const ViewOptions& /*options*/) {
-  return rendered(
-      report, [](const Table& table) { return table.markdown(); }, "### ", "- ");
+  return rendered(report, Markup::kMarkdown);
 }
 
 }  // namespace raycheck::tools
