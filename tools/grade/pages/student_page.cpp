@@ -89,7 +89,9 @@ std::string item_html(const StudentGrade& all, std::size_t k, const std::string&
   return html + "</details>\n";
 }
 
-std::string report_html(const StudentGrade& grade) {
+}  // namespace
+
+std::string report_page(const StudentGrade& grade) {
   const SubmissionGrade& submission = grade.submission;
   std::string html =
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(grade.title), escaped(submission.name));
@@ -122,22 +124,12 @@ std::string report_html(const StudentGrade& grade) {
     html += failing + others;
   }
   html += "<div>" + command_html(command_for_all(grade)) + "</div>\n";
-  if (grade.unlisted > 0) {
-    html += fmt::format(
-        "<p class=\"quiet\">{} in the score and not shown.</p>\n",
-        grade.unlisted == 1 ? "1 item is" : fmt::format("{} items are", grade.unlisted));
-  }
+  if (grade.unlisted > 0) html += "<p class=\"quiet\">" + unlisted_text(grade) + ".</p>\n";
   if (submission.program) {
     html += fmt::format("<p class=\"quiet\">run as {}, isolated by: {}</p>\n",
                         escaped(submission.program->text()), escaped(submission.isolation.text()));
   }
   return page(grade.title + ": " + submission.name, html);
-}
-
-}  // namespace
-
-StudentPages student_pages(const StudentGrade& grade) {
-  return {report_html(grade), figures_page(grade)};
 }
 
 }  // namespace raycheck::tools

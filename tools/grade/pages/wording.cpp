@@ -92,34 +92,18 @@ std::string reason_text(const ItemReason& reason) {
 }
 
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake) {
-  if (mistake.wrong == 0) return mistake.sentence;
-  return fmt::format("{}: {} of {} wrong {} are right that way", mistake.sentence,
+  if (mistake.wrong == 0) return mistake.sentence();
+  return fmt::format("{}: {} of {} wrong {} are right that way", mistake.sentence(),
                      mistake.explained, mistake.wrong, grade.pictures ? "pixels" : "answers");
 }
 
 std::string mistake_text(const SubmissionGrade& grade) {
-  struct Said {
-    std::string sentence;
-    int items = 0;
-    bool costs = false;  ///< Some item's points.
-  };
-  std::vector<Said> all;
-  for (const ItemGrade& item : grade.items) {
-    for (const ExplainingMistake& mistake : item.mistakes) {
-      for (const std::string& sentence : mistake.each()) {
-        auto known = std::find_if(all.begin(), all.end(),
-                                  [&](const Said& one) { return one.sentence == sentence; });
-        if (known == all.end()) known = all.insert(known, Said{sentence});
-        ++known->items;
-        known->costs = known->costs || item.state == ItemState::kFails;
-      }
-    }
-  }
+  std::vector<MistakeStatistics> all = mistake_statistics({&grade, 1});
   std::stable_sort(all.begin(), all.end(),
-                   [](const Said& a, const Said& b) { return a.items > b.items; });
+                   [](const auto& a, const auto& b) { return a.items > b.items; });
   // The most frequent one is named, and all others that cost points.
   std::string text;
-  for (const Said& one : all) {
+  for (const MistakeStatistics& one : all) {
     if (text.empty() || one.costs) text += (text.empty() ? "" : "; and ") + one.sentence;
   }
   return text;
@@ -168,6 +152,12 @@ std::string not_judged_text(const SubmissionGrade& grade) {
 
 std::string refusal_text(const Refusal& refused) {
   return refused.said.empty() ? refused.why : refused.why + "\n" + refused.said;
+}
+
+std::string unlisted_text(const StudentGrade& grade) {
+  if (grade.unlisted == 0) return "";
+  return (grade.unlisted == 1 ? "1 item is" : fmt::format("{} items are", grade.unlisted)) +
+         " in the score and not shown";
 }
 
 std::string law_text(const FailingCase& failing) {
