@@ -71,7 +71,7 @@ const std::map<std::string, Rooms> kSees = {
      {"scene/files", "properties/laws", "properties/cases", "tools/report", "tools/implementations",
       "tools/external"}},
     {"tools/grade/results",
-     {"scene", "scene/files", "properties", "properties/laws", "tools/report", "tools/external",
+     {"scene", "scene/files", "properties", "tools/report", "tools/external",
       "tools/grade/rubric"}},
     {"tools/grade/store", {"tools/report", "tools/external", "tools/grade/rubric"}},
     {"tools/grade/intake",

@@ -1,34 +1,288 @@
 #include "properties/mistakes/answer_explanation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
 #include <utility>
 
-#include "properties/mistakes/answer_examination.h"
+#include "properties/mistakes/mistake_list.h"
+#include "properties/rounded_case.h"
+#include "properties/trial.h"
+#include "scene/interruption.h"
 
 namespace raycheck::properties {
 namespace {
 
-/// The mistakes that best explain the answers of a part, from its first step up to another step.
-std::vector<const Mistake*> suspects_at(Examination& examination, Step first, Step step,
-                                        std::uint64_t& fewest, double tolerance) {
-  std::vector<const Mistake*> best;
-  for (const Mistake& mistake : mistakes()) {
-    if (mistake.step < first || mistake.step > step) continue;
-    const std::uint64_t left = examination.contradicted(mistake, first, step, tolerance, fewest);
-    if (left > fewest) continue;
-    if (left < fewest) best.clear();
-    fewest = left;
-    const bool is_known =
-        !mistake.family.empty() && !best.empty() && best.back()->family == mistake.family;
-    if (!is_known) best.push_back(&mistake);
+using scene::Vector3;
+
+/// The answer at any step: which sphere, or whether one is hit, and any vectors.
+struct Answer {
+  std::optional<std::size_t> choice;
+  std::array<scene::Vector3, 3> vectors;
+};
+using StepAnswers = std::vector<Answer>;
+
+/// A case under the conventions that the candidate is judged by, and its correct rays.
+struct AskedCase {
+  Case the_case;
+  std::vector<scene::Ray> rays;
+};
+
+/// What a candidate answered to a case at a step, what is right, and what other right formulas
+/// make of it.
+struct Comparison {
+  const AskedCase* asked;
+  StepAnswers answers, right;
+  std::vector<StepAnswers> also_right;
+};
+
+bool agree(const Vector3& a, const Vector3& b, double tolerance) {
+  double size = 0;
+  for (const double x : {a.x, a.y, a.z, b.x, b.y, b.z}) {
+    if (std::isfinite(x)) size = std::max(size, std::abs(x));
   }
-  return best;
+  const auto same = [allowed = tolerance * size](double x, double y) {
+    return (std::isnan(x) && std::isnan(y)) || x == y || std::abs(x - y) <= allowed;
+  };
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
+
+bool agree(const Answer& a, const Answer& b, double tolerance) {
+  return a.choice == b.choice &&
+         std::equal(a.vectors.begin(), a.vectors.end(), b.vectors.begin(),
+                    [tolerance](auto& x, auto& y) { return agree(x, y, tolerance); });
+}
+
+StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
+  const auto found = trial.intersect(asked.rays, asked.the_case.scene.spheres, trial.conventions());
+  StepAnswers answers;
+  for (const SphereHits& hits : found) {
+    const std::size_t first = answers.size();
+    answers.resize(first + asked.rays.size());
+    for (const auto& [ray, hit] : hits) {
+      answers[first + ray] = {0, {Vector3{hit.parameter, 0, 0}, vector(hit.point)}};
+    }
+  }
+  return answers;
+}
+
+/// Empty where the candidate lacks the function.
+std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidate& candidate) {
+  Trial trial(asked.the_case, candidate);
+  const scene::Scene& scene = asked.the_case.scene;
+  StepAnswers answers;
+  switch (step) {
+    case Step::kFrame: {
+      if (!scene.camera || !candidate.frame) return {};
+      const auto& [U, V, W] = trial.frame();
+      return StepAnswers{{{}, {vector(U), vector(V), vector(W)}}};
+    }
+    case Step::kPixelPoint:
+      if (!scene.camera || !candidate.pixel_points) return {};
+      for (const scene::Point3& P : trial.pixel_points()) answers.push_back({{}, {vector(P)}});
+      return answers;
+    case Step::kRay:
+      if (!scene.camera || !trial.has_rays()) return {};
+      for (const auto& [origin, direction] : trial.rays()) {
+        answers.push_back({{}, {vector(origin), direction}});
+      }
+      return answers;
+    case Step::kIntersect:
+      if (!candidate.intersect) return {};
+      return hit_answers(asked, trial);
+    case Step::kNearest:
+      break;
+  }
+  if (!candidate.nearest) return {};
+  for (const auto& sphere : trial.rank(asked.rays, scene.spheres)) {
+    answers.push_back({sphere, {}});
+  }
+  return answers;
+}
+
+/// The same; also empty where the candidate refuses or fails.
+std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
+                                      const Candidate& candidate) {
+  scene::poll();
+  try {
+    return ask(step, asked, candidate);
+  } catch (const std::runtime_error&) {
+    return {};
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+}
+
+/// Whether an answer is neither as expected nor right in another way.
+bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers& expected,
+                  double tolerance) {
+  const auto is_like = [&](const StepAnswers& other) {
+    return agree(comparison.answers[k], other[k], tolerance);
+  };
+  if (is_like(expected)) return false;
+  return is_like(comparison.right) ||
+         std::none_of(comparison.also_right.begin(), comparison.also_right.end(), is_like);
+}
+
+/// How many answers differ from those expected, except those that are right in another way.
+std::uint64_t count_different(const Comparison& comparison, const StepAnswers& expected,
+                              double tolerance) {
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+    count += is_different(comparison, k, expected, tolerance) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Which of a asked's answers, by sphere and ray or by ray, miss a sphere that none meets.
+std::vector<bool> dropped(Step step, const Comparison& comparison) {
+  const std::size_t count = comparison.asked->rays.size();
+  const auto sphere_of = [&](const Answer& answer, std::size_t k) -> std::optional<std::size_t> {
+    if (!answer.choice) return {};
+    return step == Step::kNearest ? *answer.choice : k / count;
+  };
+  std::set<std::size_t> met;
+  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+    if (const auto sphere = sphere_of(comparison.answers[k], k)) met.insert(*sphere);
+  }
+  std::vector<bool> found(comparison.answers.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto sphere = sphere_of(comparison.right[k], k);
+    found[k] = sphere && !comparison.answers[k].choice && !met.contains(*sphere);
+  }
+  return found;
+}
+
+/// A candidate's answers to cases; each step is computed on demand.
+class Examination {
+ public:
+  Examination(std::span<const Case> cases, const Candidate& candidate)
+      : candidate_(candidate), others_(other_right_candidates(candidate)) {
+    for (const Case& the_case : cases) {
+      auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
+      if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
+      // Classic mistakes are those of code that takes every root >= 0.
+      if (!candidate.declared.over(rounded->scene.conventions).valid.is_usual()) continue;
+      asked_.push_back({*std::move(rounded), {}});
+      AskedCase& asked = asked_.back();
+      scene::Conventions& conventions = asked.the_case.scene.conventions;
+      conventions = candidate.declared.over(conventions);
+      asked.rays = Trial(asked.the_case, right_).rays();
+      for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
+    }
+  }
+
+  const std::vector<Comparison>& at(Step step) {
+    auto& known = comparisons_[static_cast<std::size_t>(step)];
+    if (known) return *known;
+    known.emplace();
+    for (const AskedCase& asked : asked_) {
+      std::optional<StepAnswers> answers = try_to_ask(step, asked, candidate_);
+      if (!answers) continue;
+      Comparison comparison = {&asked, std::move(*answers), ask(step, asked, right_).value(), {}};
+      if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
+        comparison.also_right = ask_others(step, asked);
+      }
+      known->push_back(std::move(comparison));
+    }
+    return *known;
+  }
+
+  std::uint64_t errors(Step step, double tolerance) {
+    std::uint64_t count = 0;
+    for (const Comparison& comparison : at(step))
+      count += count_different(comparison, comparison.right, tolerance);
+    return count;
+  }
+
+  /// How many answers up to a step are not as a mistake makes them; any number above `most` if
+  /// there are more.
+  std::uint64_t contradicted(const Mistake& mistake, Step first, Step last, double tolerance,
+                             std::uint64_t most) {
+    std::uint64_t count = 0;
+    for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
+      for (const Comparison& comparison : at(static_cast<Step>(step))) {
+        if (count > most) return count;
+        const auto made = try_to_ask(static_cast<Step>(step), *comparison.asked, mistake.candidate);
+        count += count_different(comparison, made ? *made : comparison.right, tolerance);
+      }
+    }
+    return count;
+  }
+
+  /// How well the roundings of a formula agree with the answers at kIntersect or kNearest.
+  DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance) {
+    DoubtTally all;
+    for (const Comparison& comparison : at(step)) {
+      const auto& [the_case, rays] = *comparison.asked;
+      const scene::Conventions& conventions = the_case.scene.conventions;
+      const std::vector<bool> is_dropped = dropped(step, comparison);
+      for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+        const Answer& answer = comparison.answers[k];
+        const bool is_wrong = is_different(comparison, k, comparison.right, tolerance);
+        if (step == Step::kNearest) {
+          const PossibleSight sight = possible_sight(arithmetic, rays[k], the_case.scene.spheres,
+                                                     conventions, answer.choice);
+          all.add(is_wrong, is_dropped[k], sight.allows, sight.is_doubtful, sight.radii);
+          continue;
+        }
+        const PossibleHit hit = possible_hit(arithmetic, rays[k % rays.size()],
+                                             the_case.scene.spheres[k / rays.size()], conventions);
+        const bool is_wide = hit.is_possible && hit.most - hit.least > tolerance * hit.most;
+        const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
+        all.add(is_wrong, is_dropped[k], hit.allows(s), hit.is_doubtful() || is_wide, hit.radii);
+      }
+    }
+    return all;
+  }
+
+ private:
+  std::vector<StepAnswers> ask_others(Step step, AskedCase asked) const {
+    std::vector<StepAnswers> answers;
+    scene::Conventions& conventions = asked.the_case.scene.conventions;
+    const auto add = [&](const Candidate& other) {
+      if (!(other.declared.over(conventions) == conventions)) return;
+      if (auto its = try_to_ask(step, asked, other)) answers.push_back(std::move(*its));
+    };
+    for (const Candidate& other : others_) add(other);
+    if (conventions.tangent == scene::Tangent::kEither && step >= Step::kIntersect) {
+      conventions.tangent = scene::Tangent::kMiss;
+      add(right_);
+    }
+    return answers;
+  }
+
+  const Candidate& candidate_;
+  const Candidate right_ = right_candidate();
+  const std::vector<Candidate> others_;
+  std::vector<AskedCase> asked_;
+  std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
+};
 
 /// A part of the functions of a candidate: no mistake in another part shows in it.
 struct Part {
   Step first, last;
 };
+
+/// Of some mistakes those that best explain the answers at some steps, of one family the first;
+/// `fewest`: how many answers they may contradict at most, then how many they do.
+std::vector<const Mistake*> best_of(Examination& examination,
+                                    const std::vector<const Mistake*>& suspects, Part steps,
+                                    double tolerance, std::uint64_t& fewest) {
+  std::vector<const Mistake*> best;
+  for (const Mistake* mistake : suspects) {
+    const std::uint64_t left =
+        examination.contradicted(*mistake, steps.first, steps.last, tolerance, fewest);
+    if (left > fewest) continue;
+    if (left < fewest) best.clear();
+    fewest = left;
+    const bool is_known =
+        !mistake->family.empty() && !best.empty() && best.back()->family == mistake->family;
+    if (!is_known) best.push_back(mistake);
+  }
+  return best;
+}
 
 /// Of mistakes that explain a step equally well, keeps those that best explain the errors at later
 /// steps of the part; all, if none does.
@@ -37,25 +291,10 @@ void tell_apart(Examination& examination, Step step, Step last, double tolerance
   for (int at = static_cast<int>(step) + 1; at <= static_cast<int>(last); ++at) {
     const auto later = static_cast<Step>(at);
     std::uint64_t fewest = most_unexplained(examination.errors(later, tolerance));
-    std::vector<const Mistake*> best;
-    for (const Mistake* mistake : suspects) {
-      const auto left = examination.contradicted(*mistake, later, later, tolerance, fewest);
-      if (left > fewest) continue;
-      if (left < fewest) best.clear();
-      fewest = left;
-      best.push_back(mistake);
-    }
+    auto best = best_of(examination, suspects, {later, later}, tolerance, fewest);
     if (!best.empty()) suspects = std::move(best);
   }
 }
-
-/// The mistakes found at the first step of a part that has errors.
-struct FoundCause {
-  AnswerCause cause;
-  std::vector<const Mistake*> mistakes;
-  double tolerance = 0;
-  bool is_known() const { return !cause.alternatives.empty(); }
-};
 
 /// The roundings that explain the answers at a step, if any do.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
@@ -64,63 +303,66 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
     if (!tally.tells()) continue;
     return AnswerCause{step,
                        {{imprecision_sentence(arithmetic, tally.radii), tally.wrong, tally.wrong}},
-                       arithmetic};
+                       arithmetic,
+                       tolerance};
   }
   return {};
 }
 
-FoundCause find_cause(Examination& examination, const Part& part) {
+/// At the first step of a part that has errors.
+AnswerCause find_cause(Examination& examination, const Part& part) {
   for (const double tolerance : kAnswerTolerances) {
     for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
       const auto step = static_cast<Step>(at);
       const std::uint64_t errors = examination.errors(step, tolerance);
       if (errors == 0) continue;
       std::uint64_t left = most_unexplained(errors);
-      FoundCause found = {
-          {step, {}}, suspects_at(examination, part.first, step, left, tolerance), tolerance};
-      if (found.mistakes.size() > 1) {
-        tell_apart(examination, step, part.last, tolerance, found.mistakes);
+      std::vector<const Mistake*> suspects;
+      for (const Mistake& mistake : mistakes()) {
+        if (mistake.step >= part.first && mistake.step <= step) suspects.push_back(&mistake);
       }
-      const bool all_by_mistake = !found.mistakes.empty() && left == 0;
+      suspects = best_of(examination, suspects, {part.first, step}, tolerance, left);
+      if (suspects.size() > 1) tell_apart(examination, step, part.last, tolerance, suspects);
+      const bool all_by_mistake = !suspects.empty() && left == 0;
       if (!all_by_mistake && part.first >= Step::kIntersect) {
-        if (auto roundings = roundings_at(examination, step, tolerance)) {
-          return {std::move(*roundings), {}, tolerance};
-        }
+        if (const auto found = roundings_at(examination, step, tolerance)) return *found;
         // If roundings may have caused it, too, the cause is unknown.
         if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
       }
-      for (const Mistake* mistake : found.mistakes) {
-        found.cause.alternatives.push_back({mistake->sentence, errors, errors - left, mistake});
+      if (suspects.empty()) break;
+      AnswerCause found = {step, {}, {}, tolerance};
+      for (const Mistake* mistake : suspects) {
+        found.alternatives.push_back({mistake->sentence, errors, errors - left, mistake});
       }
-      if (!found.mistakes.empty()) return found;
-      break;
+      return found;
     }
   }
   return {};
 }
 
 /// Whether the cause of one part's errors also explains those at a step of another part.
-bool explains(Examination& examination, const FoundCause& found, Step step) {
-  const std::uint64_t errors = examination.errors(step, found.tolerance);
-  const std::uint64_t most = most_unexplained(errors);
-  if (found.cause.roundings) {
-    return examination.tally(step, *found.cause.roundings, found.tolerance).not_allowed == 0;
+bool explains(Examination& examination, const AnswerCause& found, Step step) {
+  const double tolerance = found.tolerance;
+  if (found.roundings) {
+    return examination.tally(step, *found.roundings, tolerance).not_allowed == 0;
   }
-  return std::any_of(found.mistakes.begin(), found.mistakes.end(), [&](const Mistake* mistake) {
-    return errors > 0 &&
-           examination.contradicted(*mistake, step, step, found.tolerance, most) <= most;
-  });
+  const std::uint64_t errors = examination.errors(step, tolerance);
+  const std::uint64_t most = most_unexplained(errors);
+  const auto& all = found.alternatives;
+  return errors > 0 && std::any_of(all.begin(), all.end(), [&](const Explanation& one) {
+           return examination.contradicted(*one.mistake, step, step, tolerance, most) <= most;
+         });
 }
 
 }  // namespace
 
 std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate) {
   Examination examination(cases, candidate);
-  std::vector<FoundCause> findings = {find_cause(examination, {Step::kFrame, Step::kRay})};
+  std::vector<AnswerCause> findings = {find_cause(examination, {Step::kFrame, Step::kRay})};
   for (const Step step : {Step::kIntersect, Step::kNearest}) {
     const bool is_known =
         std::any_of(findings.begin(), findings.end(),
-                    [&](const FoundCause& found) { return explains(examination, found, step); });
+                    [&](const AnswerCause& found) { return explains(examination, found, step); });
     if (is_known) continue;
     // Where hits have no errors they rule out mistakes that would change them.
     const bool hits_are_right =
@@ -128,16 +370,13 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
         examination.errors(Step::kIntersect, kAnswerTolerances.front()) == 0;
     findings.push_back(find_cause(examination, {hits_are_right ? Step::kIntersect : step, step}));
     // If nothing explains the hits, nearest spheres that follow from them say nothing.
-    if (step == Step::kIntersect && !findings.back().is_known() &&
+    if (step == Step::kIntersect && findings.back().alternatives.empty() &&
         examination.errors(step, kAnswerTolerances.front()) > 0) {
       break;
     }
   }
-  std::vector<AnswerCause> causes;
-  for (const FoundCause& found : findings) {
-    if (found.is_known()) causes.push_back(found.cause);
-  }
-  return causes;
+  std::erase_if(findings, [](const AnswerCause& found) { return found.alternatives.empty(); });
+  return findings;
 }
 
 std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes) {

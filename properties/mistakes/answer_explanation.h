@@ -22,6 +22,7 @@ struct AnswerCause {
   Step step = Step::kFrame;
   std::vector<Explanation> alternatives;
   std::optional<Arithmetic> roundings = {};  ///< The formula, if they are the cause.
+  double tolerance = 0;                      ///< Of kAnswerTolerances, what it was found by.
 };
 
 /// The classic mistakes in a candidate's functions, at most one for each of three parts, which are

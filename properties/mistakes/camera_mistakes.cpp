@@ -156,10 +156,6 @@ std::vector<Mistake> ray_mistakes() {
 
 }  // namespace
 
-std::vector<Mistake> camera_mistakes() {
-  std::vector<Mistake> all = frame_mistakes();
-  for (Mistake& mistake : ray_mistakes()) all.push_back(std::move(mistake));
-  return all;
-}
+std::vector<Mistake> camera_mistakes() { return all_of({frame_mistakes(), ray_mistakes()}); }
 
 }  // namespace raycheck::properties

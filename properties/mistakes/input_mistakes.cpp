@@ -266,10 +266,8 @@ std::vector<Mistake> view_mistakes() {
 }  // namespace
 
 std::vector<Mistake> input_mistakes() {
-  std::vector<Mistake> all = pixel_mistakes();
-  for (auto& more : {exchanged_loops(), convention_mistakes(), view_mistakes(), step_mistakes()})
-    all.insert(all.end(), more.begin(), more.end());
-  return all;
+  return all_of({pixel_mistakes(), exchanged_loops(), convention_mistakes(), view_mistakes(),
+                 step_mistakes()});
 }
 
 }  // namespace raycheck::properties

@@ -4,6 +4,7 @@
 // to properties/.
 
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@ namespace raycheck::properties {
 
 /// direct/cross
 Candidate right_candidate();
+/// With the other methods of fast/ that are as precise as a candidate or more.
+std::vector<Candidate> other_right_candidates(const Candidate& candidate);
 
 template <class Triple>
 scene::Vector3 vector(const Triple& v) {
@@ -29,6 +32,13 @@ scene::Vector3 normalised(const scene::Vector3& v);
 inline Mistake camera_mistake(std::string sentence, ChangeCamera change,
                               Step step = Step::kPixelPoint) {
   return {.sentence = std::move(sentence), .step = step, .camera = std::move(change)};
+}
+
+/// One list after another.
+inline std::vector<Mistake> all_of(std::initializer_list<std::vector<Mistake>> lists) {
+  std::vector<Mistake> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
 }
 
 std::vector<Mistake> input_mistakes();

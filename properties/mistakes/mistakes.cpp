@@ -1,7 +1,6 @@
 #include "properties/mistakes/mistakes.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "fast/pixel_ray.h"
@@ -71,15 +70,12 @@ void use(CameraFormulas formulas, Candidate& candidate) {
 /// The arguments of a question about a camera's pixels, as a mistake takes them.
 struct Input {
   Input(const Mistake& mistake, const Camera& given, const Conventions& under, Candidate::Pixels of)
-      : camera(given), conventions(under), pixels(of.begin(), of.end()) {
-    if (mistake.camera) mistake.camera(camera, under);
-    if (mistake.conventions) mistake.conventions(conventions);
+      : scene(mistaken(mistake, {given, {}, {}, under})), pixels(of.begin(), of.end()) {
     if (!mistake.pixel) return;
     for (Pixel& one : pixels) one = mistake.pixel(given, under, one);
   }
 
-  Camera camera;
-  Conventions conventions;
+  scene::Scene scene;
   std::vector<Pixel> pixels;
 };
 
@@ -87,19 +83,20 @@ struct Input {
 void change_camera(const Mistake& mistake, Candidate& candidate) {
   const Candidate right = candidate;
   candidate.frame = [right, mistake](const Camera& camera) {
-    return right.frame(Input(mistake, camera, {}, {}).camera);
+    return right.frame(*Input(mistake, camera, {}, {}).scene.camera);
   };
   candidate.pixel_points = [right, mistake](const Camera& camera, const Conventions& conventions,
                                             Candidate::Pixels pixels) {
     const Input input(mistake, camera, conventions, pixels);
-    return right.pixel_points(input.camera, input.conventions, input.pixels);
+    return right.pixel_points(*input.scene.camera, input.scene.conventions, input.pixels);
   };
   const auto rays_from = [&](Origin origin) {
     return [right, mistake, origin](const Camera& camera, Conventions conventions,
                                     Candidate::Pixels pixels) {
       conventions.origin = origin;
       const Input input(mistake, camera, conventions, pixels);
-      return right.rays_from(input.conventions.origin)(input.camera, input.conventions,
+      const scene::Scene& taken = input.scene;
+      return right.rays_from(taken.conventions.origin)(*taken.camera, taken.conventions,
                                                        input.pixels);
     };
   };
@@ -110,13 +107,12 @@ void change_camera(const Mistake& mistake, Candidate& candidate) {
 /// Takes other spheres, or other conventions.
 void change_spheres(const Mistake& mistake, Candidate& candidate) {
   const auto taking = [&mistake](const auto& answer) {
-    return
-        [mistake, answer](Candidate::Rays rays, Candidate::Spheres given, Conventions conventions) {
-          std::vector<scene::Sphere> spheres(given.begin(), given.end());
-          if (mistake.sphere) std::for_each(spheres.begin(), spheres.end(), mistake.sphere);
-          if (mistake.conventions) mistake.conventions(conventions);
-          return answer(rays, spheres, conventions);
-        };
+    return [mistake, answer](Candidate::Rays rays, Candidate::Spheres given,
+                             const Conventions& conventions) {
+      const scene::Scene taken =
+          mistaken(mistake, {{}, {}, {given.begin(), given.end()}, conventions});
+      return answer(rays, taken.spheres, taken.conventions);
+    };
   };
   candidate.intersect = taking(candidate.intersect);
   candidate.nearest = taking(candidate.nearest);
@@ -153,6 +149,22 @@ Candidate candidate_with(const Mistake& mistake) {
 
 Candidate right_candidate() { return fast_candidate(fast::kDirectRays, fast::kCross); }
 
+std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
+  std::vector<Candidate> others;
+  const double coarsest = std::max(candidate.unit_roundoff, kDoubleRoundoff);
+  const auto add = [&](const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect) {
+    Candidate other = fast_candidate(rays, intersect);
+    if (other.unit_roundoff <= coarsest) others.push_back(std::move(other));
+  };
+  for (const auto* rays : fast::pixel_ray_methods()) {
+    if (rays != &fast::kDirectRays) add(*rays, fast::kCross);
+  }
+  for (const auto* intersect : fast::intersect_methods()) {
+    if (intersect != &fast::kCross) add(fast::kDirectRays, *intersect);
+  }
+  return others;
+}
+
 Vector3 normalised(const Vector3& v) {
   const double factor = 1 / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
   return {factor * v.x, factor * v.y, factor * v.z};
@@ -160,11 +172,8 @@ Vector3 normalised(const Vector3& v) {
 
 std::span<const Mistake> mistakes() {
   static const std::vector<Mistake> kMistakes = [] {
-    std::vector<Mistake> all;
-    for (std::vector<Mistake> more : {input_mistakes(), number_mistakes(), camera_mistakes(),
-                                      intersect_mistakes(), threshold_mistakes()}) {
-      std::move(more.begin(), more.end(), std::back_inserter(all));
-    }
+    std::vector<Mistake> all = all_of({input_mistakes(), number_mistakes(), camera_mistakes(),
+                                       intersect_mistakes(), threshold_mistakes()});
     for (Mistake& mistake : all) mistake.candidate = candidate_with(mistake);
     return all;
   }();
@@ -180,7 +189,7 @@ const Mistake* find_mistake(std::string_view sentence) {
 
 scene::Scene mistaken(const Mistake& mistake, scene::Scene scene) {
   const scene::Conventions given = scene.conventions;
-  if (mistake.camera) mistake.camera(scene.camera.value(), given);
+  if (mistake.camera && scene.camera) mistake.camera(*scene.camera, given);
   if (mistake.conventions) mistake.conventions(scene.conventions);
   if (mistake.sphere) {
     std::for_each(scene.spheres.begin(), scene.spheres.end(), mistake.sphere);

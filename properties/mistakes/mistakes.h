@@ -67,7 +67,7 @@ std::span<const Mistake> mistakes();
 /// The mistake with this sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);
 
-/// The scene as the mistake takes it; may be invalid. Domain: a scene with a camera.
+/// The scene as the mistake takes it; may be invalid.
 scene::Scene mistaken(const Mistake& mistake, scene::Scene scene);
 
 }  // namespace raycheck::properties

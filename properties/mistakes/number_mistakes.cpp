@@ -119,7 +119,7 @@ std::vector<Mistake> aspect_mistakes() {
 }
 
 std::vector<Mistake> bound_mistakes() {
-  std::vector<Mistake> all = {
+  return {
       bound_mistake("top is -bottom", [](Camera& its) { its.top = -its.bottom; }),
       bound_mistake("bottom is -top", [](Camera& its) { its.bottom = -its.top; }),
       bound_mistake("right is -left", [](Camera& its) { its.right = -its.left; }),
@@ -133,9 +133,6 @@ std::vector<Mistake> bound_mistakes() {
           "the height is corrected for an aspect ratio that the bounds hold already",
           [](Camera& its) { its.top = its.bottom + (its.top - its.bottom) * aspect(its); }),
   };
-  for (auto& more : {aspect_mistakes(), negated_bounds(), exchanged_bounds()})
-    all.insert(all.end(), more.begin(), more.end());
-  return all;
 }
 
 template <class Triple>
@@ -203,9 +200,8 @@ std::vector<Mistake> read_mistakes() {
 }  // namespace
 
 std::vector<Mistake> number_mistakes() {
-  std::vector<Mistake> all = bound_mistakes();
-  for (Mistake& mistake : read_mistakes()) all.push_back(std::move(mistake));
-  return all;
+  return all_of(
+      {bound_mistakes(), aspect_mistakes(), negated_bounds(), exchanged_bounds(), read_mistakes()});
 }
 
 }  // namespace raycheck::properties

@@ -81,12 +81,7 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
 /// Whether a fault makes these pictures without excuses, except for what kMostLeftOfAll allows.
 /// Pictures that excuses make entirely right do not count.
 bool makes_nearly_all(const Fault& fault, const Pictures& pictures, std::uint64_t errors) {
-  std::uint64_t left = 0;
-  for (const Evidence& one : pictures) {
-    const ShownPicture& shown = one.picture();
-    left += count_otherwise(shown.image, predicted(fault, shown.scene));
-  }
-  return static_cast<double>(left) <=
+  return static_cast<double>(count_otherwise(pictures, fault)) <=
          static_cast<double>(errors) * kMostLeftOfAll + static_cast<double>(pictures.size());
 }
 

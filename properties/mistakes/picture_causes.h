@@ -10,6 +10,7 @@
 #include "properties/mistakes/fault.h"
 #include "properties/mistakes/imprecision.h"
 #include "properties/mistakes/shown_picture.h"
+#include "scene/scene.h"
 
 namespace raycheck::properties {
 
@@ -73,5 +74,24 @@ std::uint64_t pixels_left(const ShownPicture& picture, const Fault& fault, Arith
 
 /// The causes in words: a sentence for every alternative, one for pairs, or the kind.
 std::vector<Explanation> explanations(const Causes& causes);
+
+/// A scene with a camera, and whether a program failed on it: gave no picture.
+struct TriedScene {
+  const scene::Scene* scene = nullptr;
+  bool failed = false;
+};
+
+/// How many scenes it must fail on, and how many not, at least.
+inline constexpr std::size_t kFewestOfEachOutcome = 2;
+
+/// A property of scenes, and that a program fails only where they have it.
+struct ShapeCause {
+  std::string sentence;
+  bool (*is)(const scene::Scene&) = nullptr;
+};
+
+/// What is common to all scenes on which a program fails, and to none of the others: "it fails only
+/// where the picture is not square". Empty if there is no such property, or more than one.
+std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried);
 
 }  // namespace raycheck::properties

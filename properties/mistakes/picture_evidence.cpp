@@ -2,11 +2,45 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "properties/case.h"
+#include "properties/failures.h"
 #include "properties/mistakes/picture_causes.h"
+#include "properties/mistakes/shown_picture.h"
+#include "reference/visibility/visibility.h"
+#include "scene/plan/plan.h"
 
 namespace raycheck::properties {
+
+ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions) {
+  const reference::Visibility visibility(
+      scene, scene::plan_scene(scene, conventions, scene::Wanted::kNearest));
+  const scene::Camera& camera = *scene.camera;
+  std::vector<std::int32_t> spheres(static_cast<std::size_t>(camera.width * camera.height));
+  visibility.nearest(0, camera.height, {spheres, {}, {}, {}, {}});
+  ImageAnswer image(spheres.size());
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    if (spheres[k] != reference::kNoSphere) image[k] = static_cast<std::size_t>(spheres[k]);
+  }
+  return image;
+}
+
+std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& candidate) {
+  ShownPicture shown = {std::move(scene), {}};
+  const scene::Camera& camera = *shown.scene.camera;
+  shown.scene.conventions = candidate.declared.over(shown.scene.conventions);
+  try {
+    shown.image = candidate.image(shown.scene, shown.scene.conventions);
+  } catch (const OtherSize& other) {
+    shown.sides_exchanged = other.width == camera.height && other.height == camera.width;
+    if (!shown.sides_exchanged) return {};
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+  return shown;
+}
+
 namespace {
 
 using scene::Pixel;
@@ -62,6 +96,15 @@ bool is_as(const std::optional<std::size_t>& shown, const std::optional<std::siz
 std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expected) {
   std::uint64_t count = 0;
   for (std::size_t k = 0; k < image.size(); ++k) count += is_as(image[k], expected[k]) ? 0 : 1;
+  return count;
+}
+
+std::uint64_t count_otherwise(const Pictures& pictures, const Fault& fault) {
+  std::uint64_t count = 0;
+  for (const Evidence& one : pictures) {
+    const ShownPicture& shown = one.picture();
+    count += count_otherwise(shown.image, predicted(fault, shown.scene));
+  }
   return count;
 }
 

@@ -69,6 +69,9 @@ std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expec
 
 using Pictures = std::vector<Evidence>;
 
+/// How many pixels of pictures are not exactly as a fault makes them.
+std::uint64_t count_otherwise(const Pictures& pictures, const Fault& fault);
+
 /// A fault that is not refuted, and how many pixels it does not explain.
 struct Suspect {
   Fault fault;

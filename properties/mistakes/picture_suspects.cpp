@@ -89,12 +89,7 @@ void keep_first_of_families(std::vector<Suspect>& suspects) {
 /// If some make exactly these pictures, up to one pixel, drops those that need excuses.
 void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
   const auto is_exact = [&](const Suspect& suspect) {
-    std::uint64_t count = 0;
-    for (const Evidence& one : pictures) {
-      const ShownPicture& shown = one.picture();
-      count += count_otherwise(shown.image, predicted(suspect.fault, shown.scene));
-    }
-    return count <= 1;
+    return count_otherwise(pictures, suspect.fault) <= 1;
   };
   const auto end = std::stable_partition(suspects.begin(), suspects.end(), is_exact);
   if (end != suspects.begin()) suspects.erase(end, suspects.end());

@@ -1,5 +1,3 @@
-#include "properties/mistakes/shape_cause.h"
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -7,6 +5,7 @@
 #include "fast/intersect.h"
 #include "properties/case.h"
 #include "properties/mistakes/mistake_list.h"
+#include "properties/mistakes/picture_causes.h"
 
 namespace raycheck::properties {
 namespace {

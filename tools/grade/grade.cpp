@@ -10,18 +10,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/mistakes/picture_causes.h"
+#include "properties/mistakes/shown_picture.h"
 #include "scene/interruption.h"
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/results/own_files.h"
 #include "tools/grade/results/record.h"
 #include "tools/grade/results/result.h"
-#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/version.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -62,13 +62,7 @@ void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade
   grade.refused = {plain_text(refusal.why), plain_text(refusal.said)};
   const bool pictures = grade.program && grade.program->kind == CandidateKind::kRenderer;
   for (const Item& item : rubric.items) {
-    ItemGrade none;
-    none.name = item.name;
-    none.bonus = item.bonus;
-    none.pictures = pictures;
-    const bool is_asked = (pictures ? item.pictures : item.functions).has_value();
-    none.points = is_asked ? item.points : 0;
-    none.state = is_asked ? ItemState::kNotJudged : ItemState::kNotAsked;
+    ItemGrade none = unjudged(item, pictures);
     none.reason.kind = ItemReason::Kind::kNothingRuns;
     if (!item.bonus) grade.points += none.points;
     grade.items.push_back(std::move(none));
@@ -80,10 +74,8 @@ void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   grade.program = found.program;
   grade.build_words = found.build_words;
   grade.opaque_files = found.opaque_files;
-  for (const std::string& note : found.notes) grade.notes.push_back(plain_text(note));
-  if (!found.dry_run) return;
-  grade.driver = found.dry_run->driver;
-  for (const std::string& note : found.dry_run->notes) grade.notes.push_back(plain_text(note));
+  grade.notes = found.all_notes();
+  if (found.dry_run) grade.driver = found.dry_run->driver;
 }
 
 /// Not true of a submission with points: it shows scenes other than the dry run's.
@@ -124,9 +116,8 @@ std::map<std::string, std::string> files_for_student(const StudentGrade& shown) 
     const std::string driver = driver_file_text(*failing, shown.submission.driver);
     if (!driver.empty()) files[name + kDriverEnding] = driver;
   }
-  StudentPages pages = student_pages(shown);
-  files[kReportFile] = std::move(pages.report);
-  if (!pages.figures.empty()) files[kFiguresFile] = std::move(pages.figures);
+  files[kReportFile] = report_page(shown);
+  if (has_figures(shown)) files[kFiguresFile] = figures_page(shown);
   return files;
 }
 
@@ -146,7 +137,7 @@ class ClassRun {
       for (const Submission& submission : submissions_) own_->make_folder(submission.name);
       if (!options.for_student) store_.emplace(options_.out);
     }
-    test_environment(rubric_, layers_, store_ ? fs::path(options_.out) / kStoreFolder : "");
+    test_environment(rubric_, layers_);
   }
 
   ClassGrade grade(const RunControl& control) {
@@ -303,6 +294,46 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
     try_on("pictures", renderer, true);
   }
   return grades;
+}
+
+bool TryReport::holds() const {
+  const auto& items = shown.submission.items;
+  return could_be_judged(shown.submission) &&
+         std::all_of(items.begin(), items.end(), [](const ItemGrade& item) {
+           return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
+         });
+}
+
+TryReport try_submission(GradeOptions options, const properties::RunControl& control) {
+  options.for_student = true;
+  ClassGrade graded = grade(options, control);
+  TryReport report;
+  report.interrupted = graded.interrupted;
+  report.rubric = std::make_shared<const Rubric>(std::move(graded.rubric));
+  if (graded.submissions.empty()) return report;
+  report.shown = student_grade(*report.rubric, graded.submissions.front(), HiddenBy::kUs);
+  if (options.out.empty()) return report;
+  report.folder = (std::filesystem::path(options.out) / graded.submissions.front().name).string();
+  return report;
+}
+
+/// The lines that `grade` prints for one submission, then details of the items that fail.
+std::string try_text(const TryReport& report) {
+  const StudentGrade& shown = report.shown;
+  std::string text = report.rubric->title + "\n" + submission_text(shown.items, shown.submission);
+  if (shown.unlisted > 0) text += "  " + unlisted_text(shown) + "\n";
+  for (std::size_t k = 0; k < shown.items.size(); ++k) {
+    const ItemGrade& item = shown.submission.items[k];
+    // For unanswered items the line says everything.
+    const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
+    if (item.state != ItemState::kFails || !has_more) continue;
+    text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
+  }
+  if (!report.folder.empty()) {
+    text += "\nwritten: " + report.folder + "/report.html, and the smallest cases beside it\n";
+  }
+  if (report.interrupted) text += "INTERRUPTED: these are the items that were reached.\n";
+  return text;
 }
 
 }  // namespace raycheck::tools

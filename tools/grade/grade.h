@@ -94,11 +94,9 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
                                         const properties::RunControl& control = {});
 
 /// Judges raycheck's own, correct submissions, one of each kind that the rubric's forms accept: if
-/// they fail, so would the students', through no fault of theirs. Success is recorded in the folder
-/// `store`, and holds while all it depends on stays the same; empty: it is not recorded.
+/// they fail, so would the students', through no fault of theirs.
 /// Errors: std::invalid_argument with what is wrong.
-void test_environment(const Rubric& rubric, const Layers& layers,
-                      const std::filesystem::path& store = {});
+void test_environment(const Rubric& rubric, const Layers& layers);
 
 /// Writes the zip file of a Gradescope autograder: setup.sh and run_autograder, the rubric with its
 /// scenes, and raycheck with the libraries that it needs besides those of C and C++.

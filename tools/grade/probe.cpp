@@ -17,7 +17,6 @@
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
-
 namespace {
 
 SubmissionProbe probed(const Submission& submission, const Rubric& rubric, const Layers& layers,
@@ -236,10 +235,9 @@ std::string notes_text(const SubmissionProbe& probe) {
   const auto add = [&](const std::string& said) {
     if (!said.empty()) text += plain_text(said) + "\n";
   };
-  for (const std::string& note : probe.found.notes) add(note);
+  for (const std::string& note : probe.found.all_notes()) add(note);
   if (!probe.functions.empty()) add(fmt::format("offers {}", fmt::join(probe.functions, ", ")));
   if (const auto& dry = probe.found.dry_run) {
-    for (const std::string& note : dry->notes) add(note);
     add(dry->shows_nothing);
     if (!dry->said.empty()) add("it said:\n" + indented(dry->said, "  "));
   }
@@ -305,12 +303,9 @@ Json dry_run_json(const DryRun& dry) {
 }
 
 Json submission_json(const SubmissionProbe& probe) {
-  Json notes = list_json(probe.found.notes, plain_text);
+  Json notes = probe.found.all_notes();
   const auto& dry = probe.found.dry_run;
-  if (dry) {
-    for (const std::string& note : dry->notes) notes.push_back(plain_text(note));
-    if (!dry->shows_nothing.empty()) notes.push_back(plain_text(dry->shows_nothing));
-  }
+  if (dry && !dry->shows_nothing.empty()) notes.push_back(plain_text(dry->shows_nothing));
   return {{"name", probe.name},
           {"program", or_null(probe.found.program, std::mem_fn(&CandidateSpec::text))},
           {"build", text_or_null(probe.found.build_words)},

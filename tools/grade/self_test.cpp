@@ -1,9 +1,7 @@
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,8 +9,6 @@
 #include "tools/external/locate.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/intake/prepare.h"
-#include "tools/grade/rubric/rubric_files.h"
-#include "tools/grade/store/store.h"
 
 namespace raycheck::tools {
 namespace {
@@ -21,7 +17,6 @@ namespace fs = std::filesystem;
 
 /// Tests that the environment works, not how fast it is.
 constexpr double kLeastSeconds = 10;
-constexpr const char* kNote = "self-test";
 /// The compiler for sources.
 constexpr const char* kCompiler = "/usr/bin/g++";
 
@@ -103,33 +98,14 @@ void judge(const OwnSubmission& own, const RunOptions& given) {
   own.kind == CandidateKind::kRenderer ? judge_picture(external) : judge_hit(external);
 }
 
-std::string key_of(const Rubric& rubric, const RunOptions& options) {
-  const Limits& limits = options.limits;
-  std::string kinds;
-  for (const OwnSubmission& own : kOwn) kinds += is_asked(own.kind, rubric) ? '1' : '0';
-  const fs::path folder = fs::temp_directory_path();
-  return digest({toolchain(), options.layers.text(), folder.string(),
-                 std::to_string(static_cast<unsigned>(fs::status(folder).permissions())),
-                 std::to_string(geteuid()), kinds,
-                 fmt::format("{} {} {} {} {}", limits.seconds, limits.memory, limits.file,
-                             limits.processes, options.build_seconds)});
-}
-
-std::string noted(const fs::path& note) {
-  std::ifstream file(note, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 }  // namespace
 
-void test_environment(const Rubric& rubric, const Layers& layers, const fs::path& store) {
+void test_environment(const Rubric& rubric, const Layers& layers) {
   RunOptions options;
   options.layers = layers;
   options.limits = program_limits(rubric);
   options.limits.seconds = std::max(options.limits.seconds, kLeastSeconds);
   options.build_seconds = std::max(rubric.build_seconds, kLeastSeconds);
-  const std::string key = key_of(rubric, options);
-  if (!store.empty() && noted(store / kNote) == key) return;
   for (const OwnSubmission& own : kOwn) {
     if (!is_asked(own.kind, rubric)) continue;
     std::string why;
@@ -146,7 +122,6 @@ void test_environment(const Rubric& rubric, const Layers& layers, const fs::path
                     "(isolated by: {}; temporary files in {}): {}",
                     own.words, layers.text(), fs::temp_directory_path().string(), why));
   }
-  if (!store.empty()) std::ofstream(store / kNote, std::ios::binary) << key;
 }
 
 }  // namespace raycheck::tools

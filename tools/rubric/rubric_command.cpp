@@ -3,7 +3,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/rubric/rubric.h"
+#include "tools/rubric/shipped_rubrics.h"
 
 namespace raycheck::tools {
 namespace {

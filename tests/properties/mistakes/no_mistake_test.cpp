@@ -9,7 +9,7 @@
 #include <random>
 #include <utility>
 
-#include "properties/mistakes/shape_cause.h"
+#include "properties/mistakes/picture_causes.h"
 #include "tests/properties/mistakes/shown_scenes.h"
 
 namespace raycheck::properties {

@@ -14,7 +14,7 @@
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"
 #include "tools/report/words.h"
 
@@ -213,20 +213,8 @@ Built build_submission(const Unbuilt& submission, const fs::path& to, const RunO
 }
 
 std::string build_key(const Unbuilt& submission, const Layers& layers) {
-  std::vector<std::string> texts = {toolchain(), layers.text(), submission.contents,
-                                    words_of(submission), submission.program.text()};
-  if (submission.form.is_built_automatically()) {
-    texts.push_back(std::to_string(submission.way));
-    for (const BuildAttempt& attempt : build_plan(submission.files).attempts) {
-      for (const std::string* text : {&attempt.what, &attempt.repairs, &attempt.words,
-                                      &attempt.program, &attempt.main_class}) {
-        texts.push_back(*text);
-      }
-      texts.insert(texts.end(), attempt.made.begin(), attempt.made.end());
-      texts.insert(texts.end(), attempt.notes.begin(), attempt.notes.end());
-    }
-  }
-  return digest(texts);
+  return digest({toolchain(), layers.text(), submission.contents, words_of(submission),
+                 submission.program.text(), std::to_string(submission.way)});
 }
 
 }  // namespace raycheck::tools

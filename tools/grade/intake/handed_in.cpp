@@ -18,7 +18,7 @@
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"
 #include "tools/report/json.h"
 

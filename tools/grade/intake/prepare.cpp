@@ -16,7 +16,7 @@
 #include "tools/grade/intake/building.h"
 #include "tools/grade/intake/handed_in.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {
 namespace {
@@ -285,6 +285,14 @@ class Preparing {
 };
 
 }  // namespace
+
+std::vector<std::string> Preparation::all_notes() const {
+  std::vector<std::string> all;
+  for (const std::string& note : notes) all.push_back(plain_text(note));
+  if (!dry_run) return all;
+  for (const std::string& note : dry_run->notes) all.push_back(plain_text(note));
+  return all;
+}
 
 properties::RunControl until_blamed(const properties::RunControl& control,
                                     const Surroundings& surroundings) {

@@ -29,6 +29,9 @@ struct Preparation {
   std::vector<std::string> notes = {};
   std::optional<DryRun> dry_run = {};  ///< For a renderer.
   std::vector<OpaqueFile> opaque_files = {};
+
+  /// Those on the build and on the dry run, as plain text.
+  std::vector<std::string> all_notes() const;
 };
 
 /// Why a submission cannot be judged.

@@ -18,7 +18,6 @@
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
-
 namespace {
 
 constexpr std::array<std::string_view, 5> kCpp = {".cpp", ".cc", ".cxx", ".c++", ".C"};

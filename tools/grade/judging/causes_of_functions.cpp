@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -138,11 +139,10 @@ std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate
         said.front().sentence = roundings->alternatives.front().sentence;
       }
       if (said.empty()) continue;
-      std::string sentence;
-      for (const Explanation& one : said) {
-        sentence += (sentence.empty() ? "" : ", or: ") + one.sentence;
-      }
-      trial.grade.mistakes.push_back({sentence, said.front().errors, said.front().explained});
+      std::vector<std::string> sentences;
+      for (const Explanation& one : said) sentences.push_back(one.sentence);
+      trial.grade.mistakes.push_back(
+          {{boost::join(sentences, ", or: ")}, said.front().errors, said.front().explained});
       const properties::Mistake* mistake = said.front().mistake;
       if (cause.roundings) {
         item_causes[k].others.push_back(OtherCause::kRoundings);

@@ -5,7 +5,6 @@
 
 #include "properties/mistakes/picture_causes.h"
 #include "properties/mistakes/picture_evidence.h"
-#include "properties/mistakes/shape_cause.h"
 #include "tools/grade/judging/item_trial.h"
 
 namespace raycheck::tools {
@@ -200,16 +199,10 @@ ItemCause name_imprecision(const Causes& causes, bool masks_only, ItemTrial& tri
     }
     const std::uint64_t wrong = agreement({}, trial, masks_only).wrong;
     if (left > 0) continue;
-    const std::string sentence = causes.imprecision->sentence();
-    const std::string whole =
-        fault.empty() ? sentence
-                      : properties::sentence_of(causes.alternatives) + "; and " + sentence;
-    std::vector<std::string> each = {sentence};
-    if (!fault.empty()) {
-      each = properties::sentences_of(causes.alternatives);
-      each.push_back(sentence);
-    }
-    trial.grade.mistakes.push_back({whole, wrong, wrong, std::move(each)});
+    std::vector<std::string> sentences;
+    if (!fault.empty()) sentences = properties::sentences_of(causes.alternatives);
+    sentences.push_back(causes.imprecision->sentence());
+    trial.grade.mistakes.push_back({std::move(sentences), wrong, wrong});
     return {fault, {OtherCause::kRoundings}, true};
   }
   return {};
@@ -221,7 +214,7 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
   if (causes.kind != CauseKind::kExplained) {
     const std::string sentence = sentence_of_kind(causes);
     const std::uint64_t wrong = agreement({}, trial, masks_only).wrong;
-    if (!sentence.empty()) trial.grade.mistakes.push_back({sentence, wrong, wrong});
+    if (!sentence.empty()) trial.grade.mistakes.push_back({{sentence}, wrong, wrong});
     return {};
   }
   const Fault& fault = causes.alternatives.front();
@@ -239,10 +232,8 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
       alternatives.push_back({one});
     }
   }
-  const std::string sentence = properties::sentence_of(alternatives);
-  trial.grade.mistakes.push_back({sentence, found.wrong,
-                                  found.wrong - std::min(found.wrong, found.left),
-                                  properties::sentences_of(alternatives)});
+  trial.grade.mistakes.push_back({properties::sentences_of(alternatives), found.wrong,
+                                  found.wrong - std::min(found.wrong, found.left)});
   return cause;
 }
 
@@ -256,11 +247,6 @@ std::optional<properties::ShapeCause> shape_of_failures(const std::vector<ItemTr
     }
   }
   return properties::shape_cause(tried);
-}
-
-/// Whether a program would fail on all scenes that an item was not asked about any more.
-bool fails_on_all(const properties::ShapeCause& shape, const std::vector<scene::Scene>& scenes) {
-  return std::all_of(scenes.begin(), scenes.end(), shape.is);
 }
 
 }  // namespace
@@ -287,14 +273,16 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
     if (how.wrong) cause = name_cause(causes, is_shown, masks_only(rubric.items[k]), trial);
     const auto add = [&](OtherCause other, const std::string& sentence) {
       cause.others.push_back(other);
-      trial.grade.mistakes.push_back({sentence});
+      trial.grade.mistakes.push_back({{sentence}});
     };
     if (how.exchanged) {
       cause.is_all = cause.is_all && causes.exchanged > 0;
       if (causes.exchanged > 0) add(OtherCause::kSidesExchanged, properties::kSidesExchanged);
     }
     if (how.failed) {
-      cause.is_all = cause.is_all && shape && fails_on_all(*shape, trial.not_asked);
+      // And on all scenes that it was not asked about any more.
+      const auto& others = trial.not_asked;
+      cause.is_all = cause.is_all && shape && std::all_of(others.begin(), others.end(), shape->is);
       if (shape) add(OtherCause::kShapeOfScenes, shape->sentence);
     }
   }

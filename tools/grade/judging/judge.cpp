@@ -92,6 +92,19 @@ Candidate masked(Candidate candidate) {
   return candidate;
 }
 
+/// The item's points for a share of its cases.
+double score_of(const Item& item, std::uint64_t held, std::uint64_t cases) {
+  if (cases == 0) return 0;
+  const double share = static_cast<double>(held) / static_cast<double>(cases);
+  if (item.credit == Credit::kAll) return held == cases ? item.points : 0;
+  if (item.credit == Credit::kShare) return share * item.points;
+  double credit = 0;
+  for (const CreditStep& step : item.steps) {
+    if (share >= step.share) credit = std::max(credit, step.credit);
+  }
+  return credit * item.points;
+}
+
 /// Asks a submission everything, item by item.
 class Judge {
  public:
@@ -171,17 +184,12 @@ class Judge {
     using Kind = ItemReason::Kind;
     const Item& item = rubric_.items[index];
     ItemTrial trial;
-    ItemGrade& grade = trial.grade;
-    grade.name = item.name;
-    grade.bonus = item.bonus;
-    grade.pictures = judged_.pictures;
+    ItemGrade& grade = trial.grade = unjudged(item, judged_.pictures);
     const auto& task = task_of(item);
     if (!task) {
-      grade.state = ItemState::kNotAsked;
       grade.reason.kind = judged_.pictures ? Kind::kNotInPictures : Kind::kOfRenderers;
       return trial;
     }
-    grade.points = item.points;
     properties::Random seeds(seed_);
     for (std::size_t k = 0; k < index; ++k) seeds.bits();
     const Examinee who = examinee(item);
@@ -191,7 +199,6 @@ class Judge {
       return try_item(
           *task, cases, who, [this] { return reason_to_stop(); }, grade);
     } catch (const scene::Interrupted&) {
-      grade.state = ItemState::kNotJudged;
       grade.reason.kind = Kind::kInterrupted;
       return trial;
     }
@@ -205,14 +212,9 @@ class Judge {
       const auto found = std::find_if(before.begin(), before.end(),
                                       [&](const ItemGrade& other) { return other.name == needed; });
       if (found->state == ItemState::kNotAsked || found->score >= found->points) continue;
-      ItemGrade left_out;
-      left_out.name = grade.name;
-      left_out.bonus = grade.bonus;
-      left_out.pictures = grade.pictures;
-      left_out.points = grade.points;
-      left_out.state = ItemState::kLeftOut;
-      left_out.reason = {.kind = ItemReason::Kind::kNeeds, .item = needed, .state = found->state};
-      grade = std::move(left_out);
+      grade = unjudged(item, grade.pictures);
+      grade.state = ItemState::kLeftOut;
+      grade.reason = {.kind = ItemReason::Kind::kNeeds, .item = needed, .state = found->state};
       return;
     }
   }
@@ -240,18 +242,6 @@ class Judge {
 };
 
 }  // namespace
-
-double score_of(const Item& item, std::uint64_t held, std::uint64_t cases) {
-  if (cases == 0) return 0;
-  const double share = static_cast<double>(held) / static_cast<double>(cases);
-  if (item.credit == Credit::kAll) return held == cases ? item.points : 0;
-  if (item.credit == Credit::kShare) return share * item.points;
-  double credit = 0;
-  for (const CreditStep& step : item.steps) {
-    if (share >= step.share) credit = std::max(credit, step.credit);
-  }
-  return credit * item.points;
-}
 
 std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
                              const properties::RunControl& control) {

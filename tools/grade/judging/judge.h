@@ -36,7 +36,4 @@ struct JudgedSubmission {
 std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
                              const properties::RunControl& control);
 
-/// The item's points for a share of its cases.
-double score_of(const Item& item, std::uint64_t held, std::uint64_t cases);
-
 }  // namespace raycheck::tools

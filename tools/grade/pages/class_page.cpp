@@ -120,7 +120,7 @@ std::string mistakes(const ClassGrade& graded) {
   std::string html =
       "<h2>Mistakes</h2>\n<p>By the number of students whose wrong answers they explain; where "
       "several explain the same answers, each is counted.</p>\n";
-  const std::vector<MistakeStatistics> all = mistake_statistics(graded);
+  const std::vector<MistakeStatistics> all = mistake_statistics(graded.submissions);
   if (all.empty()) return html + "<p>None is known.</p>\n";
   for (const MistakeStatistics& one : all) {
     html += fmt::format(

@@ -12,7 +12,6 @@
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
-
 namespace {
 
 /// A line per submission, and its mistake.

@@ -164,7 +164,7 @@ std::string figures_page(const StudentGrade& grade) {
   for (std::size_t k = 0; k < grade.items.size(); ++k) {
     if (has_figure(grade, k)) add_figure(grade, k, document);
   }
-  return document.findings.empty() ? "" : page(document);
+  return page(document);
 }
 
 std::string figure_address(std::size_t finding) {

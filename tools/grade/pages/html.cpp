@@ -13,7 +13,6 @@
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
-
 namespace {
 
 constexpr std::string_view kStyle = R"(

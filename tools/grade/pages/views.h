@@ -45,12 +45,8 @@ inline constexpr ResultsFormat kResultsFormats[] = {
 inline constexpr const char* kReportFile = "report.html";
 inline constexpr const char* kFiguresFile = "figures.html";
 
-/// A student's pages: one of all items, self-contained except for links to the other one, and one
-/// of figures of failing cases of functions; empty if there are none.
-struct StudentPages {
-  std::string report, figures;
-};
-StudentPages student_pages(const StudentGrade& grade);
+/// A student's page of all items, self-contained except for links to that of figures.
+std::string report_page(const StudentGrade& grade);
 
 /// At most two decimals, without trailing zeros: "7", "2.5".
 std::string points_text(double points);
@@ -91,6 +87,9 @@ std::string not_judged_text(const SubmissionGrade& grade);
 /// Why nothing could be run, with the compiler's output.
 std::string refusal_text(const Refusal& refused);
 
+/// "2 items are in the score and not shown"; empty if all are shown.
+std::string unlisted_text(const StudentGrade& grade);
+
 /// The sentence of a failing case's law.
 std::string law_text(const FailingCase& failing);
 /// The case as a TOML scene; as a driver file; empty without a camera.
@@ -130,7 +129,7 @@ HomeCommand command_for_all(const StudentGrade& grade);
 /// student is told.
 bool has_figure(const StudentGrade& grade, std::size_t k);
 bool has_figures(const StudentGrade& grade);
-/// The page of all figures, with the submission's answers: nothing is run. Empty: there are none.
+/// The page of all figures, with the submission's answers: nothing is run. Domain: there are some.
 std::string figures_page(const StudentGrade& grade);
 /// The link to an item's figure, by its index among those with figures.
 std::string figure_address(std::size_t finding);

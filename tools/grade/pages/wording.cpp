@@ -1,14 +1,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <boost/algorithm/string/replace.hpp>
 #include <string_view>
 #include <utility>
 
 #include "properties/cases/case_text.h"
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
-#include "scene/number.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/result.h"
@@ -92,34 +90,18 @@ std::string reason_text(const ItemReason& reason) {
 }
 
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake) {
-  if (mistake.wrong == 0) return mistake.sentence;
-  return fmt::format("{}: {} of {} wrong {} are right that way", mistake.sentence,
+  if (mistake.wrong == 0) return mistake.sentence();
+  return fmt::format("{}: {} of {} wrong {} are right that way", mistake.sentence(),
                      mistake.explained, mistake.wrong, grade.pictures ? "pixels" : "answers");
 }
 
 std::string mistake_text(const SubmissionGrade& grade) {
-  struct Said {
-    std::string sentence;
-    int items = 0;
-    bool costs = false;  ///< Some item's points.
-  };
-  std::vector<Said> all;
-  for (const ItemGrade& item : grade.items) {
-    for (const ExplainingMistake& mistake : item.mistakes) {
-      for (const std::string& sentence : mistake.each()) {
-        auto known = std::find_if(all.begin(), all.end(),
-                                  [&](const Said& one) { return one.sentence == sentence; });
-        if (known == all.end()) known = all.insert(known, Said{sentence});
-        ++known->items;
-        known->costs = known->costs || item.state == ItemState::kFails;
-      }
-    }
-  }
+  std::vector<MistakeStatistics> all = mistake_statistics({&grade, 1});
   std::stable_sort(all.begin(), all.end(),
-                   [](const Said& a, const Said& b) { return a.items > b.items; });
+                   [](const auto& a, const auto& b) { return a.items > b.items; });
   // The most frequent one is named, and all others that cost points.
   std::string text;
-  for (const Said& one : all) {
+  for (const MistakeStatistics& one : all) {
     if (text.empty() || one.costs) text += (text.empty() ? "" : "; and ") + one.sentence;
   }
   return text;
@@ -168,6 +150,12 @@ std::string not_judged_text(const SubmissionGrade& grade) {
 
 std::string refusal_text(const Refusal& refused) {
   return refused.said.empty() ? refused.why : refused.why + "\n" + refused.said;
+}
+
+std::string unlisted_text(const StudentGrade& grade) {
+  if (grade.unlisted == 0) return "";
+  return (grade.unlisted == 1 ? "1 item is" : fmt::format("{} items are", grade.unlisted)) +
+         " in the score and not shown";
 }
 
 std::string law_text(const FailingCase& failing) {
@@ -278,46 +266,6 @@ std::string submission_text(const std::vector<const Item*>& items, const Submiss
                         state_text(item));
   }
   return text + notes_text(grade);
-}
-
-std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k) {
-  const ItemGrade& item = grade.submission.items[k];
-  const auto& program = grade.submission.program;
-  if (!item.failing || !program) return {};
-  const std::string name = file_name(item.name);
-  const bool is_renderer = program->kind == CandidateKind::kRenderer;
-  std::vector<HomeCommand> commands;
-  if (!grade.submission.build_words.empty()) {
-    commands.push_back(
-        {"Build it as here, in a copy of your folder", "(" + grade.submission.build_words + ")"});
-  }
-  if (is_renderer) {
-    std::string words = boost::replace_all_copy(program->what, "{scene}", name + ".txt");
-    boost::replace_all(words, "{image}", "out.ppm");
-    commands.push_back({"Draw it", std::move(words)});
-  }
-  std::string check =
-      fmt::format("raycheck check {}.toml --candidate {}", name, shell_word(program->text()));
-  if (is_renderer && !(grade.submission.driver == DriverForm{})) {
-    check += " --dialect " + shell_word(grade.submission.driver.name());
-  }
-  const auto precision = grade.submission.items[k].failing->answer.precision;
-  if (is_renderer && precision != scene::Precision::kDouble) {
-    check += fmt::format(" --precision {}", scene::name(precision));
-  }
-  const auto& pictures = grade.items[k]->pictures;
-  if (is_renderer && pictures && pictures->image_change) {
-    check += " --image-change " + scene::shortest(*pictures->image_change);
-  }
-  commands.push_back(
-      {is_renderer ? "Judge every pixel of it" : "Judge every ray of it", std::move(check)});
-  return commands;
-}
-
-HomeCommand command_for_all(const StudentGrade& grade) {
-  return {"To grade it again, as here, in your folder",
-          fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
-                      grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
 }
 
 }  // namespace raycheck::tools

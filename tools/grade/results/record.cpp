@@ -1,5 +1,6 @@
 #include "tools/grade/results/record.h"
 
+#include "scene/files/scene_file.h"
 #include "scene/number.h"
 #include "tools/report/words.h"
 
@@ -104,10 +105,10 @@ Json reason_json(const ItemReason& reason) {
 }
 
 Json mistake_json(const ExplainingMistake& mistake) {
-  return {{"sentence", mistake.sentence},
+  return {{"sentence", mistake.sentence()},
           {"wrong", mistake.wrong},
           {"explained", mistake.explained},
-          {"each", mistake.each()}};
+          {"each", mistake.sentences}};
 }
 
 Json item_json(const ItemGrade& item) {

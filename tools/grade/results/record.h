@@ -5,9 +5,6 @@
 
 namespace raycheck::tools {
 
-/// The file of a submission's results that records its grade.
-inline constexpr const char* kRecordFile = "result.json";
-
 /// All that is known of a submission's grade, as JSON: for instructors, as it includes what is
 /// withheld from students.
 Json record_json(const SubmissionGrade& grade);

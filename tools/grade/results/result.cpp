@@ -22,6 +22,17 @@ properties::Candidate tolerated(properties::Candidate candidate, const Tolerance
   return candidate;
 }
 
+ItemGrade unjudged(const Item& item, bool pictures) {
+  ItemGrade grade;
+  const bool is_asked = (pictures ? item.pictures : item.functions).has_value();
+  grade.name = item.name;
+  grade.state = is_asked ? ItemState::kNotJudged : ItemState::kNotAsked;
+  grade.points = is_asked ? item.points : 0;
+  grade.bonus = item.bonus;
+  grade.pictures = pictures;
+  return grade;
+}
+
 std::string plain_text(const std::string& said) {
   // Quotes as compilers print them.
   static const std::regex quotes("\xe2\x80[\x98\x99]");
@@ -51,6 +62,8 @@ void add(const std::string& sentence, const ItemGrade& item, const SubmissionGra
   if (known->students.empty() || known->students.back() != &grade) {
     known->students.push_back(&grade);
   }
+  ++known->items;
+  known->costs = known->costs || item.state == ItemState::kFails;
   const bool is_smaller =
       item.failing &&
       (known->smallest == nullptr || size_of(*item.failing) < size_of(*known->smallest->failing));
@@ -93,12 +106,12 @@ std::vector<ItemStatistics> item_statistics(const ClassGrade& graded) {
   return all;
 }
 
-std::vector<MistakeStatistics> mistake_statistics(const ClassGrade& graded) {
+std::vector<MistakeStatistics> mistake_statistics(std::span<const SubmissionGrade> graded) {
   std::vector<MistakeStatistics> all;
-  for (const SubmissionGrade& grade : graded.submissions) {
+  for (const SubmissionGrade& grade : graded) {
     for (const ItemGrade& item : grade.items) {
       for (const ExplainingMistake& mistake : item.mistakes) {
-        for (const std::string& sentence : mistake.each()) add(sentence, item, grade, all);
+        for (const std::string& sentence : mistake.sentences) add(sentence, item, grade, all);
       }
     }
   }

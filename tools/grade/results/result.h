@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <boost/algorithm/string/join.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -88,14 +90,10 @@ struct FirstWrongAnswer {
 /// A mistake, and how many of an item's wrong answers (or pixels) it makes right. Nothing is
 /// counted without answers, or without pictures of the right size.
 struct ExplainingMistake {
-  std::string sentence;
+  std::vector<std::string> sentences;  ///< Several if it is several mistakes at once.
   std::uint64_t wrong = 0, explained = 0;
-  /// If it is several mistakes at once, their sentences.
-  std::vector<std::string> parts = {};
 
-  std::vector<std::string> each() const {
-    return parts.empty() ? std::vector<std::string>{sentence} : parts;
-  }
+  std::string sentence() const { return boost::join(sentences, "; and "); }
 };
 
 /// The outcome of an item.
@@ -156,6 +154,9 @@ struct ItemGrade {
   std::optional<FailingCase> failing;
   std::optional<FirstWrongAnswer> first_wrong;
 };
+
+/// An item of which nothing is asked yet.
+ItemGrade unjudged(const Item& item, bool pictures);
 
 /// A file of a submission that cannot be understood by reading it.
 struct OpaqueFile {
@@ -229,12 +230,14 @@ std::vector<ItemStatistics> item_statistics(const ClassGrade& graded);
 struct MistakeStatistics {
   std::string sentence;
   Submissions students;  ///< Those with an item whose wrong answers it explains.
+  int items = 0;         ///< Theirs that it explains.
+  bool costs = false;    ///< Some of these their points.
   /// The failing case that it explains with the fewest spheres, then pixels; null if there is none.
   const ItemGrade* smallest = nullptr;
   const SubmissionGrade* whose = nullptr;  ///< Whose smallest case it is; null likewise.
 };
 /// Most students first.
-std::vector<MistakeStatistics> mistake_statistics(const ClassGrade& graded);
+std::vector<MistakeStatistics> mistake_statistics(std::span<const SubmissionGrade> graded);
 
 /// Who hides items that students may not see yet, or ever.
 enum class HiddenBy {

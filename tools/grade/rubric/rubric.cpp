@@ -1,5 +1,8 @@
 #include "tools/grade/rubric/rubric.h"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -9,7 +12,6 @@
 
 #include "scene/files/file_text.h"
 #include "scene/files/toml_fields.h"
-#include "tools/grade/rubric/rubric_files.h"
 
 namespace raycheck::tools {
 namespace {
@@ -245,9 +247,7 @@ class RubricReader {
       if (const auto change = fields_.optional(from, "image_change")) {
         result.image_change = number_between(*change, 0, 1, "must be between 0 and 1");
       }
-      if (const auto vary = fields_.optional(from, "vary")) {
-        result.vary = read_variations(fields_, *vary);
-      }
+      if (const auto vary = fields_.optional(from, "vary")) result.vary = variations(*vary);
     } else {
       const Field laws = fields_.required(from, "laws");
       for (const Field& name : fields_.list(laws)) {
@@ -270,6 +270,20 @@ class RubricReader {
       fields_.fail(field, "names neither scenes nor sources");
     }
     return result;
+  }
+
+  /// How the scenes of an item's pictures vary with the seed.
+  std::vector<properties::Variation> variations(const Field& field) const {
+    const auto& names = properties::kVariationNames;
+    std::vector<properties::Variation> found;
+    for (const Field& each : fields_.list(field)) {
+      const auto name = std::find(names.begin(), names.end(), fields_.text(each));
+      if (name == names.end()) {
+        fields_.fail(each, fmt::format("must be one of {}", fmt::join(names, ", ")));
+      }
+      found.push_back(static_cast<properties::Variation>(name - names.begin()));
+    }
+    return found;
   }
 
   void read_sources(const Table& from, bool pictures, ItemTask& result) {

@@ -1,7 +1,4 @@
-#include "tools/grade/rubric/rubric_files.h"
-
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 
@@ -11,10 +8,10 @@
 #include <string>
 
 #include "tools/external/sandbox/process.h"
+#include "tools/grade/rubric/rubric.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,20 +46,6 @@ std::optional<fs::path> shipped_rubric(const fs::path& name) {
 
 std::optional<fs::path> shipped_scene(const fs::path& name) {
   return if_file(shipped_folder() / name);
-}
-
-std::vector<properties::Variation> read_variations(const scene::TomlFields& fields,
-                                                   const scene::TomlFields::Field& field) {
-  const auto& names = properties::kVariationNames;
-  std::vector<properties::Variation> found;
-  for (const scene::TomlFields::Field& each : fields.list(field)) {
-    const auto name = std::find(names.begin(), names.end(), fields.text(each));
-    if (name == names.end()) {
-      fields.fail(each, fmt::format("must be one of {}", fmt::join(names, ", ")));
-    }
-    found.push_back(static_cast<properties::Variation>(name - names.begin()));
-  }
-  return found;
 }
 
 std::string digest(const std::vector<std::string>& texts) {

@@ -20,10 +20,9 @@ TEST(MistakeStatistics, CountAMistakeAloneAndBesideAnotherOnce) {
     return grade;
   };
   tools::ClassGrade graded;
-  graded.submissions = {student({{"a", 1, 1}, {"a; and b", 2, 2, {"a", "b"}}}),
-                        student({{"b", 1, 1}, {"b; and c", 1, 1, {"b", "c"}}}),
-                        student({{"b", 3, 3}})};
-  const auto statistics = tools::mistake_statistics(graded);
+  graded.submissions = {student({{{"a"}, 1, 1}, {{"a", "b"}, 2, 2}}),
+                        student({{{"b"}, 1, 1}, {{"b", "c"}, 1, 1}}), student({{{"b"}, 3, 3}})};
+  const auto statistics = tools::mistake_statistics(graded.submissions);
   ASSERT_EQ(statistics.size(), 3u);
   EXPECT_EQ(statistics[0].sentence, "b");
   EXPECT_EQ(statistics[0].students.size(), 3u);

@@ -1,4 +1,4 @@
-#include "tools/rubric/rubric.h"
+#include "tools/rubric/shipped_rubrics.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,6 @@
 
 #include "scene/files/file_text.h"
 #include "tools/grade/rubric/rubric.h"
-#include "tools/grade/rubric/rubric_files.h"
 #include "tools/report/output_file.h"
 #include "tools/report/words.h"
 
