@@ -62,7 +62,7 @@ class HostileText(PageTest):
         self.assertEqual(self.plain[0], 0)
 
     def test_the_name_of_a_file_is_text(self):
-        for name in (NAME, f"{BIDI}\u0627'\"&amp;.toml", "@SCRIPT@ @DOCUMENT@ $& .toml", "</title><b>.toml", "<!--<script>.toml"):
+        for name in (NAME, f"{BIDI}\u0627'\"&amp;.toml", "{script} {document} {0} $& .toml", "</title><b>.toml", "<!--<script>.toml"):
             with self.subTest(name):
                 self.open(self.page(self.scene_named(name)))
                 self.everything_seen()

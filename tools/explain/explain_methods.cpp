@@ -1,6 +1,5 @@
 #include "tools/explain/explain_methods.h"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <string>
@@ -26,7 +25,6 @@ using reference::Enclosure;
 using reference::Enclosure3;
 using reference::ExactRay;
 
-/// What the laws of a kind find wrong first.
 template <class Condition>
 std::optional<properties::Discrepancy> found_wrong(Trials& trials, const Condition& is_asked) {
   properties::Verdict verdict;
@@ -116,7 +114,6 @@ void add_ray_steps(Trial& trial, bool is_own, Steps steps) {
   }
 }
 
-/// T, v and d^2 of one of raycheck's own methods.
 std::optional<fast::Roots> add_own_steps(const fast::IntersectMethod& own, const ExactRay& exact,
                                          const Trial& trial, Steps steps) {
   const scene::Ray& ray = exact.source().given;

@@ -9,12 +9,10 @@
 
 namespace raycheck::tools {
 
-/// How an external implementation is run.
 struct RunOptions {
   Layers layers;
   Limits limits;
   MethodPair bounds = kDefaultMethods;
-  // For renderers.
   DriverForm driver = {};
   scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
@@ -26,13 +24,11 @@ struct RunOptions {
   std::filesystem::path folder = {};
   double build_seconds = 120;           ///< To compile it, of CPU time.
   std::string build_seconds_name = {};  ///< The name of that limit.
-  /// Where compile time is added up.
   std::shared_ptr<SpentTime> build_spent = std::make_shared<SpentTime>();
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
   /// Is told about failures with a cause outside the candidate; null: nobody is.
   std::shared_ptr<Surroundings> surroundings = {};
 
-  /// A program to run in this way, without its words yet.
   Confined confined() const {
     return {.arguments = {},
             .readable = reads,

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +17,6 @@
 
 namespace raycheck::tools {
 
-/// What a picture shows of a pixel.
 enum class Picture { kSphere, kError };
 inline constexpr std::array<std::string_view, 2> kPictureNames = {"sphere", "error"};
 constexpr std::string_view name(Picture picture) {

@@ -74,34 +74,22 @@ class Workload {
 /// An image's rows in bands, in an order whose every prefix is spread over the image.
 class Bands {
  public:
-  Bands(std::int64_t height, std::int64_t rows) : height_(height), rows_(rows) {
+  Bands(std::int64_t height, std::int64_t rows)
+      : height_(height), rows_(rows), count_((height + rows - 1) / rows) {
     constexpr double kGoldenSection = 0.6180339887498949;
-    std::vector<std::pair<double, std::int64_t>> order;
-    for (std::int64_t k = 0; k * rows < height; ++k) {
-      const double turns = kGoldenSection * static_cast<double>(k);
-      order.emplace_back(turns - std::floor(turns), k * rows);
-    }
-    std::sort(order.begin(), order.end());
-    for (const auto& [turns, j] : order) begins_.push_back(j);
+    step_ = std::max<std::int64_t>(1, std::llround(kGoldenSection * static_cast<double>(count_)));
+    while (std::gcd(step_, count_) != 1) --step_;
   }
 
-  std::size_t count() const { return begins_.size(); }
+  std::size_t count() const { return static_cast<std::size_t>(count_); }
   std::pair<std::int64_t, std::int64_t> operator[](std::size_t k) const {
-    return {begins_[k], std::min(height_, begins_[k] + rows_)};
+    const std::int64_t begin = static_cast<std::int64_t>(k) * step_ % count_ * rows_;
+    return {begin, std::min(height_, begin + rows_)};
   }
   std::int64_t most_rows() const { return std::min(rows_, height_); }
-  std::uint64_t rows_of_first(std::size_t count) const {
-    std::uint64_t rows = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      rows += static_cast<std::uint64_t>((*this)[k].second - (*this)[k].first);
-    }
-    return rows;
-  }
 
  private:
-  std::int64_t height_;
-  std::int64_t rows_;
-  std::vector<std::int64_t> begins_;
+  std::int64_t height_, rows_, count_, step_;
 };
 
 /// Seconds that some rows take, repeated as often as the clock needs.
@@ -116,31 +104,36 @@ double time_rows(const Visibility& visibility, Workload& workload,
   return seconds_since(start) / repetitions;
 }
 
-/// Seconds of several visibilities, each the sum over the first bands of the image of the least of
-/// several passes. They take turns, so that disturbances of the machine slow all of them. As many
-/// bands as fit into the time limit, at least one.
+/// Of several visibilities, what the first bands of the image take, as many as fit into the time
+/// limit and at least one: the sum of the least of several passes, in milliseconds for the whole
+/// image. They take turns, so that disturbances of the machine slow all of them.
 struct PartTimes {
-  std::vector<double> seconds;
+  std::vector<double> image_ms;
   std::size_t bands = 0;
+  std::int64_t rows = 0;  ///< Of these bands together.
 };
 PartTimes time_parts(const std::vector<const Visibility*>& all, Workload& workload,
-                     const Bands& bands) {
+                     const Bands& bands, std::int64_t height) {
   const Clock::time_point start = Clock::now();
   std::vector<std::vector<double>> least(all.size(), std::vector<double>(bands.count(), HUGE_VAL));
   PartTimes times{{}, bands.count()};
   for (int pass = 0; pass < kMostPasses; ++pass) {
     if (pass > 0 && seconds_since(start) > kItemSeconds) break;
     for (std::size_t part = 0; part < times.bands; ++part) {
+      const auto rows = bands[part];
       for (std::size_t k = 0; k < all.size(); ++k) {
-        least[k][part] = std::min(least[k][part], time_rows(*all[k], workload, bands[part]));
+        least[k][part] = std::min(least[k][part], time_rows(*all[k], workload, rows));
       }
+      if (pass > 0) continue;
+      times.rows += rows.second - rows.first;
       // Half of the time for the first pass, to leave time for a second.
-      if (pass == 0 && seconds_since(start) > kItemSeconds / 2) times.bands = part + 1;
+      if (seconds_since(start) > kItemSeconds / 2) times.bands = part + 1;
     }
   }
   for (const auto& of : least) {
     const auto end = of.begin() + static_cast<std::ptrdiff_t>(times.bands);
-    times.seconds.push_back(std::accumulate(of.begin(), end, 0.0));
+    times.image_ms.push_back(1e3 * std::accumulate(of.begin(), end, 0.0) *
+                             static_cast<double>(height) / static_cast<double>(times.rows));
   }
   return times;
 }
@@ -202,15 +195,15 @@ void time_plan(PlanReport& report) {
   const bool by_rows = band * spheres > kMostPairs || band > kMostPixelsAtATime;
   const Bands bands(scene.camera->height, by_rows ? 1 : Visibility::kBandRows);
   Workload workload(scene, plan.wanted, bands.most_rows());
-  const auto whole_image_ms = [&](double seconds, std::size_t timed) {
-    return 1e3 * seconds * height / static_cast<double>(bands.rows_of_first(timed));
+  const auto time = [&](const std::vector<const Visibility*>& all) {
+    return time_parts(all, workload, bands, scene.camera->height);
   };
-  const auto pixels_of = [&](std::size_t timed) {
-    return bands.rows_of_first(timed) * static_cast<std::uint64_t>(scene.camera->width);
+  const auto pixels_of = [&](const PartTimes& times) {
+    return static_cast<std::uint64_t>(times.rows * scene.camera->width);
   };
-  const PartTimes times = time_parts({&planned}, workload, bands);
-  report.image_ms = whole_image_ms(times.seconds[0], times.bands);
-  report.pixels_timed = pixels_of(times.bands);
+  const PartTimes times = time({&planned});
+  report.image_ms = times.image_ms[0];
+  report.pixels_timed = pixels_of(times);
   for (std::size_t k = 0; k < times.bands; ++k) {
     report.decided_by += workload.run(planned, bands[k].first, bands[k].second);
   }
@@ -233,9 +226,8 @@ void time_plan(PlanReport& report) {
     const double part_share = static_cast<double>(bands.most_rows()) / height;
     if (pairs_asked(without) * part_share > kMostPairs) continue;
     const Visibility unplanned(scene, without);
-    const PartTimes both = time_parts({&planned, &unplanned}, workload, bands);
-    item.time = PlanTime{whole_image_ms(both.seconds[0], both.bands),
-                         whole_image_ms(both.seconds[1], both.bands), pixels_of(both.bands)};
+    const PartTimes both = time({&planned, &unplanned});
+    item.time = PlanTime{both.image_ms[0], both.image_ms[1], pixels_of(both)};
   }
 }
 

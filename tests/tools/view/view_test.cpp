@@ -336,7 +336,7 @@ TEST(View, a_page_is_one_file_of_bounded_size_that_allows_nothing_else) {
   EXPECT_LE(text.size(), 1'500'000u);
   EXPECT_TRUE(text.find("default-src 'none'; script-src 'sha256-") != std::string::npos);
   EXPECT_TRUE(text.find("&lt;img src=x onerror=alert(1)&gt;.toml") != std::string::npos);
-  for (const char* part : {"src=\"", "@DOCUMENT@", "<img src=x"}) {
+  for (const char* part : {"src=\"", "{document}", "<img src=x"}) {
     EXPECT_EQ(text.find(part), std::string::npos) << part;
   }
 }

@@ -108,14 +108,12 @@ public abstract class RaycheckCandidate {
       if (offers(function.java)) said.append("function ").append(function.asked).append('\n');
     }
     for (String convention : declared()) said.append("convention ").append(convention).append('\n');
-    if (level() != null) said.append("level ").append(level()).append('\n');
-    if (roots() != null) said.append("roots ").append(roots()).append('\n');
-    if (precision() != null) said.append("precision ").append(precision()).append('\n');
-    if (directions() != null) said.append("directions ").append(directions()).append('\n');
-    if (returns() != null) said.append("returns ").append(returns()).append('\n');
-    if (lengths() != null) {
-      said.append("lengths ").append(text(lengths()[0])).append(' ');
-      said.append(text(lengths()[1])).append('\n');
+    double[] lengths = lengths();
+    String told = lengths == null ? null : text(lengths[0]) + " " + text(lengths[1]);
+    for (String[] one : new String[][] {{"level", level()}, {"roots", roots()},
+             {"precision", precision()}, {"directions", directions()}, {"returns", returns()},
+              {"lengths", told}}) {
+      if (one[1] != null) said.append(one[0]).append(' ').append(one[1]).append('\n');
     }
     send(replies, said.append("ready\n"));
     for (Request request; (request = read(lines)) != null;) {
@@ -213,19 +211,13 @@ public abstract class RaycheckCandidate {
         Frame axes = frame(request.camera);
         for (Vector axis : List.of(axes.u, axes.v, axes.w)) reply.append(text(axis)).append('\n');
       }
-      case "pixel_point" -> {
+      case "pixel_point", "pixel_ray", "focal_ray" -> {
         for (Pixel pixel : request.pixels) {
-          reply.append(text(pixelPoint(request.camera, request.asked, pixel))).append('\n');
-        }
-      }
-      case "pixel_ray" -> {
-        for (Pixel pixel : request.pixels) {
-          reply.append(text(pixelRay(request.camera, request.asked, pixel))).append('\n');
-        }
-      }
-      case "focal_ray" -> {
-        for (Pixel pixel : request.pixels) {
-          reply.append(text(focalRay(request.camera, request.asked, pixel))).append('\n');
+          reply.append(switch (request.function) {
+            case "pixel_point" -> text(pixelPoint(request.camera, request.asked, pixel));
+            case "pixel_ray" -> text(pixelRay(request.camera, request.asked, pixel));
+            default -> text(focalRay(request.camera, request.asked, pixel));
+          }).append('\n');
         }
       }
       case "intersect" -> {

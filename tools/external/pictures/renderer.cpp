@@ -4,11 +4,14 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/replace.hpp>
+#include <cctype>
 #include <ctime>
-#include <stdexcept>
+#include <sstream>
+#include <string_view>
 #include <system_error>
-#include <utility>
+#include <tuple>
 
 #include "properties/failures.h"
 #include "tools/external/sandbox/file_tree.h"
@@ -48,7 +51,83 @@ class ComputedFor {
   double before_;
 };
 
-/// Runs the program.
+/// The stems of pictures, in their order: those of the driver file's own name, then usual ones.
+constexpr std::array<std::string_view, 7> kStems = {"scene", "scene.txt", "out",   "output",
+                                                    "image", "picture",   "result"};
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool is_picture(const fs::path& path) {
+  const std::string ending = lower_case(path.extension().string());
+  return ending == ".ppm" || ending == ".pnm" || ending == ".png";
+}
+
+/// A picture that a program made, and whether it has the requested name.
+struct FoundPicture {
+  std::filesystem::path path;
+  bool is_named = true;
+};
+
+/// The picture that a program left in its folder, which held the driver file and no picture: the
+/// one with the requested name; else one of kStems; else the newest. PPM and PNG count, links do
+/// not. Empty if there is none.
+std::optional<FoundPicture> found_picture(const fs::path& folder) {
+  const fs::path named = folder / kImageFile;
+  if (fs::exists(fs::symlink_status(named))) return FoundPicture{named, true};
+  struct Found {
+    std::ptrdiff_t rank;
+    fs::file_time_type made;
+    fs::path path;
+  };
+  std::vector<Found> pictures;
+  // A program may leave its own folders unreadable.
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                         error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    std::error_code gone;
+    if (!fs::is_regular_file(entry->symlink_status(gone)) || !is_picture(entry->path())) continue;
+    const auto* const stem =
+        std::find(kStems.begin(), kStems.end(), lower_case(entry->path().stem().string()));
+    pictures.push_back({stem - kStems.begin(), entry->last_write_time(gone), entry->path()});
+  }
+  if (pictures.empty()) return {};
+  const auto best =
+      std::min_element(pictures.begin(), pictures.end(), [](const Found& a, const Found& b) {
+        return std::tuple(a.rank, b.made, a.path) < std::tuple(b.rank, a.made, b.path);
+      });
+  return FoundPicture{best->path, false};
+}
+
+/// A picture as text, stored between runs, and read back.
+std::string stored_text(const MadePicture& made) {
+  const auto& [width, height, pixels] = made.picture;
+  std::string text = fmt::format("{} {} {} {} {}\n", width, height, pixels.size(),
+                                 made.other_name.size(), made.ended.size());
+  text += made.other_name + made.ended;
+  return text.append(reinterpret_cast<const char*>(pixels.data()), pixels.size() * sizeof(Colour));
+}
+
+MadePicture stored_picture(const std::string& text) {
+  std::istringstream stored(text);
+  MadePicture made;
+  std::size_t pixels = 0, other_name = 0, ended = 0;
+  stored >> made.picture.width >> made.picture.height >> pixels >> other_name >> ended;
+  stored.get();
+  const auto take = [&](auto& into, std::size_t size) {
+    into.resize(size);
+    stored.read(reinterpret_cast<char*>(into.data()),
+                static_cast<std::streamsize>(size * sizeof(into[0])));
+  };
+  take(made.other_name, other_name);
+  take(made.ended, ended);
+  take(made.picture.pixels, pixels);
+  return made;
+}
+
 MadePicture drawn(const Renderer& renderer, const std::string& driver, PictureSize size) {
   Confined program = renderer.program;
   program.files = {{kSceneFile, driver}};
@@ -64,7 +143,7 @@ MadePicture drawn(const Renderer& renderer, const std::string& driver, PictureSi
   } catch (const ProcessFailure& thrown) {
     failure.emplace(thrown);
   }
-  const auto found = found_picture(process.folder(), kImageFile, kSceneFile);
+  const auto found = found_picture(process.folder());
   const std::string said = process.excerpt();
   // A complete picture counts, however the program ended.
   if (found && (!failure || failure->kind() == FailureKind::kEnded)) {

@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "properties/candidate.h"
 #include "tools/external/answer_store.h"
@@ -49,30 +48,12 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
                                      scene::Rows rows, std::size_t spheres,
                                      const ColourHabit& habit = {});
 
-/// A picture that a renderer made, and how.
 struct MadePicture {
   ReadPicture picture;
   std::string other_name;  ///< Where it was found; empty: where requested.
   std::string ended;       ///< "exited with 1"; empty: as it should.
   std::string said;        ///< On standard error, else on standard output.
 };
-
-/// A picture that a program made, and whether it has the requested name.
-struct FoundPicture {
-  std::filesystem::path path;
-  bool is_named = true;
-};
-
-/// The picture that a program left in its folder, which held the driver file `scene` and no
-/// picture: the one with the requested name; else one of a usual name (that of the driver file,
-/// out, output, image, picture, result); else the newest. PPM and PNG count, links do not. Empty if
-/// there is none.
-std::optional<FoundPicture> found_picture(const std::filesystem::path& folder,
-                                          const std::string& named, const std::string& scene);
-
-/// A picture as text, stored between runs, and read back.
-std::string stored_text(const MadePicture& made);
-MadePicture stored_picture(const std::string& text);
 
 /// Runs the program once for a driver file, or takes its stored picture. A complete picture counts,
 /// whatever the program's exit code; one of the wrong size has no pixels. Reading it counts as the

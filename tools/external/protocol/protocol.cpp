@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <iterator>
 #include <optional>
 
@@ -77,7 +75,6 @@ void read_convention(Words& words, properties::DeclaredConventions& declared) {
   }
 }
 
-/// What a line of that kind states.
 void read_statement(std::string_view kind, Words& words, Introduction& introduction) {
   if (kind == "function") {
     introduction.functions.emplace(

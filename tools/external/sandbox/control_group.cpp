@@ -122,7 +122,6 @@ void remove_dead_groups(const fs::path& own) {
   }
 }
 
-/// The groups of this run.
 class RunGroups {
  public:
   RunGroups()

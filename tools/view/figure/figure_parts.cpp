@@ -5,105 +5,98 @@ namespace {
 
 enum PartLook { kThin = 0, kThick = 1, kDashed = 2, kArrow = 4 };
 
+using Places = std::vector<const char*>;
+
 /// From place to place.
-struct PartLine {
-  const char* layer;
-  std::vector<const char*> path;
-  const char* colour;
-  int look = kThin;
-};
-const std::vector<PartLine> kPartLines = {
-    {"frustum", {"E", "near 0", "far 0"}, "faint"},
-    {"frustum", {"E", "near 1", "far 1"}, "faint"},
-    {"frustum", {"E", "near 2", "far 2"}, "faint"},
-    {"frustum", {"E", "near 3", "far 3"}, "faint"},
-    {"frustum", {"near 0", "near 1", "near 2", "near 3", "near 0"}, "blue", kThick},
-    {"frustum", {"plane 0", "plane 1", "plane 2", "plane 3", "plane 0"}, "blue", kDashed},
-    {"frustum", {"far 0", "far 1", "far 2", "far 3", "far 0"}, "purple", kThick},
-    {"frustum", {"E", "A"}, "faint", kDashed},
-    {"axes", {"E", "U"}, "orange", kThick | kArrow},
-    {"axes", {"E", "V"}, "green", kThick | kArrow},
-    {"axes", {"E", "W"}, "blue", kThick | kArrow},
-    {"axes", {"E", "up"}, "gold", kDashed | kArrow},
-    {"roots", {"E", "P"}, "ink", kDashed},
-    {"roots", {"L", "behind"}, "ink", kThick | kDashed},
-    {"roots", {"L", "end"}, "ink", kThick | kArrow},
-    {"roots", {"L", "C"}, "purple", kThick | kArrow},
-    {"roots", {"L", "foot"}, "blue", kThick},
-    {"roots", {"C", "foot"}, "faint", kDashed},
-    {"roots", {"C", "near root"}, "faint"},
-    {"roots", {"C", "far root"}, "faint"},
-    {"roots", {"near root", "foot"}, "gold", kThick},
-    {"roots", {"foot", "far root"}, "gold", kThick},
-};
-
-struct PartMark {
-  const char *layer, *at, *colour, *shape;
-  double size;  ///< Pixels.
-};
-const std::vector<PartMark> kPartMarks = {
-    {"frustum", "E", "ink", "disc", 11},         {"frustum", "A", "ink", "cross", 12},
-    {"roots", "L", "ink", "square", 9},          {"roots", "C", "purple", "cross", 9},
-    {"roots", "foot", "blue", "ring", 9},        {"roots", "near root", "orange", "diamond", 10},
-    {"roots", "far root", "blue", "square", 10}, {"roots", "double root", "orange", "diamond", 10},
-    {"roots", "answer", "ink", "ring", 21},
-};
-
-/// A name beside a place, or beside the middle of two.
-struct PartName {
-  const char* layer;
-  std::vector<const char*> at;
-  const char* text;  ///< Unless the place has its own.
-  const char* colour;
-};
-/// The most important first: the last are dropped if there is no room.
-const std::vector<PartName> kPartNames = {
-    {"roots", {"near root"}, "near root", "orange"},
-    {"roots", {"far root"}, "far root", "blue"},
-    {"roots", {"double root"}, "double root", "orange"},
-    {"frustum", {"E"}, "eye E, the focal point", "ink"},
-    {"roots", {"L", "C"}, "T", "purple"},
-    {"roots", {"L", "foot"}, "v", "blue"},
-    {"roots", {"foot", "near root"}, "d", "gold"},
-    {"roots", {"L"}, "L, the ray's origin", "ink"},
-    {"roots", {"foot"}, "foot, L + v D", "blue"},
-    {"roots", {"behind"}, "behind the origin", "ink"},
-    {"frustum", {"A"}, "look-at point A", "ink"},
-    {"axes", {"U"}, "U", "orange"},
-    {"axes", {"V"}, "V", "green"},
-    {"axes", {"W"}, "W (view-plane normal)", "blue"},
-    {"axes", {"up"}, "up vector", "gold"},
-    {"frustum", {"near 3"}, "near clipping plane", "blue"},
-    {"frustum", {"near 1"}, "bounded image plane", "blue"},
-    {"frustum", {"plane 2"}, "view plane", "blue"},
-    {"frustum", {"far 2"}, "far clipping plane", "purple"},
-    {"pixels", {"pixel (0, 0)"}, "pixel (0, 0)", "ink"},
-};
-
-Json line_json(const PartLine& line) {
-  const auto is = [&](PartLook look) { return (line.look & look) != 0; };
-  return {{"layer", line.layer}, {"path", line.path},     {"colour", line.colour},
+Json part_line(const char* layer, const Places& path, const char* colour, int look = kThin) {
+  const auto is = [&](PartLook one) { return (look & one) != 0; };
+  return {{"layer", layer},      {"path", path},          {"colour", colour},
           {"thick", is(kThick)}, {"dashed", is(kDashed)}, {"arrow", is(kArrow)}};
 }
 
-Json mark_json(const PartMark& mark) {
-  return {{"layer", mark.layer},
-          {"at", mark.at},
-          {"colour", mark.colour},
-          {"shape", mark.shape},
-          {"size", mark.size}};
+/// `size`: pixels.
+Json part_mark(const char* layer, const char* at, const char* colour, const char* shape,
+               double size) {
+  return {{"layer", layer}, {"at", at}, {"colour", colour}, {"shape", shape}, {"size", size}};
 }
 
-Json name_json(const PartName& name) {
-  return {{"layer", name.layer}, {"at", name.at}, {"text", name.text}, {"colour", name.colour}};
+/// Beside a place, or beside the middle of two; `text` unless the place has its own.
+Json part_name(const char* layer, const Places& at, const char* text, const char* colour) {
+  return {{"layer", layer}, {"at", at}, {"text", text}, {"colour", colour}};
+}
+
+Json part_lines() {
+  return Json::array({
+      part_line("frustum", {"E", "near 0", "far 0"}, "faint"),
+      part_line("frustum", {"E", "near 1", "far 1"}, "faint"),
+      part_line("frustum", {"E", "near 2", "far 2"}, "faint"),
+      part_line("frustum", {"E", "near 3", "far 3"}, "faint"),
+      part_line("frustum", {"near 0", "near 1", "near 2", "near 3", "near 0"}, "blue", kThick),
+      part_line("frustum", {"plane 0", "plane 1", "plane 2", "plane 3", "plane 0"}, "blue",
+                kDashed),
+      part_line("frustum", {"far 0", "far 1", "far 2", "far 3", "far 0"}, "purple", kThick),
+      part_line("frustum", {"E", "A"}, "faint", kDashed),
+      part_line("axes", {"E", "U"}, "orange", kThick | kArrow),
+      part_line("axes", {"E", "V"}, "green", kThick | kArrow),
+      part_line("axes", {"E", "W"}, "blue", kThick | kArrow),
+      part_line("axes", {"E", "up"}, "gold", kDashed | kArrow),
+      part_line("roots", {"E", "P"}, "ink", kDashed),
+      part_line("roots", {"L", "behind"}, "ink", kThick | kDashed),
+      part_line("roots", {"L", "end"}, "ink", kThick | kArrow),
+      part_line("roots", {"L", "C"}, "purple", kThick | kArrow),
+      part_line("roots", {"L", "foot"}, "blue", kThick),
+      part_line("roots", {"C", "foot"}, "faint", kDashed),
+      part_line("roots", {"C", "near root"}, "faint"),
+      part_line("roots", {"C", "far root"}, "faint"),
+      part_line("roots", {"near root", "foot"}, "gold", kThick),
+      part_line("roots", {"foot", "far root"}, "gold", kThick),
+  });
+}
+
+Json part_marks() {
+  return Json::array({
+      part_mark("frustum", "E", "ink", "disc", 11),
+      part_mark("frustum", "A", "ink", "cross", 12),
+      part_mark("roots", "L", "ink", "square", 9),
+      part_mark("roots", "C", "purple", "cross", 9),
+      part_mark("roots", "foot", "blue", "ring", 9),
+      part_mark("roots", "near root", "orange", "diamond", 10),
+      part_mark("roots", "far root", "blue", "square", 10),
+      part_mark("roots", "double root", "orange", "diamond", 10),
+      part_mark("roots", "answer", "ink", "ring", 21),
+  });
+}
+
+/// The most important first: the last are dropped if there is no room.
+Json part_names() {
+  return Json::array({
+      part_name("roots", {"near root"}, "near root", "orange"),
+      part_name("roots", {"far root"}, "far root", "blue"),
+      part_name("roots", {"double root"}, "double root", "orange"),
+      part_name("frustum", {"E"}, "eye E, the focal point", "ink"),
+      part_name("roots", {"L", "C"}, "T", "purple"),
+      part_name("roots", {"L", "foot"}, "v", "blue"),
+      part_name("roots", {"foot", "near root"}, "d", "gold"),
+      part_name("roots", {"L"}, "L, the ray's origin", "ink"),
+      part_name("roots", {"foot"}, "foot, L + v D", "blue"),
+      part_name("roots", {"behind"}, "behind the origin", "ink"),
+      part_name("frustum", {"A"}, "look-at point A", "ink"),
+      part_name("axes", {"U"}, "U", "orange"),
+      part_name("axes", {"V"}, "V", "green"),
+      part_name("axes", {"W"}, "W (view-plane normal)", "blue"),
+      part_name("axes", {"up"}, "up vector", "gold"),
+      part_name("frustum", {"near 3"}, "near clipping plane", "blue"),
+      part_name("frustum", {"near 1"}, "bounded image plane", "blue"),
+      part_name("frustum", {"plane 2"}, "view plane", "blue"),
+      part_name("frustum", {"far 2"}, "far clipping plane", "purple"),
+      part_name("pixels", {"pixel (0, 0)"}, "pixel (0, 0)", "ink"),
+  });
 }
 
 }  // namespace
 
 Json parts_json() {
-  return {{"lines", list_json(kPartLines, line_json)},
-          {"marks", list_json(kPartMarks, mark_json)},
-          {"names", list_json(kPartNames, name_json)}};
+  return {{"lines", part_lines()}, {"marks", part_marks()}, {"names", part_names()}};
 }
 
 }  // namespace raycheck::tools

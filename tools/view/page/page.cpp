@@ -20,15 +20,24 @@ constexpr std::size_t kWindow = 1 << 15;
 
 const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
 
-/// Compressed by zlib (RFC 1950) at its best level.
-std::string deflated(std::string_view text) {
-  uLongf size = compressBound(text.size());
-  std::string bytes(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, bytes_of(text), text.size(),
-                Z_BEST_COMPRESSION) != Z_OK) {
-    throw std::runtime_error("zlib: the page cannot be compressed");
+/// Compressed by zlib (RFC 1950) at its best level, as it is where `before` stands in front of it.
+std::string deflated(std::string_view text, std::string_view before = {}) {
+  z_stream stream{};
+  if (deflateInit(&stream, Z_BEST_COMPRESSION) != Z_OK) {
+    throw std::runtime_error("zlib: there is no room to compress in");
   }
-  bytes.resize(size);
+  if (before.size() > kWindow) before.remove_prefix(before.size() - kWindow);
+  if (!before.empty()) {
+    deflateSetDictionary(&stream, bytes_of(before), static_cast<uInt>(before.size()));
+  }
+  std::string bytes(deflateBound(&stream, text.size()), '\0');
+  stream.next_in = const_cast<Bytef*>(bytes_of(text));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(bytes.size());
+  deflate(&stream, Z_FINISH);
+  bytes.resize(stream.total_out);
+  deflateEnd(&stream);
   return bytes;
 }
 
@@ -51,21 +60,7 @@ const std::string& three() {
 }  // namespace
 
 std::size_t deflated_behind(std::string_view before, std::string_view text) {
-  z_stream stream{};
-  if (deflateInit(&stream, Z_BEST_COMPRESSION) != Z_OK) {
-    throw std::runtime_error("zlib: there is no room to compress in");
-  }
-  if (before.size() > kWindow) before.remove_prefix(before.size() - kWindow);
-  deflateSetDictionary(&stream, bytes_of(before), static_cast<uInt>(before.size()));
-  std::string bytes(deflateBound(&stream, text.size()), '\0');
-  stream.next_in = const_cast<Bytef*>(bytes_of(text));
-  stream.avail_in = static_cast<uInt>(text.size());
-  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
-  stream.avail_out = static_cast<uInt>(bytes.size());
-  deflate(&stream, Z_FINISH);
-  const std::size_t size = stream.total_out;
-  deflateEnd(&stream);
-  return size;
+  return deflated(text, before).size();
 }
 
 std::string page(const ViewDocument& document) {
@@ -73,32 +68,11 @@ std::string page(const ViewDocument& document) {
       "default-src 'none'; script-src {} {}; style-src {}; img-src data:; "
       "base-uri 'none'; form-action 'none'",
       hash_source(kPageScript), hash_source(kThree), hash_source(kPageStyle));
-  const std::pair<std::string_view, std::string> parts[] = {
-      {"@CSP@", policy},
-      {"@TITLE@", escaped(document.title)},
-      {"@STYLE@", std::string(kPageStyle)},
-      {"@SCRIPT@", std::string(kPageScript)},
-      {"@THREE@", document.scenes.empty() ? "" : three()},
-      {"@DOCUMENT@", base64(deflated(document_line(document)))},
-  };
-  // Inserted text is not expanded again.
-  std::string text;
-  std::string_view rest = kPageTemplate;
-  while (true) {
-    std::size_t first = rest.size();
-    const std::pair<std::string_view, std::string>* found = nullptr;
-    for (const auto& part : parts) {
-      const std::size_t at = rest.find(part.first);
-      if (at < first) {
-        first = at;
-        found = &part;
-      }
-    }
-    text += rest.substr(0, first);
-    if (found == nullptr) return text;
-    text += found->second;
-    rest.remove_prefix(first + found->first.size());
-  }
+  return fmt::format(fmt::runtime(kPageTemplate), fmt::arg("csp", policy),
+                     fmt::arg("title", escaped(document.title)), fmt::arg("style", kPageStyle),
+                     fmt::arg("script", kPageScript),
+                     fmt::arg("three", document.scenes.empty() ? "" : three()),
+                     fmt::arg("document", base64(deflated(document_line(document)))));
 }
 
 }  // namespace raycheck::tools

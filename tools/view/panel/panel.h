@@ -15,10 +15,6 @@ namespace raycheck::tools {
 Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selection& selection,
                const SceneViewOptions& options);
 
-/// Whether a step's closed form is short enough to be typeset: explain's text cuts longer ones,
-/// too.
-bool is_typeset(const Step& step);
-
 /// Where the answers of the report's intersection methods lie around the exact one: the
 /// neighbourhood of the exact hit point, or of the ray's point nearest to the centre if the exact
 /// answer is a miss, in the plane through the ray and the centre. Null if no precision up to
@@ -29,10 +25,6 @@ bool is_typeset(const Step& step);
 /// Domain: a report about that ray and that sphere.
 Json microscope_json(const ExplainReport& report, const reference::ExactRay& ray,
                      const scene::Sphere& sphere);
-
-/// For a ray and a sphere: the steps, each method's answer, and the exact one. Rich text is a list
-/// of [kind, text]: "", "symbol", "number", "mark" (wrong digits) or "wrong".
-Json told_json(const ExplainReport& report);
 
 /// Appended to an s in multiples of a ray's direction; empty for unit directions.
 std::string direction_remark(const ExplainReport& report);
