@@ -9,6 +9,8 @@ int main() {
   CGAL::intersection(line, sphere, std::back_inserter(points));  // in lexicographic order
   if (points.empty()) return std::puts("miss"), 0;
   bool forward = {dx} > 0 || ({dx} == 0 && ({dy} > 0 || ({dy} == 0 && {dz} > 0)));
-  auto p = boost::get<std::pair<K::Circular_arc_point_3, unsigned>>(forward ? points.front() : points.back()).first;
-  std::printf("%.17g %.17g %.17g\n", CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  auto first = forward ? points.front() : points.back();
+  auto p = boost::get<std::pair<K::Circular_arc_point_3, unsigned>>(first).first;
+  std::printf("%.17g %.17g %.17g\n", CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+              CGAL::to_double(p.z()));
 }

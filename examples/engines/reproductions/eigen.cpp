@@ -7,6 +7,7 @@ int main() {
   double c = fx * fx + fy * fy + fz * fz - {r} * {r};
   Eigen::PolynomialSolver<double, 2> solver(Eigen::Vector3d(c, b, a));
   bool real = false;
-  double s0 = solver.smallestRealRoot(real), s1 = solver.greatestRealRoot(real), s = s0 >= 0 ? s0 : s1;
+  double s0 = solver.smallestRealRoot(real), s1 = solver.greatestRealRoot(real);
+  double s = s0 >= 0 ? s0 : s1;
   real && s >= 0 ? std::printf("%.17g\n", s) : std::puts("miss");
 }

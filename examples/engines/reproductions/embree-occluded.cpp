@@ -6,7 +6,8 @@ int main() {
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene scene = rtcNewScene(device);
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
-  auto* v = (float*)rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 16, 1);
+  auto* v = (float*)rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                            16, 1);
   v[0] = {cx}, v[1] = {cy}, v[2] = {cz}, v[3] = {r};
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);

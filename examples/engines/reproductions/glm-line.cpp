@@ -4,7 +4,8 @@
 #include <glm/gtx/intersect.hpp>
 #include <cstdio>
 int main() {
-  glm::dvec3 from({ox}, {oy}, {oz}), direction({dx}, {dy}, {dz}), centre({cx}, {cy}, {cz}), p, q, normal;
+  glm::dvec3 from({ox}, {oy}, {oz}), direction({dx}, {dy}, {dz}), centre({cx}, {cy}, {cz});
+  glm::dvec3 p, q, normal;
   glm::dvec3 to = from + direction * 0x1p250;  // so far that it does not turn the line
   bool hit = glm::intersectLineSphere(from, to, centre, {r}, p, normal, q, normal);
   if (glm::dot(q - p, direction) < 0) p = q;

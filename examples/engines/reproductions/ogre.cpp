@@ -5,6 +5,7 @@
 #include <cstdio>
 int main() {
   Ogre::Ray ray(Ogre::Vector3({ox}, {oy}, {oz}), Ogre::Vector3({dx}, {dy}, {dz}));
-  auto [hit, t] = Ogre::Math::intersects(ray, Ogre::Sphere(Ogre::Vector3({cx}, {cy}, {cz}), {r}), false);
+  Ogre::Sphere sphere(Ogre::Vector3({cx}, {cy}, {cz}), {r});
+  auto [hit, t] = Ogre::Math::intersects(ray, sphere, false);
   hit ? std::printf("%.9g\n", t) : std::puts("miss");
 }

@@ -2,7 +2,8 @@
 #include <VecGeom/volumes/UnplacedOrb.h>
 #include <cstdio>
 int main() {
-  vecgeom::Vector3D<double> origin({ox} - {cx}, {oy} - {cy}, {oz} - {cz});  // its spheres lie at (0, 0, 0)
+  // Its spheres lie at (0, 0, 0).
+  vecgeom::Vector3D<double> origin({ox} - {cx}, {oy} - {cy}, {oz} - {cz});
   vecgeom::Vector3D<double> direction({dx}, {dy}, {dz});
   vecgeom::UnplacedOrb orb({r});
   double s = orb.DistanceToIn(origin, direction, vecgeom::kInfLength);
