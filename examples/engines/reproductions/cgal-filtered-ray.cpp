@@ -1,4 +1,4 @@
-// g++ case.cpp -lgmp -lmpfr -o case
+// g++ case.cpp -lgmp -o case
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <cstdio>
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;

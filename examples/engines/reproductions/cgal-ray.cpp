@@ -1,4 +1,4 @@
-// g++ case.cpp -lgmp -lmpfr -o case
+// g++ case.cpp -o case
 #include <CGAL/Simple_cartesian.h>
 #include <cstdio>
 using Kernel = CGAL::Simple_cartesian<double>;

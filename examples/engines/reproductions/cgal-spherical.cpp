@@ -1,4 +1,4 @@
-// g++ case.cpp -lgmp -lmpfr -o case
+// g++ case.cpp -lgmp -o case
 #include <CGAL/Exact_spherical_kernel_3.h>
 #include <cstdio>
 using K = CGAL::Exact_spherical_kernel_3;

@@ -1,4 +1,4 @@
-// g++ case.cpp -lgmp -lmpfr -o case
+// g++ case.cpp -lgmp -o case
 #include <CGAL/CORE/Expr.h>
 #include <cstdio>
 using CORE::Expr;

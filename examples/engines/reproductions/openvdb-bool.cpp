@@ -2,6 +2,7 @@
 #include <openvdb/math/Ray.h>
 #include <cstdio>
 int main() {
-  openvdb::math::Ray<double> ray(openvdb::Vec3d({ox}, {oy}, {oz}), openvdb::Vec3d({dx}, {dy}, {dz}));
+  openvdb::Vec3d origin({ox}, {oy}, {oz}), direction({dx}, {dy}, {dz});
+  openvdb::math::Ray<double> ray(origin, direction);
   std::puts(ray.intersects(openvdb::Vec3d({cx}, {cy}, {cz}), {r}) ? "hit" : "miss");
 }

@@ -1,4 +1,4 @@
-// g++ -DVECCORE_ENABLE_VC case.cpp -lvecgeom -o case
+// g++ -DNDEBUG -DVECCORE_ENABLE_VC case.cpp -lvecgeom -o case
 #include <VecGeom/volumes/UnplacedOrb.h>
 #include <cstdio>
 int main() {
