@@ -1,4 +1,4 @@
-// g++ case.cpp -lImath-3_1 -o case
+// g++ case.cpp -o case
 #include <Imath/ImathLine.h>
 #include <Imath/ImathSphere.h>
 #include <cstdio>

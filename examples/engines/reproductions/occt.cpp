@@ -1,4 +1,4 @@
-// g++ case.cpp -I/usr/include/opencascade -lTKGeomBase -lTKG3d -lTKMath -lTKernel -o case
+// g++ case.cpp -I/usr/include/opencascade -lTKGeomBase -lTKMath -lTKernel -o case
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Lin.hxx>

@@ -1,4 +1,4 @@
-// g++ case.cpp -I/usr/include/OGRE -lOgreMain -o case
+// g++ case.cpp -I/usr/include/OGRE -o case
 #include <OgreMath.h>
 #include <OgreRay.h>
 #include <OgreSphere.h>

@@ -1,4 +1,4 @@
-// g++ case.cpp -lopenvdb -ltbb -o case
+// g++ case.cpp -lopenvdb -o case
 #include <openvdb/math/Ray.h>
 #include <cstdio>
 using Vec = openvdb::math::Vec3<float>;

@@ -1,4 +1,4 @@
-// g++ -std=c++17 case.cpp -I/usr/include/simbody -lSimTKcommon -o case
+// g++ case.cpp -I/usr/include/simbody -lSimTKcommon -o case
 #include <SimTKcommon.h>
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,4 @@
-// g++ -std=c++17 case.cpp -I/usr/include/simbody -lSimTKmath -lSimTKcommon -o case
+// g++ case.cpp -I/usr/include/simbody -lSimTKmath -o case
 #include <SimTKmath.h>
 #include <cstdio>
 int main() {
