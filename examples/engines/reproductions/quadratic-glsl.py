@@ -1,0 +1,24 @@
+# python3 case.py, with python3-moderngl and Mesa's llvmpipe (libgl1-mesa-dri, libegl1)
+import struct
+import moderngl
+SHADER = """#version 430
+layout(local_size_x = 1) in;
+layout(std430, binding = 0) buffer Case { vec4 o, d, sphere; float s; };
+float hit_sphere(vec3 o, vec3 d, vec3 c, float r) {
+  vec3 oc = o - c;
+  float a = dot(d, d);
+  float b = 2.0 * dot(oc, d);
+  float k = dot(oc, oc) - r * r;
+  float disc = b * b - 4.0 * a * k;
+  if (disc < 0.0) return -1.0;
+  float root = sqrt(disc);
+  float s = (-b - root) / (2.0 * a);
+  return s >= 0.0 ? s : (-b + root) / (2.0 * a);
+}
+void main() { s = hit_sphere(o.xyz, d.xyz, sphere.xyz, sphere.w); }"""
+gl = moderngl.create_context(standalone=True, backend="egl", require=430)
+case = gl.buffer(struct.pack("13f", {ox}, {oy}, {oz}, 0, {dx}, {dy}, {dz}, 0, {cx}, {cy}, {cz}, {r}, 0))
+case.bind_to_storage_buffer(0)
+gl.compute_shader(SHADER).run()
+s = struct.unpack("13f", case.read())[12]
+print("miss" if s < 0 else f"{s:.9g}")

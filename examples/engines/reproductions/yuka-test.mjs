@@ -1,0 +1,5 @@
+// node case.mjs, beside node_modules with yuka
+import { BoundingSphere, Ray, Vector3 } from "yuka";
+const ray = new Ray(new Vector3({ox}, {oy}, {oz}), new Vector3({dx}, {dy}, {dz}));
+const sphere = new BoundingSphere(new Vector3({cx}, {cy}, {cz}), {r});
+console.log(ray.intersectsBoundingSphere(sphere) ? "hit" : "miss");
