@@ -60,7 +60,7 @@ class Raycheck:
         self.program, self.cases = program, cases
 
     def json(self, *words):
-        asked = subprocess.run([self.program, *words, "--format", "json"], capture_output=True, text=True)
+        asked = subprocess.run([str(self.program.resolve()), *words, "--format", "json"], capture_output=True, text=True)
         if not asked.stdout:
             raise RuntimeError(asked.stderr.strip())
         return json.loads(asked.stdout)
@@ -302,7 +302,7 @@ def main():
     parser.add_argument("--write", type=pathlib.Path, metavar="DOCS")
     parser.add_argument("--cases", type=int, default=1000)
     parser.add_argument("names", nargs="*")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     raycheck = Raycheck(options.raycheck, options.cases)
     engines = tomllib.loads((HERE / "engines.toml").read_text())["engine"]
     unknown = set(options.names) - {engine["name"] for engine in engines} - set(OWN)

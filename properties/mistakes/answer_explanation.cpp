@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "properties/mistakes/mistake_list.h"
-#include "properties/rounded_case.h"
+#include "properties/case.h"
 #include "properties/trial.h"
 #include "scene/interruption.h"
 

@@ -26,7 +26,9 @@ CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& t
                        std::optional<double> max_error, FailureSearch* search = nullptr) {
   if (!is_problem(the_case, candidate.declared)) return {false, false, Verdict(law.name)};
   Trials trials(the_case, candidate, {.max_error = max_error, .search = search});
-  const bool judged = trials.of(law).is_judged(law.quantity);
+  // What a candidate lacks is left out wherever the case lies.
+  const bool judged = trials.of(law).is_judged(law.quantity) ||
+                      !what_is_missing(law.needs, trials.of(law)).empty();
   return {judged, trials.gave_rays(), judged ? trials.apply(law) : Verdict(law.name)};
 }
 
