@@ -1,7 +1,8 @@
 // node case.mjs, beside node_modules with @babylonjs/havok
 import { readFileSync } from "node:fs";
 import initHavok from "@babylonjs/havok";
-const hk = await initHavok({ wasmBinary: readFileSync("node_modules/@babylonjs/havok/lib/esm/HavokPhysics.wasm") });
+const wasm = new URL(import.meta.resolve("@babylonjs/havok/lib/esm/HavokPhysics.wasm"));
+const hk = await initHavok({ wasmBinary: readFileSync(wasm) });
 const world = hk.HP_World_Create()[1], body = hk.HP_Body_Create()[1], found = hk.HP_QueryCollector_Create(1)[1];
 hk.HP_Body_SetShape(body, hk.HP_Shape_CreateSphere([0, 0, 0], {r})[1]);
 hk.HP_Body_SetPosition(body, [{cx}, {cy}, {cz}]);
