@@ -95,6 +95,8 @@ struct Wide {
   long double x, y, z;
 };
 
+}  // namespace
+
 HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
                     const scene::Sphere& sphere) {
   const Wide origin(ray.origin), direction(ray.direction);
@@ -125,8 +127,6 @@ HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray
           {along(ray.origin.x, ray.direction.x), along(ray.origin.y, ray.direction.y),
            along(ray.origin.z, ray.direction.z)}};
 }
-
-}  // namespace
 
 Functions completed(Functions functions, Returns returns) {
   if (returns == Returns::kHit || !functions.intersect) return functions;

@@ -202,9 +202,12 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
   DeclaredConventions declared;
 };
 
-/// The same functions, with what is left out of a hit: s is the distance over the direction's length,
-/// or the projection of Q; Q is the point at s; of a class alone both are where the ray comes closest
-/// to the centre at s >= 0. Laws judge what was returned alone (Needs).
+/// A hit with what was not returned: s is the distance over the direction's length, or the
+/// projection of Q; Q is the point at s; of a class alone both are where the ray comes closest to
+/// the centre at s >= 0. Laws judge what was returned alone (Needs).
+HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
+                    const scene::Sphere& sphere);
+/// The same functions, with the hits of `intersect` completed.
 Functions completed(Functions functions, Returns returns);
 
 /// A candidate whose bounds count u of doubles, as judged in a format: bounds keep their numbers of

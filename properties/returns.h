@@ -10,7 +10,6 @@ namespace raycheck::properties {
 enum class Returns { kHit, kParameter, kPoint, kDistance, kSquaredDistance, kClass };
 inline constexpr std::array<std::string_view, 6> kReturnsNames = {
     "hit", "parameter", "point", "distance", "squared-distance", "class"};
-constexpr auto& names_of(Returns /*of*/) { return kReturnsNames; }
 constexpr bool gives_point(Returns returns) {
   return returns == Returns::kHit || returns == Returns::kPoint;
 }

@@ -180,7 +180,7 @@ class Page:
         found = {}
         for campaign in self.ordinary + self.extreme:
             what = LAWS.get(campaign["law"])
-            if not what or what in found or not campaign["scene"] or what in ("scaling", "axes"):
+            if not what or what in found or campaign["finding"] != "broken" or what in ("scaling", "axes"):
                 continue
             numbers = scene_numbers(campaign["scene"])
             case = {"law": campaign["sentence"], "scene": campaign["scene"].strip(), "first": campaign["discrepancies"][0],
@@ -201,7 +201,7 @@ class Page:
         held, (_, reading, highest) = self.frontiers[source], DIALS[source]
         if held is None:
             return "-"
-        return "none" if held < 0 else "all" if held >= highest else reading.format(held)
+        return "none" if held < 0 else "1" if held == 0 else "all" if held >= highest else reading.format(held)
 
     def row(self):
         error = self.error
@@ -287,7 +287,7 @@ def chart(pages, path):
 
 
 HEAD = (["library", "function"] + list(LEVELS) + [title for title, _, _ in DIALS.values()]
-        + ["s on ordinary cases: median / worst", "time", "what is wrong"])
+        + ["error on ordinary cases: median / worst", "time", "what is wrong"])
 
 
 def table(pages):
