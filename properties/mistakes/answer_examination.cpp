@@ -228,7 +228,11 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
                                            the_case.scene.spheres[k / rays.size()], conventions);
       const bool is_wide = hit.is_possible && hit.most - hit.least > tolerance * hit.most;
       const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
-      all.add(is_wrong, is_dropped[k], hit.allows(s), hit.is_doubtful() || is_wide, hit.radii);
+      // Roundings of d^2 move Q along the ray.
+      const bool is_on_ray =
+          !s || agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
+      all.add(is_wrong, is_dropped[k], is_on_ray && hit.allows(s), hit.is_doubtful() || is_wide,
+              hit.radii);
     }
   }
   return all;

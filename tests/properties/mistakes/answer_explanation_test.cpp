@@ -13,7 +13,9 @@
 #include "fast/pixel_ray.h"
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_source.h"
+#include "properties/mistakes/causes.h"
 #include "properties/mistakes/mistakes.h"
+#include "properties/search/campaign.h"
 
 namespace raycheck::properties {
 namespace {
@@ -255,6 +257,37 @@ TEST(AnswerExplanation, OfACandidateInSinglePrecisionIsFound) {
     };
     EXPECT_EQ(sentences_for(candidate), Sentences{sentence});
   }
+}
+
+/// Roundings of d^2 move s, not Q beside the ray.
+TEST(AnswerExplanation, OfAWrongPointIsNotRoundings) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
+                                                  const scene::Conventions& conventions) {
+    std::vector<Hit> hits = ask(rays, sphere, conventions);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      if (hits[k]) hits[k]->point = hit_at(rays[k], sphere.radius).point;
+    }
+    return hits;
+  });
+  EXPECT_EQ(sentences_for(candidate), Sentences());
+}
+
+/// Whoever misses what is far, and hits the rest, does not miss everything, and has no sign wrong.
+TEST(AnswerExplanation, OfWhatIsMissedFarAwayIsNotWhatWouldBeMissedElsewhere) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
+                                                  const scene::Conventions& conventions) {
+    std::vector<Hit> hits = ask(rays, sphere, conventions);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      const scene::Vector3 T = sphere.centre - rays[k].origin;
+      if (std::hypot(T.x, T.y, T.z) > 100 * sphere.radius) hits[k].reset();
+    }
+    return hits;
+  });
+  const CampaignResult result = run_campaign(*find_law("class"), candidate, {});
+  ASSERT_EQ(result.finding(), Finding::kBroken);
+  EXPECT_TRUE(causes(telling_cases(result, kCasesOfACause), candidate).empty());
 }
 
 TEST(AnswerExplanation, IsJudgedUnderTheDeclaredConventions) {
