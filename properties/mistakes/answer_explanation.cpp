@@ -1,8 +1,10 @@
 #include "properties/mistakes/answer_explanation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "fast/intersect.h"
 #include "properties/mistakes/answer_examination.h"
 
 namespace raycheck::properties {
@@ -69,6 +71,36 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
   return {};
 }
 
+/// Relative errors of s up to this may be those of a right formula where s is well-conditioned.
+constexpr double kNoticed = 0x1p-44;
+
+/// Roots q/a and c/q lose what q = v + d or v - d does, the larger one, too, where q is the one
+/// that cancels. Roundings of d^2 leave that root alone.
+std::optional<AnswerCause> cancelling_q(Examination& examination) {
+  std::uint64_t wrong = 0;
+  for (const Comparison& comparison : examination.at(Step::kIntersect)) {
+    const auto& [the_case, rays] = *comparison.asked;
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const Answer &answer = comparison.answers[k], &right = comparison.right[k];
+      if (answer.choice != right.choice) return {};
+      const double s = right.vectors[0].x;
+      if (!right.choice || answer.vectors[0].x == s) continue;
+      const scene::Ray& ray = rays[k % rays.size()];
+      const auto roots = fast::kCross.roots(ray, the_case.scene.spheres[k / rays.size()]);
+      const double v = std::abs(roots.axial_distance);
+      const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
+      const double off = std::abs(answer.vectors[0].x - s) / s;
+      const double lost = kRoundings * kDoubleRoundoff * (v + d) / std::abs(v - d);
+      if (!(off <= std::max(kNoticed, lost))) return {};
+      wrong += off > kNoticed && s * norm(ray.direction) > v ? 1 : 0;
+    }
+  }
+  if (wrong < kFewestWrongByRoundings) return {};
+  return AnswerCause{
+      Step::kIntersect,
+      {{"q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", wrong, wrong}}};
+}
+
 FoundCause find_cause(Examination& examination, const Part& part) {
   for (const double tolerance : kAnswerTolerances) {
     for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
@@ -94,6 +126,11 @@ FoundCause find_cause(Examination& examination, const Part& part) {
       }
       if (!found.mistakes.empty()) return found;
       break;
+    }
+  }
+  if (part.last == Step::kIntersect) {
+    if (auto cause = cancelling_q(examination)) {
+      return {std::move(*cause), {}, kAnswerTolerances.front()};
     }
   }
   return {};

@@ -8,6 +8,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
@@ -288,6 +289,35 @@ TEST(AnswerExplanation, OfWhatIsMissedFarAwayIsNotWhatWouldBeMissedElsewhere) {
   const CampaignResult result = run_campaign(*find_law("class"), candidate, {});
   ASSERT_EQ(result.finding(), Finding::kBroken);
   EXPECT_TRUE(causes(telling_cases(result, kCasesOfACause), candidate).empty());
+}
+
+Sentences sentences_of_roots(const MakeRoots& roots) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  answer_by(candidate, hits_by({.roots = roots}));
+  Sentences sentences;
+  const CampaignResult result = run_campaign(*find_law("parameter"), candidate, {});
+  for (const Explanation& one : causes(telling_cases(result, kCasesOfACause), candidate)) {
+    sentences.push_back(one.sentence);
+  }
+  return sentences;
+}
+
+TEST(AnswerExplanation, OfAQThatCancelsIsToldByTheLargerRoot) {
+  const auto by_q = [](double sign) {
+    return [sign](const scene::Ray& ray, const scene::Sphere& sphere) {
+      fast::Roots roots = fast::kCross.roots(ray, sphere);
+      const scene::Vector3 T = sphere.centre - ray.origin, D = ray.direction;
+      const double t = std::hypot(T.x, T.y, T.z), size = std::hypot(D.x, D.y, D.z);
+      const double d = std::sqrt(roots.half_chord_sq), r = sphere.radius;
+      const double q = roots.axial_distance + sign * std::copysign(d, roots.axial_distance);
+      if (q == 0) return roots;
+      std::tie(roots.smaller, roots.larger) = std::minmax({q / size, (t - r) * (t + r) / q / size});
+      return roots;
+    };
+  };
+  EXPECT_EQ(sentences_of_roots(by_q(1)), Sentences());
+  EXPECT_EQ(sentences_of_roots(by_q(-1)),
+            Sentences{"q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels"});
 }
 
 TEST(AnswerExplanation, IsJudgedUnderTheDeclaredConventions) {
