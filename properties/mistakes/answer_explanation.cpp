@@ -6,8 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/mistakes/mistake_list.h"
+#include "fast/intersect.h"
 #include "properties/case.h"
+#include "properties/mistakes/mistake_list.h"
 #include "properties/trial.h"
 #include "scene/interruption.h"
 
@@ -27,6 +28,7 @@ using StepAnswers = std::vector<Answer>;
 struct AskedCase {
   Case the_case;
   std::vector<scene::Ray> rays;
+  bool class_alone = false;  ///< That a ray hits is all that is known of a hit.
 };
 
 /// What a candidate answered to a case at a step, what is right, and what other right formulas
@@ -61,7 +63,9 @@ StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
     const std::size_t first = answers.size();
     answers.resize(first + asked.rays.size());
     for (const auto& [ray, hit] : hits) {
-      answers[first + ray] = {0, {Vector3{hit.parameter, 0, 0}, vector(hit.point)}};
+      answers[first + ray] = {0, {Vector3{}, Vector3{}}};
+      if (asked.class_alone) continue;
+      answers[first + ray].vectors = {Vector3{hit.parameter, 0, 0}, vector(hit.point)};
     }
   }
   return answers;
@@ -164,7 +168,7 @@ class Examination {
       if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
       // Classic mistakes are those of code that takes every root >= 0.
       if (!candidate.declared.over(rounded->scene.conventions).valid.is_usual()) continue;
-      asked_.push_back({*std::move(rounded), {}});
+      asked_.push_back({*std::move(rounded), {}, candidate.returns == Returns::kClass});
       AskedCase& asked = asked_.back();
       scene::Conventions& conventions = asked.the_case.scene.conventions;
       conventions = candidate.declared.over(conventions);
@@ -231,7 +235,11 @@ class Examination {
                                              the_case.scene.spheres[k / rays.size()], conventions);
         const bool is_wide = hit.is_possible && hit.most - hit.least > tolerance * hit.most;
         const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
-        all.add(is_wrong, is_dropped[k], hit.allows(s), hit.is_doubtful() || is_wide, hit.radii);
+        // Roundings of d^2 move Q along the ray.
+      const bool is_on_ray =
+          !s || agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
+      all.add(is_wrong, is_dropped[k], is_on_ray && hit.allows(s), hit.is_doubtful() || is_wide,
+              hit.radii);
       }
     }
     return all;
@@ -309,6 +317,38 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
   return {};
 }
 
+/// Relative errors of s up to this may be those of a right formula where s is well-conditioned.
+constexpr double kNoticed = 0x1p-44;
+
+/// Roots q/a and c/q lose what q = v + d or v - d does, the larger one, too, where q is the one
+/// that cancels. Roundings of d^2 leave that root alone.
+std::optional<AnswerCause> cancelling_q(Examination& examination) {
+  std::uint64_t wrong = 0;
+  for (const Comparison& comparison : examination.at(Step::kIntersect)) {
+    const auto& [the_case, rays] = *comparison.asked;
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const Answer &answer = comparison.answers[k], &right = comparison.right[k];
+      if (answer.choice != right.choice) return {};
+      const double s = right.vectors[0].x;
+      if (!right.choice || answer.vectors[0].x == s) continue;
+      const scene::Ray& ray = rays[k % rays.size()];
+      const auto roots = fast::kCross.roots(ray, the_case.scene.spheres[k / rays.size()]);
+      const double v = std::abs(roots.axial_distance);
+      const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
+      const double off = std::abs(answer.vectors[0].x - s) / s;
+      const double lost = kRoundings * kDoubleRoundoff * (v + d) / std::abs(v - d);
+      if (!(off <= std::max(kNoticed, lost))) return {};
+      wrong += off > kNoticed && s * norm(ray.direction) > v ? 1 : 0;
+    }
+  }
+  if (wrong < kFewestWrongByRoundings) return {};
+  return AnswerCause{
+      Step::kIntersect,
+      {{"q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", wrong, wrong}},
+      {},
+      kAnswerTolerances.front()};
+}
+
 /// At the first step of a part that has errors.
 AnswerCause find_cause(Examination& examination, const Part& part) {
   for (const double tolerance : kAnswerTolerances) {
@@ -336,6 +376,9 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       }
       return found;
     }
+  }
+  if (part.last == Step::kIntersect) {
+    if (auto cause = cancelling_q(examination)) return *std::move(cause);
   }
   return {};
 }

@@ -1,6 +1,7 @@
 // Wrong choices among roots and among spheres.
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "properties/mistakes/mistake_list.h"
@@ -41,6 +42,24 @@ Roots roots_without_root(const Ray& ray, const Sphere& sphere) {
   return {v, half_chord_sq, (v - half_chord_sq) / size, (v + half_chord_sq) / size};
 }
 
+/// v - d and v + d, d^2 = b^2 - 4ac, of a b that lacks its factor of 2.
+Roots roots_of_halved(const Ray& ray, const Sphere& sphere) {
+  const auto [v, half_chord_sq, smaller, larger] = fast::kCross.roots(ray, sphere);
+  const double taken_sq = 4 * half_chord_sq - 3 * v * v;
+  const double d = std::sqrt(taken_sq), size = 2 * norm(ray.direction);
+  return {v, taken_sq, (v - d) / size, (v + d) / size};
+}
+
+/// No number in place of the roots of a negative d^2, or those of d^2 = 0.
+ChooseHit untested(bool is_number) {
+  return [is_number](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
+    if (!(roots.half_chord_sq < 0)) return usual_choice(ray, roots, conventions);
+    if (!is_number) return hit_at(ray, std::numeric_limits<double>::quiet_NaN());
+    const double s = roots.axial_distance / norm(ray.direction);
+    return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
+  };
+}
+
 RankSphere by_index(double sign) {
   return [sign](std::size_t index, auto&&...) { return sign * static_cast<double>(index); };
 }
@@ -58,6 +77,14 @@ std::vector<Mistake> intersect_mistakes() {
   return {
       of_hits("T = L - C: v has the wrong sign", {.roots = roots_of_turned}),
       of_hits("the square root is left out: s = v - d^2", {.roots = roots_without_root}),
+      of_hits("no ray ever hits a sphere",
+              {.choose = [](const Ray&, const Roots&, const Conventions&) { return Hit(); }}),
+      of_hits("b lacks its factor of 2: b^2 - 4ac with b = D . (L - C)",
+              {.roots = roots_of_halved}),
+      of_hits("d^2 < 0 is not tested: where spheres are missed s is no number",
+              {.choose = untested(false)}),
+      of_hits("d^2 < 0 counts as d^2 = 0: spheres that are missed are hit",
+              {.choose = untested(true)}),
       of_hits("s >= 0 is not tested: spheres behind the origin are hit",
               {.choose = wherever_behind}),
       of_hits("the far root is taken for the near one",
@@ -79,6 +106,10 @@ std::vector<Mistake> intersect_mistakes() {
       of_value("s is a length whatever the length of the direction",
                [](const Ray& ray, const HitAnswer& hit) {
                  return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
+               }),
+      of_value("s is a length, and Q = L + s D though D is no unit vector",
+               [](const Ray& ray, const HitAnswer& hit) {
+                 return hit_at(ray, hit.parameter * norm(ray.direction));
                }),
       of_hits("the first sphere in the file wins", {.rank = by_index(1)}),
       of_hits("the last sphere in the file wins", {.rank = by_index(-1)}),

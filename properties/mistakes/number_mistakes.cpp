@@ -191,6 +191,8 @@ std::vector<Mistake> read_mistakes() {
                          [](Camera& its, auto&) { truncate_bounds(its); }),
           sphere_mistake("the spheres' numbers are read as integers: their fractions are dropped",
                          truncate_sphere),
+          sphere_mistake("the centre is left out: spheres are about the world's origin",
+                         [](Sphere& sphere) { sphere.centre = {}; }),
           sphere_mistake("the squared radius is squared again: d^2 = r^4 - (|T|^2 - v^2)",
                          [](Sphere& sphere) { sphere.radius *= sphere.radius; }),
           sphere_mistake("the radius is not squared: d^2 = r - (|T|^2 - v^2)",

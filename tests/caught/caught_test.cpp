@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "fast/intersect.h"
 #include "tests/caught/page.h"
 
 namespace raycheck::caught {
@@ -70,6 +71,34 @@ TEST(WhatIsCaught, OfMutantsIsWhatThePageSays) {
           cell_of(row, source))
           << row.mutant->candidate.name << ", " << row.law->name << ": ./run caught";
     }
+  }
+}
+
+class EachReport : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(EachReport, IsFoundByTheDefaultRunAsThePageSays) {
+  const KnownReport& report = known_reports()[GetParam()];
+  const FoundReport its = found(candidate_of(report));
+  EXPECT_EQ(!its.law.empty(), report.is_found) << report.mutant;
+  EXPECT_EQ(its.sentences, report.sentences) << report.mutant;
+  // What is not named, or not found, is listed with what it needs.
+  EXPECT_EQ(report.sentences.empty(), !report.needed.empty()) << report.mutant;
+  const std::string line = line_of(report, its);
+  EXPECT_NE(page().find("\n" + line), std::string::npos) << line << "./run caught";
+}
+
+INSTANTIATE_TEST_SUITE_P(Known, EachReport, testing::Range(std::size_t{0}, known_reports().size()));
+
+TEST(KnownReports, AreMadeFromWhatBreaksNothing) {
+  KnownReport right{"", "", "right",
+                    [](const scene::Ray& ray, const scene::Sphere& sphere,
+                       const scene::Conventions& conventions) {
+                      return properties::usual_choice(ray, fast::kCross.roots(ray, sphere),
+                                                      conventions);
+                    }};
+  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+    right.precision = precision;
+    EXPECT_EQ(found(candidate_of(right)).law, "");
   }
 }
 

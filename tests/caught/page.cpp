@@ -52,6 +52,39 @@ std::string cell_of(const Resolution& row) {
   return row.noticed ? std::to_string(*row.noticed) : kNever;
 }
 
+std::string line_of(const KnownReport& report, const FoundReport& found) {
+  std::vector<std::string> said = found.sentences;
+  for (std::string& one : said) {
+    const bool is_true =
+        std::find(report.sentences.begin(), report.sentences.end(), one) != report.sentences.end();
+    if (!is_true) one = "false: " + one;
+  }
+  const bool is_found = !found.law.empty();
+  std::vector<std::string> cells = {
+      std::string(report.thread),
+      std::string(report.said),
+      code(report.mutant),
+      is_found ? code(found.law) : "not found",
+      is_found ? code(found.source) + ", case " + std::to_string(found.cases) : "",
+      joined(said, "; "),
+      std::string(report.needed)};
+  for (std::string& cell : cells) {
+    for (std::size_t at = 0; (at = cell.find('|', at)) != std::string::npos; at += 2) {
+      cell.insert(at, 1, '\\');
+    }
+  }
+  return line_of(cells);
+}
+
+std::string reports_table() {
+  std::string table =
+      head_of({"report", "what it says", "mutant", "law", "source", "sentence", "needed"});
+  for (const KnownReport& report : known_reports()) {
+    table += line_of(report, found(candidate_of(report)));
+  }
+  return table;
+}
+
 std::string dull_table() {
   using dull::Judgement;
   const dull::DullRoom room;

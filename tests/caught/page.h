@@ -7,6 +7,7 @@
 
 #include "properties/cases/case_source.h"
 #include "tests/caught/first_severity.h"
+#include "tests/caught/known_reports.h"
 #include "tests/caught/resolution.h"
 
 namespace raycheck::caught {
@@ -21,11 +22,13 @@ struct OfSource {
 /// How a cell of the tables of mutants, or of resolutions, is written.
 std::string cell_of(const FirstCaught& row, const properties::CaseSource& source);
 std::string cell_of(const Resolution& row);
+std::string line_of(const KnownReport& report, const FoundReport& found);
 
 // The parts of docs/what-is-caught.md, each for a `{{NAME}}` of its template.
 std::string dull_table();                                                       // dull
 std::string excused_table();                                                    // excused
 std::string mutant_tables(const std::vector<OfSource<FirstCaught>>& found);     // mutants
+std::string reports_table();                                                    // reports
 std::string summary_table(const std::vector<OfSource<Resolution>>& found);      // summary
 std::string resolution_tables(const std::vector<OfSource<Resolution>>& found);  // resolution
 std::string severity_tables(const std::vector<OfSource<Resolution>>& found);    // severities

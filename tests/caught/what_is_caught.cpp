@@ -50,6 +50,7 @@ std::string filled(std::string text, std::optional<int> cases) {
          return caught::mutant_tables(on_each_source<caught::FirstCaught>(
              "mutants", [&](const auto& source) { return caught::first_caught(source, all); }));
        }},
+      {"reports", caught::reports_table},
       {"summary", [&] { return caught::summary_table(errors()); }},
       {"resolution", [&] { return caught::resolution_tables(errors()); }},
       {"severities", [&] { return caught::severity_tables(errors()); }},

@@ -8,12 +8,15 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_source.h"
+#include "properties/mistakes/causes.h"
 #include "properties/mistakes/mistakes.h"
+#include "properties/search/campaign.h"
 
 namespace raycheck::properties {
 namespace {
@@ -255,6 +258,66 @@ TEST(AnswerExplanation, OfACandidateInSinglePrecisionIsFound) {
     };
     EXPECT_EQ(sentences_for(candidate), Sentences{sentence});
   }
+}
+
+/// Roundings of d^2 move s, not Q beside the ray.
+TEST(AnswerExplanation, OfAWrongPointIsNotRoundings) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
+                                                  const scene::Conventions& conventions) {
+    std::vector<Hit> hits = ask(rays, sphere, conventions);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      if (hits[k]) hits[k]->point = hit_at(rays[k], sphere.radius).point;
+    }
+    return hits;
+  });
+  EXPECT_EQ(sentences_for(candidate), Sentences());
+}
+
+/// Whoever misses what is far, and hits the rest, does not miss everything, and has no sign wrong.
+TEST(AnswerExplanation, OfWhatIsMissedFarAwayIsNotWhatWouldBeMissedElsewhere) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
+                                                  const scene::Conventions& conventions) {
+    std::vector<Hit> hits = ask(rays, sphere, conventions);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      const scene::Vector3 T = sphere.centre - rays[k].origin;
+      if (std::hypot(T.x, T.y, T.z) > 100 * sphere.radius) hits[k].reset();
+    }
+    return hits;
+  });
+  const CampaignResult result = run_campaign(*find_law("class"), candidate, {});
+  ASSERT_EQ(result.finding(), Finding::kBroken);
+  EXPECT_TRUE(causes(telling_cases(result, kCasesOfACause), candidate).empty());
+}
+
+Sentences sentences_of_roots(const MakeRoots& roots) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  answer_by(candidate, hits_by({.roots = roots}));
+  Sentences sentences;
+  const CampaignResult result = run_campaign(*find_law("parameter"), candidate, {});
+  for (const Explanation& one : causes(telling_cases(result, kCasesOfACause), candidate)) {
+    sentences.push_back(one.sentence);
+  }
+  return sentences;
+}
+
+TEST(AnswerExplanation, OfAQThatCancelsIsToldByTheLargerRoot) {
+  const auto by_q = [](double sign) {
+    return [sign](const scene::Ray& ray, const scene::Sphere& sphere) {
+      fast::Roots roots = fast::kCross.roots(ray, sphere);
+      const scene::Vector3 T = sphere.centre - ray.origin, D = ray.direction;
+      const double t = std::hypot(T.x, T.y, T.z), size = std::hypot(D.x, D.y, D.z);
+      const double d = std::sqrt(roots.half_chord_sq), r = sphere.radius;
+      const double q = roots.axial_distance + sign * std::copysign(d, roots.axial_distance);
+      if (q == 0) return roots;
+      std::tie(roots.smaller, roots.larger) = std::minmax({q / size, (t - r) * (t + r) / q / size});
+      return roots;
+    };
+  };
+  EXPECT_EQ(sentences_of_roots(by_q(1)), Sentences());
+  EXPECT_EQ(sentences_of_roots(by_q(-1)),
+            Sentences{"q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels"});
 }
 
 TEST(AnswerExplanation, IsJudgedUnderTheDeclaredConventions) {

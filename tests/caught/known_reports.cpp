@@ -1,0 +1,325 @@
+#include "tests/caught/known_reports.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "fast/intersect.h"
+#include "properties/candidates/fast_candidate.h"
+#include "properties/mistakes/causes.h"
+#include "properties/search/campaign.h"
+#include "tests/mutants/mutants.h"
+
+namespace raycheck::caught {
+namespace {
+
+using fast::Roots;
+using properties::Candidate;
+using properties::Hit;
+using properties::hit_at;
+using properties::meets;
+using properties::usual_choice;
+using scene::Conventions;
+using scene::Ray;
+using scene::Sphere;
+using scene::Vector3;
+
+double dot(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+double norm(const Vector3& v) { return std::hypot(v.x, v.y, v.z); }
+
+Roots right_roots(const Ray& ray, const Sphere& sphere) { return fast::kCross.roots(ray, sphere); }
+
+Hit right(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  return usual_choice(ray, right_roots(ray, sphere), conventions);
+}
+
+Hit inside_is_missed(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const Roots roots = right_roots(ray, sphere);
+  return meets(roots, conventions) && roots.smaller >= 0 ? hit_at(ray, roots.smaller) : Hit();
+}
+
+Hit centre_is_ignored(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  return right(ray, {{}, sphere.radius}, conventions);
+}
+
+Hit point_at_a_radius(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  Hit hit = right(ray, sphere, conventions);
+  if (hit) hit->point = hit_at(ray, sphere.radius).point;
+  return hit;
+}
+
+/// s from the origin seen from the centre, in radii, to a point of the world.
+Hit measured_from_a_moved_origin(const Ray& ray, const Sphere& sphere,
+                                 const Conventions& conventions) {
+  Hit hit = right(ray, sphere, conventions);
+  if (!hit) return hit;
+  const Vector3 T = sphere.centre - ray.origin;
+  const double r = sphere.radius;
+  hit->parameter = norm({hit->point.x + T.x / r, hit->point.y + T.y / r, hit->point.z + T.z / r});
+  return hit;
+}
+
+Hit unit_is_assumed(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const Vector3 T = sphere.centre - ray.origin;
+  const double v = dot(T, ray.direction);
+  const double half_chord_sq = sphere.radius * sphere.radius - (dot(T, T) - v * v);
+  const double d = std::sqrt(half_chord_sq);
+  return usual_choice(ray, {v, half_chord_sq, v - d, v + d}, conventions);
+}
+
+Hit length_along_the_direction(const Ray& ray, const Sphere& sphere,
+                               const Conventions& conventions) {
+  const Hit hit = right(ray, sphere, conventions);
+  return hit ? hit_at(ray, hit->parameter * norm(ray.direction)) : hit;
+}
+
+Hit quadratic_in_floats(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const auto floats = [](const Vector3& v) {
+    return std::array{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+  };
+  const auto product = [](const auto& u, const auto& v) {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  };
+  const auto T = floats(sphere.centre - ray.origin), D = floats(ray.direction);
+  const auto r = static_cast<float>(sphere.radius);
+  const float a = product(D, D), b = -2 * product(T, D), c = product(T, T) - r * r;
+  const float discriminant = b * b - 4 * a * c;
+  const float root = std::sqrt(discriminant);
+  return usual_choice(
+      ray, {-b, discriminant, double{(-b - root) / (2 * a)}, double{(-b + root) / (2 * a)}},
+      conventions);
+}
+
+/// v - d and v + d of right v and d.
+Hit sums_in_floats(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  Roots roots = right_roots(ray, sphere);
+  const auto v = static_cast<float>(roots.axial_distance);
+  const float d = std::sqrt(static_cast<float>(roots.half_chord_sq));
+  const auto length = static_cast<float>(norm(ray.direction));
+  roots.smaller = double{(v - d) / length};
+  roots.larger = double{(v + d) / length};
+  return usual_choice(ray, roots, conventions);
+}
+
+Hit least_size(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const auto [v, half_chord_sq, smaller, larger] = right_roots(ray, sphere);
+  if (!meets({v, half_chord_sq, smaller, larger}, conventions)) return {};
+  return hit_at(ray, std::abs(smaller) < std::abs(larger) ? smaller : larger);
+}
+
+Hit tangents_are_missed(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const Roots roots = right_roots(ray, sphere);
+  return roots.half_chord_sq > 0 ? usual_choice(ray, roots, conventions) : Hit();
+}
+
+/// The roots q/a and c/q with q = v + sign d.
+Hit by_q(const Ray& ray, const Sphere& sphere, const Conventions& conventions, int sign) {
+  const Roots roots = right_roots(ray, sphere);
+  const double t = norm(sphere.centre - ray.origin), length = norm(ray.direction);
+  const double q = roots.axial_distance + sign * std::sqrt(roots.half_chord_sq);
+  double s = q / length, other = (t - sphere.radius) * (t + sphere.radius) / q / length;
+  if (s > other) std::swap(s, other);
+  return usual_choice(ray, {roots.axial_distance, roots.half_chord_sq, s, other}, conventions);
+}
+
+Hit sign_of_zero(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const double v = right_roots(ray, sphere).axial_distance;
+  return by_q(ray, sphere, conventions, (v > 0 ? 1 : 0) - (v < 0 ? 1 : 0));
+}
+
+Hit divided_by_zero(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  return by_q(ray, sphere, conventions, right_roots(ray, sphere).axial_distance < 0 ? -1 : 1);
+}
+
+Hit far_hits_are_dropped(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const Hit hit = right(ray, sphere, conventions);
+  return hit && hit->parameter * norm(ray.direction) > 1e7 ? Hit() : hit;
+}
+
+Hit near_spheres_are_dropped(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const bool is_near = norm(sphere.centre - ray.origin) < norm(ray.direction) + sphere.radius;
+  return is_near ? Hit() : right(ray, sphere, conventions);
+}
+
+Hit half_of_b(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const Vector3 T = sphere.centre - ray.origin;
+  const double a = dot(ray.direction, ray.direction), b = -dot(T, ray.direction);
+  const double discriminant = b * b - 4 * a * (dot(T, T) - sphere.radius * sphere.radius);
+  const double root = std::sqrt(discriminant);
+  return usual_choice(ray, {-b, discriminant, (-b - root) / (2 * a), (-b + root) / (2 * a)},
+                      conventions);
+}
+
+Hit epsilon(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const Roots roots = right_roots(ray, sphere);
+  if (!meets(roots, conventions)) return {};
+  if (roots.smaller > 0.001) return hit_at(ray, roots.smaller);
+  const bool far_counts = conventions.root != scene::Root::kSmaller && roots.larger > 0.001;
+  return far_counts ? hit_at(ray, roots.larger) : Hit();
+}
+
+Hit behind_counts(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const Roots roots = right_roots(ray, sphere);
+  return meets(roots, conventions) ? hit_at(ray, roots.smaller) : Hit();
+}
+
+}  // namespace
+
+std::span<const KnownReport> known_reports() {
+  static const std::vector<KnownReport> kReports = {
+
+      {"turanszkij/WickedEngine#1695, erincatto/box2d#523",
+       "a ray from inside misses: the far root is not returned, or not looked for",
+       "inside-is-missed",
+       inside_is_missed,
+       {"only the near root counts, so that spheres around the origin are not seen"}},
+      {"g-truc/glm#8",
+       "the centre is ignored: the sphere is taken to be about the origin",
+       "centre-is-ignored",
+       centre_is_ignored,
+       {"the centre is left out: spheres are about the world's origin"}},
+      {"g-truc/glm#8",
+       "the position is a radius along the direction, not the distance",
+       "point-at-a-radius",
+       point_at_a_radius,
+       {},
+       "a mistake in Q that knows the sphere: hits are changed knowing the ray alone"},
+      {"AmanSachan1/Meteoros#2",
+       "the distance is measured from an origin that was moved into the sphere's space",
+       "measured-from-a-moved-origin",
+       measured_from_a_moved_origin,
+       {},
+       "the same in s"},
+      {"rustgd/collision-rs#97, flutter/flutter#47830, davideberly/GeometricTools#20, "
+       "MonoGame/MonoGame#7590, mrdoob/three.js#20697",
+       "directions that are not unit are taken for unit ones",
+       "unit-is-assumed",
+       unit_is_assumed,
+       {"directions are taken for unit ones, whatever their length"}},
+      {"Rajawali/Rajawali#2356",
+       "the hit point is a distance times the unnormalised direction",
+       "length-along-the-direction",
+       length_along_the_direction,
+       {"s is a length, and Q = L + s D though D is no unit vector"}},
+      {.thread = "ziotom78/pytracer#22, TzuChieh/Photon-v2#7",
+       .said = "in floats, rays from far away miss small spheres",
+       .mutant = "quadratic-in-floats",
+       .hit = quadratic_in_floats,
+       .sentences = {"computed in single precision: the difference r^2 - (|T|^2 - v^2), or b^2 - "
+                     "4ac, loses its digits from 10^1 radii away",
+                     "computed in single precision"},
+       .precision = scene::Precision::kSingle},
+      {.thread = "ebruneton/precomputed_atmospheric_scattering#21",
+       .said = "in floats, -b + sqrt(b^2 - c) cancels near a planet's surface",
+       .mutant = "sums-in-floats",
+       .hit = sums_in_floats,
+       .needed = "nothing: floats that hold the camera so far from the planet's centre lose as "
+                 "much, and, as the thread says, the stable formula does not help",
+       .is_found = false,
+       .precision = scene::Precision::kSingle},
+      {"OGRECave/ogre#141",
+       "proposed: of the two roots that of least |s|",
+       "least-size",
+       least_size,
+       {},
+       "a mistake of its own; pictures do not tell it from `s >= 0 is not tested`"},
+      {.thread = "aardvark-platform/aardvark.base#127, RayTracing/raytracing.github.io#1058",
+       .said = "exact tangents are missed",
+       .mutant = "tangents-are-missed",
+       .hit = tangents_are_missed,
+       .needed = "an ordinary law of tangents that doubles hold exactly, which excuses none: "
+                 "`--strict` breaks `class`",
+       .is_found = false},
+      {"arborx/ArborX#461",
+       "sgn(b) is 0 where b is, and q = b + sgn(b) sqrt is wrong",
+       "sign-of-zero",
+       sign_of_zero,
+       {},
+       "few of its cases have b = 0: more of them for the sentence, and the mistake"},
+      {.thread = "mmp/pbrt-v4#497",
+       .said = "c/q is no number where q is 0",
+       .mutant = "divided-by-zero",
+       .hit = divided_by_zero,
+       .needed =
+           "ordinary cases whose origin is an exact tangent's point: `--strict` breaks `axes`",
+       .is_found = false},
+      {"POV-Ray/povray#469",
+       "nothing is found beyond 10^7 units",
+       "far-hits-are-dropped",
+       far_hits_are_dropped,
+       {"hits with an s above about 1e8 (perhaps less) are dropped: the largest s that counts is "
+        "too small",
+        "hits with an s above about 1e9 (perhaps less) are dropped: the largest s that counts is "
+        "too small"}},
+      {"RenderKit/embree#230",
+       "what is nearer than the direction's length and the radius is missed",
+       "near-spheres-are-dropped",
+       near_spheres_are_dropped,
+       {},
+       "a threshold on the distance of the centre"},
+      {"RayTracing/InOneWeekend#17, gamephysicsweekend/VulkanRenderer#4",
+       "proposed: b^2 - 4ac, with a b that is only half of the textbook's",
+       "half-of-b",
+       half_of_b,
+       {"b lacks its factor of 2: b^2 - 4ac with b = D . (L - C)"}},
+      {"RayTracing/raytracing.github.io#1298",
+       "with t_min = 0.001 the far root is taken for a nearer one",
+       "epsilon",
+       epsilon,
+       {"where the near root is below about 0.001 (perhaps more) the far one is taken: the epsilon "
+        "is too large",
+        "where the near root is below about 1e-5 (perhaps more) the far one is taken: the epsilon "
+        "is too large"}},
+      {"snowkit/old-haxe-alpha#267",
+       "what lies behind the ray is hit",
+       "behind-counts",
+       behind_counts,
+       {"s >= 0 is not tested: spheres behind the origin are hit"}},
+  };
+  return kReports;
+}
+
+Candidate candidate_of(const KnownReport& report) {
+  Candidate candidate;
+  static_cast<properties::Promises&>(candidate) = mutants::unmutated();
+  candidate.refuses = false;
+  candidate.level = properties::Level::kOrdinary;
+  candidate.name = report.mutant;
+  properties::answer_by(candidate, [hit = report.hit](Candidate::Rays rays, const Sphere& sphere,
+                                                      const Conventions& conventions) {
+    std::vector<Hit> hits;
+    for (const Ray& ray : rays) hits.push_back(hit(ray, sphere, conventions));
+    return hits;
+  });
+  candidate.nearest = nullptr;
+  return properties::judged_in(report.precision, std::move(candidate));
+}
+
+FoundReport found(const Candidate& candidate) {
+  FoundReport result;
+  properties::CampaignOptions options;
+  options.level = candidate.level;
+  for (const properties::Law& law : properties::laws()) {
+    const auto campaign = properties::run_campaign(law, candidate, options);
+    if (campaign.finding() != properties::Finding::kBroken) continue;
+    if (result.law.empty()) {
+      result.law = law.name;
+      for (const properties::CampaignPart& part : campaign.parts) {
+        result.cases += part.counts.cases;
+        if (!part.is_broken()) continue;
+        result.source = part.source.source->name;
+        if (part.source.severity) result.source += "@" + std::to_string(*part.source.severity);
+        break;
+      }
+    }
+    const auto cases = telling_cases(campaign, properties::kCasesOfACause);
+    for (const properties::Explanation& one : properties::causes(cases, candidate)) {
+      const auto at = std::find(result.sentences.begin(), result.sentences.end(), one.sentence);
+      if (at == result.sentences.end()) result.sentences.push_back(one.sentence);
+    }
+  }
+  return result;
+}
+
+}  // namespace raycheck::caught
