@@ -219,7 +219,7 @@ class Examination {
   DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance) {
     DoubtTally all;
     for (const Comparison& comparison : at(step)) {
-      const auto& [the_case, rays] = *comparison.asked;
+      const auto& [the_case, rays, class_alone] = *comparison.asked;
       const scene::Conventions& conventions = the_case.scene.conventions;
       const std::vector<bool> is_dropped = dropped(step, comparison);
       for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
@@ -325,7 +325,7 @@ constexpr double kNoticed = 0x1p-44;
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
   std::uint64_t wrong = 0;
   for (const Comparison& comparison : examination.at(Step::kIntersect)) {
-    const auto& [the_case, rays] = *comparison.asked;
+    const auto& [the_case, rays, class_alone] = *comparison.asked;
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
       const Answer &answer = comparison.answers[k], &right = comparison.right[k];
       if (answer.choice != right.choice) return {};
