@@ -283,11 +283,11 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) 
     cases.push_back(source.make(seed));
     seed = Random(seed).bits();
   }
-  if (broken.empty()) return cases;
   std::vector<ChosenSource> any;
   for (const CampaignPart& part : result.parts) {
     if (part.source.level() <= lowest) any.push_back(part.source);
   }
+  if (broken.empty() || broken.size() == any.size()) return cases;
   for (std::size_t k = 0; k < most; ++k) {
     cases.push_back(any[k * any.size() / most].make(Random(k + 1).bits()));
   }

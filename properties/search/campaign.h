@@ -105,7 +105,7 @@ struct CampaignResult {
 
 /// At most twice `most` cases that may tell why a law is broken: from the lowest level at which it
 /// is, the first that broke it at each source and severity, then more from the same, right or
-/// wrong; then as many of any source, which rule out what would be wrong elsewhere, too.
+/// wrong; then, unless all break it, as many from all, which rule out what would be wrong there.
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most);
 
 /// Runs a law on random cases (by RapidCheck's streams) of every source and severity, each with its
