@@ -147,7 +147,7 @@ def reproduction(engine, numbers, build):
     try:
         source = folder / f"case{kind}"
         source.write_text(text)
-        run = {".mjs": f"node {engine.get('command', 'node')[5:]} case.mjs", ".py": "python3 case.py"}.get(kind)
+        run = {".mjs": f"node {engine.get('command', 'node')[5:]} case.mjs", ".py": "/usr/bin/python3 case.py"}.get(kind)
         # Of compiled ones the first line says how.
         run = run or text.splitlines()[0].strip("/* ") + " && ./case"
         shown = subprocess.run(["sh", "-c", run], cwd=folder, capture_output=True, text=True, timeout=120)

@@ -118,6 +118,9 @@ std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
   }
 }
 
+/// Floats have fewer digits than an answer whose relative error is at most this.
+constexpr double kPrecise = 0x1p-36;
+
 /// Whether an answer is neither as expected nor right in another way.
 bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers& expected,
                   double tolerance) {
@@ -193,6 +196,9 @@ class Examination {
     return *known;
   }
 
+  bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
+  double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
+
   std::uint64_t errors(Step step, double tolerance) {
     std::uint64_t count = 0;
     for (const Comparison& comparison : at(step))
@@ -236,10 +242,14 @@ class Examination {
         const bool is_wide = hit.is_possible && hit.most - hit.least > tolerance * hit.most;
         const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
         // Roundings of d^2 move Q along the ray.
-      const bool is_on_ray =
-          !s || agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
-      all.add(is_wrong, is_dropped[k], is_on_ray && hit.allows(s), hit.is_doubtful() || is_wide,
-              hit.radii);
+        const bool is_on_ray =
+            !s || agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
+        all.add(is_wrong, is_dropped[k], is_on_ray && hit.allows(s), hit.is_doubtful() || is_wide,
+                hit.radii);
+        if (is_wrong || !s || class_alone) continue;
+        const double exact = comparison.right[k].vectors[0].x;
+        ++all.hits;
+        all.precise += std::abs(*s - exact) <= kPrecise * exact ? 1 : 0;
       }
     }
     return all;
@@ -309,6 +319,8 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
   for (const Arithmetic arithmetic : kArithmetics) {
     const DoubtTally tally = examination.tally(step, arithmetic, tolerance);
     if (!tally.tells()) continue;
+    // Whose right answers have more digits than floats does not compute in them.
+    if (arithmetic != Arithmetic::kDifference && 2 * tally.precise > tally.hits) continue;
     return AnswerCause{step,
                        {{imprecision_sentence(arithmetic, tally.radii), tally.wrong, tally.wrong}},
                        arithmetic,
@@ -317,36 +329,85 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
   return {};
 }
 
-/// Relative errors of s up to this may be those of a right formula where s is well-conditioned.
-constexpr double kNoticed = 0x1p-44;
+/// Small errors of s, where the answers' classes are right: those above this share of s count, in
+/// roundings of the candidate's format.
+constexpr double kNoticed = 512;
+
+/// What all such errors at kIntersect are within, and what some go beyond.
+struct SmallErrors {
+  std::uint64_t wrong = 0;  ///< Beyond what `stable` allows.
+  double radii = 0;         ///< The least distance of one of these.
+};
+/// Empty where one answer has another class than the right one, or is not as `allows` says.
+template <class Allows, class IsTelling>
+std::optional<SmallErrors> small_errors(Examination& examination, const Allows& allows,
+                                        const IsTelling& is_telling) {
+  SmallErrors found;
+  for (const Comparison& comparison : examination.at(Step::kIntersect)) {
+    const AskedCase& asked = *comparison.asked;
+    if (asked.class_alone) return {};
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const Answer &answer = comparison.answers[k], &right = comparison.right[k];
+      if (answer.choice != right.choice) return {};
+      if (!right.choice) continue;
+      const double s = answer.vectors[0].x, exact = right.vectors[0].x;
+      const double off = std::abs(s - exact) / exact;
+      if (off <= kNoticed * examination.roundoff()) continue;
+      const scene::Ray& ray = asked.rays[k % asked.rays.size()];
+      const scene::Sphere& sphere = asked.the_case.scene.spheres[k / asked.rays.size()];
+      if (!allows(asked, ray, sphere, s, off)) return {};
+      if (!is_telling(asked, ray, sphere, s)) continue;
+      const double radii = norm(sphere.centre - ray.origin) / sphere.radius;
+      found.radii = found.wrong == 0 ? radii : std::min(found.radii, radii);
+      ++found.wrong;
+    }
+  }
+  if (found.wrong < kFewestWrongByRoundings) return {};
+  return found;
+}
+
+AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
+  return {Step::kIntersect,
+          {{std::move(sentence), errors.wrong, errors.wrong}},
+          {},
+          kAnswerTolerances.front()};
+}
 
 /// Roots q/a and c/q lose what q = v + d or v - d does, the larger one, too, where q is the one
 /// that cancels. Roundings of d^2 leave that root alone.
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
-  std::uint64_t wrong = 0;
-  for (const Comparison& comparison : examination.at(Step::kIntersect)) {
-    const auto& [the_case, rays, class_alone] = *comparison.asked;
-    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
-      const Answer &answer = comparison.answers[k], &right = comparison.right[k];
-      if (answer.choice != right.choice) return {};
-      const double s = right.vectors[0].x;
-      if (!right.choice || answer.vectors[0].x == s) continue;
-      const scene::Ray& ray = rays[k % rays.size()];
-      const auto roots = fast::kCross.roots(ray, the_case.scene.spheres[k / rays.size()]);
-      const double v = std::abs(roots.axial_distance);
-      const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
-      const double off = std::abs(answer.vectors[0].x - s) / s;
-      const double lost = kRoundings * kDoubleRoundoff * (v + d) / std::abs(v - d);
-      if (!(off <= std::max(kNoticed, lost))) return {};
-      wrong += off > kNoticed && s * norm(ray.direction) > v ? 1 : 0;
-    }
-  }
-  if (wrong < kFewestWrongByRoundings) return {};
-  return AnswerCause{
-      Step::kIntersect,
-      {{"q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", wrong, wrong}},
-      {},
-      kAnswerTolerances.front()};
+  const auto found = small_errors(
+      examination,
+      [&](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double, double off) {
+        const auto roots = fast::kCross.roots(ray, sphere);
+        const double v = std::abs(roots.axial_distance);
+        const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
+        const double lost = kRoundings * examination.roundoff() * (v + d) / std::abs(v - d);
+        return off <= lost;
+      },
+      [](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double s) {
+        return s * norm(ray.direction) > std::abs(fast::kCross.roots(ray, sphere).axial_distance);
+      });
+  if (!found) return {};
+  return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", *found);
+}
+
+/// d^2 as a difference that cancels, where that moves no class yet: s loses digits that r^2 - |T x
+/// D|^2 keeps.
+std::optional<AnswerCause> cancelling_difference(Examination& examination) {
+  const bool is_single = examination.is_single();
+  const auto within = [](Arithmetic arithmetic) {
+    return [arithmetic](const AskedCase& asked, const scene::Ray& ray, const scene::Sphere& sphere,
+                        double s, auto...) {
+      return possible_hit(arithmetic, ray, sphere, asked.the_case.scene.conventions).allows(s);
+    };
+  };
+  const auto stable = within(is_single ? Arithmetic::kSingle : Arithmetic::kProduct);
+  const auto found = small_errors(
+      examination, within(is_single ? Arithmetic::kSingleDifference : Arithmetic::kDifference),
+      [&](const auto&... of) { return !stable(of...); });
+  if (!found) return {};
+  return small_cause(imprecision_sentence(Arithmetic::kDifference, found->radii), *found);
 }
 
 /// At the first step of a part that has errors.
@@ -379,6 +440,7 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
   }
   if (part.last == Step::kIntersect) {
     if (auto cause = cancelling_q(examination)) return *std::move(cause);
+    if (auto cause = cancelling_difference(examination)) return *std::move(cause);
   }
   return {};
 }

@@ -20,7 +20,11 @@ int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(r
 
 PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
                          const scene::Conventions& conventions) {
-  const double u = arithmetic == Arithmetic::kDifference ? 0x1p-53 : 0x1p-24;
+  const bool is_single =
+      arithmetic == Arithmetic::kSingle || arithmetic == Arithmetic::kSingleDifference;
+  const bool cancels =
+      arithmetic == Arithmetic::kDifference || arithmetic == Arithmetic::kSingleDifference;
+  const double u = is_single ? 0x1p-24 : 0x1p-53;
   const double size = norm(ray.direction);
   const Vector3 D = {ray.direction.x / size, ray.direction.y / size, ray.direction.z / size};
   const Vector3 T = sphere.centre - ray.origin;
@@ -31,7 +35,7 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
       norm(Vector3{T.y * D.z - T.z * D.y, T.z * D.x - T.x * D.z, T.x * D.y - T.y * D.x});
   const double off = kRoundings * u * (norm(ray.origin) + norm(sphere.centre) + t + r);
   double error = 2 * off * (m + r) + off * off;
-  if (arithmetic != Arithmetic::kSingle) error += kRoundings * u * (t * t + r * r);
+  if (cancels) error += kRoundings * u * (t * t + r * r);
   const double half_chord_sq = (r - m) * (r + m);
   const double longest = std::sqrt(std::max(0.0, half_chord_sq + error));
   const double shortest = std::sqrt(std::max(0.0, half_chord_sq - error));
