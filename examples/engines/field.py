@@ -291,8 +291,8 @@ HEAD = (["library", "function"] + list(LEVELS) + [title for title, _, _ in DIALS
 
 
 def table(pages):
-    return "\n".join("| " + " | ".join(row) + " |" for row in
-                     [HEAD, ["---"] * len(HEAD)] + [page.row() for page in pages])
+    rows = [HEAD, ["---"] * len(HEAD)] + [[cell.replace("|", "\\|") for cell in page.row()] for page in pages]
+    return "\n".join("| " + " | ".join(row) + " |" for row in rows)
 
 
 def main():
@@ -300,7 +300,7 @@ def main():
     parser.add_argument("raycheck", type=pathlib.Path)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--write", type=pathlib.Path, metavar="DOCS")
-    parser.add_argument("--cases", type=int, default=1000)
+    parser.add_argument("--cases", type=int, default=500)
     parser.add_argument("names", nargs="*")
     options = parser.parse_intermixed_args()
     raycheck = Raycheck(options.raycheck, options.cases)

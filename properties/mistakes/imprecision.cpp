@@ -79,8 +79,9 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
   if (arithmetic == Arithmetic::kSingle) return "computed in single precision";
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
                                                                  : "") +
-         "the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits from 10^" +
-         std::to_string(power_of_ten(radii)) + " radii away";
+         "the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits " +
+         (radii < 10 ? "near tangents"
+                     : "from 10^" + std::to_string(power_of_ten(radii)) + " radii away");
 }
 
 void DoubtTally::add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful,

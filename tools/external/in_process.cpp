@@ -136,16 +136,16 @@ InProcess calls_in_process(const External& external) {
   if (library.intersect != nullptr || library.intersect_batch != nullptr) {
     calls.intersect = [&library, returns = external.introduction.returns](
                           const std::vector<IntersectCall>& given) {
-      ReadyCalls<properties::SphereHits> calls = ready_calls(library, given);
-      if (returns == properties::Returns::kHit) return calls;
-      calls.answer = [answer = std::move(calls.answer), given, returns](std::size_t k) {
+      ReadyCalls<properties::SphereHits> ready = ready_calls(library, given);
+      if (returns == properties::Returns::kHit) return ready;
+      ready.answer = [answer = std::move(ready.answer), given, returns](std::size_t k) {
         properties::SphereHits hits = answer(k);
         for (auto& [ray, hit] : hits) {
           hit = properties::completed(hit, returns, given[k].rays[ray], given[k].sphere);
         }
         return hits;
       };
-      return calls;
+      return ready;
     };
   }
   if (library.pixel_ray != nullptr || library.focal_ray != nullptr) {
