@@ -10,7 +10,9 @@
 #include "properties/case.h"
 #include "properties/mistakes/mistake_list.h"
 #include "properties/trial.h"
+#include "reference/exact_ray.h"
 #include "scene/interruption.h"
+#include "scene/validate.h"
 
 namespace raycheck::properties {
 namespace {
@@ -161,6 +163,22 @@ std::vector<bool> dropped(Step step, const Comparison& comparison) {
   return found;
 }
 
+/// Whether another root counts than if every root >= 0 did, as in the code of classic mistakes.
+bool ends_matter(const AskedCase& asked) {
+  const scene::Conventions& conventions = asked.the_case.scene.conventions;
+  if (conventions.valid.is_usual()) return false;
+  for (const scene::Ray& ray : asked.rays) {
+    if (!scene::defects(ray).empty()) continue;
+    const reference::ExactRay exact(ray);
+    for (const scene::Sphere& sphere : asked.the_case.scene.spheres) {
+      if (!(exact.intersect(sphere, conventions) == exact.intersect(sphere, conventions.root))) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 /// A candidate's answers to cases; each step is computed on demand.
 class Examination {
  public:
@@ -169,14 +187,13 @@ class Examination {
     for (const Case& the_case : cases) {
       auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
       if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
-      // Classic mistakes are those of code that takes every root >= 0.
-      if (!candidate.declared.over(rounded->scene.conventions).valid.is_usual()) continue;
       asked_.push_back({*std::move(rounded), {}, candidate.returns == Returns::kClass});
       AskedCase& asked = asked_.back();
       scene::Conventions& conventions = asked.the_case.scene.conventions;
       conventions = candidate.declared.over(conventions);
       asked.rays = Trial(asked.the_case, right_).rays();
       for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
+      if (ends_matter(asked)) asked_.pop_back();
     }
   }
 

@@ -46,7 +46,8 @@ Draft prepare(const Implementation& implementation, const ScenesOfFormats& scene
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
   if (report.implementation.methods || report.verdict.holds()) return {};
-  if (!report.conventions.valid.is_usual()) return {};  // mistakes assume every root >= 0
+  // Of pictures mistakes assume every root >= 0.
+  if (report.implementation.draws() && !report.conventions.valid.is_usual()) return {};
   const Candidate candidate = report.implementation.make();
   try {
     if (candidate.image) {

@@ -167,7 +167,7 @@ std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions&
 }
 RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single,
     .roots = Roots::declared, .valid = {.t_min = )" +
-                                                (is_radius ? "1" : "0.1") +
+                                                (is_radius ? "1" : "0.1F") +
                                                 ", .ends = Ends::open, .unit = TUnit::" +
                                                 (is_radius ? "radius" : "absolute") + "})\n");
     const Outcome found = check(floats, "source:" + source);
