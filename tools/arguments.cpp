@@ -307,6 +307,31 @@ External as_it_reads(const External& external, const DriverRule& rule) {
   return reading(reader, found.driver);
 }
 
+/// What lets a candidate see a file that it says it does not find.
+std::string hint_of_missing(const CandidateError& error, const Layers& layers) {
+  if (!layers.bubblewrap && !layers.landlock) return "";
+  const std::string all = error.why() + error.said();
+  // Of compilers and loaders, of Python and of Node.
+  for (const char* words : {"No such file or directory", "cannot open shared object file",
+                            "No module named", "Cannot find module", "Cannot find package"}) {
+    if (all.find(words) == std::string::npos) continue;
+    return "; it sees its own folder and the system's alone: --read DIR shows it another, and "
+           "--include DIR its headers";
+  }
+  return "";
+}
+
+External located(const std::string& what, const RunOptions& options) {
+  const CandidateSpec spec = parse_candidate(what);
+  try {
+    return find_external(spec, options);
+  } catch (const CandidateError& error) {
+    const std::string hint = hint_of_missing(error, options.layers);
+    if (hint.empty()) throw;
+    throw CandidateError(error.why() + hint, error.said(), spec.text());
+  }
+}
+
 }  // namespace
 
 std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
@@ -330,7 +355,7 @@ std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
       arguments.image_change.value_or(properties::excused_image_change(options.precision));
   options.image_threshold = arguments.threshold;
   for (const std::string& what : arguments.candidates) {
-    External external = find_external(parse_candidate(what), options);
+    External external = located(what, options);
     if (external.renderer && driver && driver->tries_others)
       external = as_it_reads(external, *driver);
     found.push_back(implementation_of(external));

@@ -24,10 +24,9 @@ LAWS = {  # what a column counts, by law
     "class": "class", "growing-radius": "class", "nearest-root": "root", "parameter": "s",
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes",
 }
-DIALS = {  # frontier columns: the source, how its severity reads, and its highest
-    "distance": ("far", "10^{} radii", 15), "tangency": ("grazing", "10^-{} of r", 16),
-    "scale": ("scale", "2^±{}", 1074), "surface": ("at the surface", "10^-{}", 16),
-    "inside": ("inside", "10^-{} of r", 16), "far-world": ("off the origin", "10^{}", 15),
+DIALS = {  # frontier columns: the source, and how its severity reads
+    "distance": ("far", "10^{} radii"), "tangency": ("grazing", "10^-{} of r"), "scale": ("scale", "2^±{}"),
+    "surface": ("at the surface", "10^-{}"), "inside": ("inside", "10^-{} of r"), "far-world": ("off the origin", "10^{}"),
 }
 
 
@@ -88,8 +87,9 @@ def broken_at(campaigns, level):
 
 
 def frontier(campaigns, source):
-    """Up to which severity class, root, s and Q hold at all that were tried; None: not judged there."""
-    held, broken = None, math.inf
+    """Up to which severity class, root, s and Q hold at all that were tried: inf where none breaks, -1 where the first does;
+    None: not judged there."""
+    broken = math.inf
     for campaign in campaigns:
         if LAWS.get(campaign["law"]) not in ("class", "root", "s", "Q"):
             continue
@@ -98,13 +98,13 @@ def frontier(campaigns, source):
                 continue
             if is_broken(part):
                 broken = min(broken, part["severity"])
-            else:
-                held = max(held if held is not None else -1, part["severity"])
     severities = sorted({part["severity"] for campaign in campaigns for part in campaign["parts"]
                          if part["source"].split("@")[0] == source and part["comparisons"] > 0
                          and LAWS.get(campaign["law"]) in ("class", "root", "s", "Q")})
     below = [severity for severity in severities if severity < broken]
-    return below[-1] if below else (-1 if severities else None)
+    if not severities:
+        return None
+    return math.inf if math.isinf(broken) else below[-1] if below else -1
 
 
 def mistake_of(campaigns):
@@ -198,10 +198,10 @@ class Page:
         return "-" if broken is None else "breaks " + ", ".join(broken) if broken else "holds"
 
     def frontier_text(self, source):
-        held, (_, reading, highest) = self.frontiers[source], DIALS[source]
+        held, (_, reading) = self.frontiers[source], DIALS[source]
         if held is None:
             return "-"
-        return "none" if held < 0 else "1" if held == 0 else "all" if held >= highest else reading.format(held)
+        return "none" if held < 0 else "1" if held == 0 else "all" if math.isinf(held) else reading.format(held)
 
     def row(self):
         error = self.error
@@ -217,7 +217,7 @@ class Page:
                  f"{engine.get('package', 'raycheck')} {self.version}, {engine['language']}. {engine['contract']} "
                  f"({engine['source']})", ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
-        lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _, _) in DIALS.items()]
+        lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _) in DIALS.items()]
         if self.mistake:
             lines += ["", f"What explains it: {self.mistake}."]
         if not any(self.breaks.values()):
@@ -263,7 +263,7 @@ def add_times(pages, raycheck, build):
 
 def chart(pages, path):
     """Up to which distance each is right against its time a ray, a dot an engine, as SVG."""
-    dots = [(page.ratio, max(page.frontiers["distance"], 0), page.name) for page in pages
+    dots = [(page.ratio, min(max(page.frontiers["distance"], 0), 15), page.name) for page in pages
             if page.ratio and page.frontiers["distance"] is not None]
     least, most = (math.log10(choose(ratio for ratio, _, _ in dots)) for choose in (min, max))
     across = lambda ratio: 70 + 780 * (math.log10(ratio) - least) / max(most - least, 1e-9)
@@ -286,7 +286,7 @@ def chart(pages, path):
     path.write_text("\n".join(lines) + "\n</svg>\n")
 
 
-HEAD = (["library", "function"] + list(LEVELS) + [title for title, _, _ in DIALS.values()]
+HEAD = (["library", "function"] + list(LEVELS) + [title for title, _ in DIALS.values()]
         + ["error on ordinary cases: median / worst", "time", "what is wrong"])
 
 

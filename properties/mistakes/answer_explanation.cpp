@@ -10,7 +10,6 @@
 #include "properties/case.h"
 #include "properties/mistakes/mistake_list.h"
 #include "properties/trial.h"
-#include "reference/exact_ray.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
 
@@ -167,13 +166,16 @@ std::vector<bool> dropped(Step step, const Comparison& comparison) {
 bool ends_matter(const AskedCase& asked) {
   const scene::Conventions& conventions = asked.the_case.scene.conventions;
   if (conventions.valid.is_usual()) return false;
-  for (const scene::Ray& ray : asked.rays) {
-    if (!scene::defects(ray).empty()) continue;
-    const reference::ExactRay exact(ray);
-    for (const scene::Sphere& sphere : asked.the_case.scene.spheres) {
-      if (!(exact.intersect(sphere, conventions) == exact.intersect(sphere, conventions.root))) {
-        return true;
-      }
+  Case given{asked.the_case.scene, {}};
+  given.scene.camera.reset();
+  given.scene.rays = asked.rays;
+  if (!scene::defects(given.scene).empty()) return true;
+  scene::Conventions usual = conventions;
+  usual.valid = {};
+  Truth own(given, conventions), others(given, usual);
+  for (std::size_t ray = 0; ray < asked.rays.size(); ++ray) {
+    for (std::size_t sphere = 0; sphere < given.scene.spheres.size(); ++sphere) {
+      if (!(own.intersection(ray, sphere) == others.intersection(ray, sphere))) return true;
     }
   }
   return false;

@@ -184,6 +184,11 @@ TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
       if (std::regex_search(shown.arguments, page, kPage)) pages.insert(page[2]);
     }
     const std::string text = contents(document);
+    // Of commands within a line, too.
+    static const std::regex kView(R"(--view (\w+\.html))");
+    for (std::sregex_iterator at(text.begin(), text.end(), kView), end; at != end; ++at) {
+      pages.insert((*at)[1]);
+    }
     for (std::sregex_iterator at(text.begin(), text.end(), kPicture), end; at != end; ++at) {
       const auto wanted = nlohmann::json::parse((*at)[1].str());
       EXPECT_TRUE(pages.contains(wanted.at("page"))) << document << ": " << wanted;

@@ -23,7 +23,7 @@ TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
     if (std::string(language) == "node" && !is_installed("node")) continue;
     const Outcome judged = run("properties --filter class --cases 3 --candidate '" + candidate + "'");
     EXPECT_EQ(judged.exit_code, 1) << candidate << judged.out << judged.err;
-    expect_parts(judged.out, {"mine: intersect() does not call your function yet"});
+    expect_parts(judged.out, {"mine: intersect() calls nothing yet"});
   }
 }
 

@@ -73,7 +73,8 @@ const std::vector<Line>& lines() {
       {"grade_probe", {"grade", "lecture7.toml", "tests/submissions/class/ella", "--probe"}},
       {"try", {"try", "lecture7.toml", "tests/submissions/rays.py"}, false},
       {"rubric", {"rubric"}, false, true},
-      {"list", {"list"}, true, true}};
+      {"list", {"list"}, true, true},
+      {"new", {"new", "mine", "--out", "OUT"}, false, true}};
   return all;
 }
 

@@ -258,20 +258,6 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
   return renderer(spec, options);
 }
 
-/// What lets it see a file that it says it does not find.
-std::string hint_of_missing(const CandidateError& error, const RunOptions& options) {
-  if (!options.layers.bubblewrap && !options.layers.landlock) return "";
-  const std::string all = error.why() + error.said();
-  // Of compilers and loaders, of Python and of Node.
-  for (const char* words : {"No such file or directory", "cannot open shared object file",
-                            "No module named", "Cannot find module", "Cannot find package"}) {
-    if (all.find(words) == std::string::npos) continue;
-    return "; it sees its own folder and the system's alone: --read DIR shows it another, and "
-           "--include DIR its headers";
-  }
-  return "";
-}
-
 template <class Find>
 External named_in_errors(const CandidateSpec& spec, const RunOptions& options, const Find& found) {
   try {
@@ -279,7 +265,7 @@ External named_in_errors(const CandidateSpec& spec, const RunOptions& options, c
     external.bounds = options.bounds;
     return external;
   } catch (const CandidateError& error) {
-    throw CandidateError(error.why() + hint_of_missing(error, options), error.said(), spec.text());
+    throw CandidateError(error.why(), error.said(), spec.text());
   }
 }
 

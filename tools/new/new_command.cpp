@@ -60,6 +60,9 @@ std::string write_adapter(const NewArguments& arguments) {
   if (fs::exists(out / file)) {
     throw std::invalid_argument(fmt::format("out {}: {} is there already", arguments.out, file));
   }
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) throw std::invalid_argument(fmt::format("out {}: {}", arguments.out, error.message()));
   for (const auto& [name, text] : texts) OutputFile("out", out / name).write(text);
   return fmt::format(
       "wrote {}: it compiles, and says what is missing when it is judged:\n"
@@ -84,9 +87,7 @@ CommandRun add_new(CLI::App& command) {
   command.add_option("--language", given->language, "what your code is called from")
       ->check(CLI::IsMember(names))
       ->capture_default_str();
-  command.add_option("--out", given->out, "the folder that takes it")
-      ->check(CLI::ExistingDirectory)
-      ->capture_default_str();
+  command.add_option("--out", given->out, "the folder that takes it")->capture_default_str();
   return [given] {
     print_report(write_adapter(*given));
     return kExitNothingFound;
