@@ -142,7 +142,10 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfNearestSpheresAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInHits, testing::ValuesIn(indices(false)));
 
+/// But for methods that take d^2 as a difference: where it loses digits they are told so.
 TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
+  const std::set<std::string_view> differences = {"quadratic", "stable-quadratic", "lecture",
+                                                  "kahan"};
   for (const auto* rays : fast::pixel_ray_methods()) {
     for (const auto* intersect : fast::intersect_methods()) {
       if (rays != &fast::kDirectRays && intersect != &fast::kCross) continue;
@@ -152,8 +155,11 @@ TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
           std::vector<Case> cases;
           for (std::uint64_t seed = 1; seed <= 5; ++seed)
             cases.push_back(source.make(severity, seed));
-          EXPECT_EQ(sentences_for(candidate, cases), Sentences())
-              << candidate.name << " " << source.name << severity;
+          for (const std::string& sentence : sentences_for(candidate, cases)) {
+            EXPECT_TRUE(differences.contains(intersect->name) &&
+                        sentence.starts_with("the difference r^2 - "))
+                << candidate.name << " " << source.name << severity << ": " << sentence;
+          }
         }
       }
     }
