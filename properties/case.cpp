@@ -98,9 +98,8 @@ scene::Ray rounded_ray(scene::Ray ray, InputFormat format) {
 bool is_of_format(const scene::Scene& scene, InputFormat format) {
   const Precision precision = format.precision;
   bool all = !format.unit_directions ||
-             std::all_of(scene.rays.begin(), scene.rays.end(), [&](const scene::Ray& ray) {
-               return is_unit(ray.direction, precision);
-             });
+             std::all_of(scene.rays.begin(), scene.rays.end(),
+                         [&](const scene::Ray& ray) { return is_unit(ray.direction, precision); });
   if (precision == Precision::kDouble) return all;
   scene::Scene copy = scene;
   const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };

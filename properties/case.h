@@ -47,18 +47,17 @@ struct InputFormat {
   bool unit_directions;
   bool operator==(const InputFormat&) const = default;
 };
-inline constexpr std::array<InputFormat, 4> kInputFormats = {
-    {{scene::Precision::kDouble, false},
-     {scene::Precision::kDouble, true},
-     {scene::Precision::kSingle, false},
-     {scene::Precision::kSingle, true}}};
+inline constexpr std::array<InputFormat, 4> kInputFormats = {{{scene::Precision::kDouble, false},
+                                                              {scene::Precision::kDouble, true},
+                                                              {scene::Precision::kSingle, false},
+                                                              {scene::Precision::kSingle, true}}};
 /// Its place among them.
 constexpr std::size_t index_of(InputFormat format) {
   return 2 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1 : 0);
 }
 
-/// A case in the numbers that a candidate is asked about. It replaces the case before truth, law and
-/// candidate see it, so that all three use the same numbers.
+/// A case in the numbers that a candidate is asked about. It replaces the case before truth, law
+/// and candidate see it, so that all three use the same numbers.
 struct RoundedCase {
   std::optional<Case> the_case;  ///< Empty where it is left out.
   std::string reason;            ///< Why it is left out.
@@ -66,9 +65,9 @@ struct RoundedCase {
   std::size_t made_unit = 0;     ///< And how many given directions to be made unit.
 };
 
-/// Every number of the scene rounded to the format, to nearest, ties to even, after given directions
-/// have been made unit where they have to be and are not. Left out if a number leaves the format's
-/// range (becomes infinite, or 0), or if the rounded scene has a defect.
+/// Every number of the scene rounded to the format, to nearest, ties to even, after given
+/// directions have been made unit where they have to be and are not. Left out if a number leaves
+/// the format's range (becomes infinite, or 0), or if the rounded scene has a defect.
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
 /// The ray, rounded to the format.

@@ -20,8 +20,8 @@ enum class Tangent { kHit, kMiss, kEither };
 
 /// Whether the ends of an interval of parameters belong to it.
 enum class Ends { kClosed, kOpenMax, kOpenMin, kOpen };
-/// The unit of t_min and t_max: s itself, radii of the sphere that is met, or scene lengths along the
-/// ray, |direction| s.
+/// The unit of t_min and t_max: s itself, radii of the sphere that is met, or scene lengths along
+/// the ray, |direction| s.
 enum class TUnit { kAbsolute, kRadius, kLength };
 /// Which roots never count: v + d, where a ray leaves a sphere (on back faces), or v - d, where it
 /// enters one.

@@ -111,7 +111,8 @@ enum { RAYCHECK_ROOTS_USUAL = 0, RAYCHECK_ROOTS_DECLARED = 1, RAYCHECK_ROOTS_AS_
    doubles, and errors count u and ulp of float. */
 enum { RAYCHECK_PRECISION_DOUBLE = 0, RAYCHECK_PRECISION_SINGLE = 1 };
 
-/* Which directions it accepts; unit: it is asked about directions that are unit but for rounding. */
+/* Which directions it accepts; unit: it is asked about directions that are unit but for rounding.
+ */
 enum { RAYCHECK_DIRECTIONS_ANY = 0, RAYCHECK_DIRECTIONS_UNIT = 1 };
 
 /* What it returns of a hit: s and Q; s; Q; the distance of Q along the ray in scene lengths, or its

@@ -397,7 +397,8 @@ AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
   const auto found = small_errors(
       examination,
-      [&](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double, double off) {
+      [&](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double,
+          double off) {
         const auto roots = fast::kCross.roots(ray, sphere);
         const double v = std::abs(roots.axial_distance);
         const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));

@@ -14,7 +14,7 @@ namespace raycheck::properties {
 
 /// How d^2 is computed, from the smallest rounding errors to the largest.
 enum class Arithmetic {
-  kDifference,       ///< In doubles, r^2 - (|T|^2 - v^2) or b^2 - 4ac.
+  kDifference,        ///< In doubles, r^2 - (|T|^2 - v^2) or b^2 - 4ac.
   kSingle,            ///< In floats, r^2 - |T x D|^2 or another form that does not cancel.
   kSingleDifference,  ///< In floats, as a difference that cancels.
   kProduct            ///< In doubles, r^2 - |T x D|^2: no mistake.
@@ -66,7 +66,8 @@ struct DoubtTally {
   std::uint64_t answers = 0, doubtful = 0, wrong = 0, not_allowed = 0;
   std::uint64_t dropped = 0;  ///< Wrong ones, about spheres that are not seen at all.
   double radii = 0;           ///< The least distance of an allowed wrong answer; 0: none.
-  std::uint64_t hits = 0, precise = 0;  ///< Right ones, and those with more digits than floats have.
+  std::uint64_t hits = 0,
+                precise = 0;  ///< Right ones, and those with more digits than floats have.
 
   void add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful, double its_radii);
   /// Whether nothing contradicts them; tells(): and whether they may be named, as above.

@@ -27,8 +27,8 @@ CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& t
   if (!is_problem(the_case, candidate.declared)) return {false, false, Verdict(law.name)};
   Trials trials(the_case, candidate, {.max_error = max_error, .search = search});
   // What a candidate lacks is left out wherever the case lies.
-  const bool judged = trials.of(law).is_judged(law.quantity) ||
-                      !what_is_missing(law.needs, trials.of(law)).empty();
+  const bool judged =
+      trials.of(law).is_judged(law.quantity) || !what_is_missing(law.needs, trials.of(law)).empty();
   return {judged, trials.gave_rays(), judged ? trials.apply(law) : Verdict(law.name)};
 }
 
@@ -257,7 +257,7 @@ void CaseCounts::add(const CaseCounts& other) {
 Finding CampaignResult::finding() const {
   if ((failure && !failure->is_undecided) ||
       std::any_of(parts.begin(), parts.end(),
-                             [](const CampaignPart& part) { return part.is_broken(); })) {
+                  [](const CampaignPart& part) { return part.is_broken(); })) {
     return Finding::kBroken;
   }
   if (verdict.compared() == 0 && !too_few_right()) {

@@ -44,8 +44,7 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
   return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
 }
 
-RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays,
-                  InputFormat format) {
+RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format) {
   RoundedCase rounded = rounded_case(the_case, format);
   if (!rounded.the_case) return rounded;
   std::optional<Case> asked = alone(*rounded.the_case, stage, rays);
@@ -100,7 +99,8 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
 
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             std::vector<StressResult>& results) {
-  for (const InputFormat format : kInputFormats) stress(the_case, stage, candidates, format, results);
+  for (const InputFormat format : kInputFormats)
+    stress(the_case, stage, candidates, format, results);
 }
 
 std::vector<StressResult> stress(const ChosenSource& source, Stage stage,

@@ -17,8 +17,7 @@ namespace raycheck::properties {
 /// makes from it, taken as exact. Empty if nothing is left to ask.
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
 /// The same in a format: from the case rounded to it, with the numbers made by `rays` rounded, too.
-RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays,
-                  InputFormat format);
+RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format);
 
 /// A discrepancy and the case that shows it.
 struct Example {

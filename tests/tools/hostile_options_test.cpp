@@ -125,8 +125,8 @@ TEST(HostileOptions, are_called_in_errors_as_they_are_given) {
 }
 
 TEST(HostileOptions, that_nothing_uses_are_refused) {
-  for (const char* option :
-       {"--timeout 1", "--read .", "--include .", "--bounds cross", "--image-change 0", "--t-threshold 0", "--sandbox none"}) {
+  for (const char* option : {"--timeout 1", "--read .", "--include .", "--bounds cross",
+                             "--image-change 0", "--t-threshold 0", "--sandbox none"}) {
     const std::string name = std::string(option).substr(0, std::string(option).find(' '));
     expect_refused("check" + kOfGivenRays + " " + option, name + " requires --candidate");
     expect_refused(std::string("properties ") + option, name + " requires --candidate");

@@ -19,7 +19,8 @@ struct RunOptions {
   double image_threshold = 0;
   /// What it may read besides its own folder.
   std::vector<std::filesystem::path> reads = {};
-  std::vector<std::filesystem::path> includes = {};  ///< Where a source's headers are; it reads these.
+  std::vector<std::filesystem::path> includes =
+      {};  ///< Where a source's headers are; it reads these.
   /// The base of relative paths; empty: the working folder.
   std::filesystem::path folder = {};
   double build_seconds = 120;           ///< To compile it, of CPU time.

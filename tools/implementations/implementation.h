@@ -84,7 +84,7 @@ struct Implementation {
   /// The format it is judged in. raycheck's own methods in floats take doubles and round them: they
   /// are judged as their callers see them.
   scene::Precision precision = scene::Precision::kDouble;
-  bool unit_directions = false;            ///< It is asked about rays with unit directions alone.
+  bool unit_directions = false;  ///< It is asked about rays with unit directions alone.
   properties::InputFormat input_format() const { return {precision, unit_directions}; }
   std::optional<MethodPair> methods = {};  ///< Of fast/, where it is made of those.
   std::size_t number = 0;                  ///< Charts tell those of a stage apart by it.

@@ -47,7 +47,8 @@ std::string write_adapter(const NewArguments& arguments) {
       std::find_if(std::begin(kLanguages), std::end(kLanguages),
                    [&](const Language& one) { return one.name == arguments.language; });
   const fs::path installed = prefix() / "share/raycheck/new";
-  const fs::path templates = fs::exists(installed) ? installed : fs::path(kSourceFolder) / "examples/new";
+  const fs::path templates =
+      fs::exists(installed) ? installed : fs::path(kSourceFolder) / "examples/new";
   const std::string file = arguments.name + std::string(language->extension);
   std::vector<std::pair<std::string, std::string>> texts = {
       {file, named(scene::file_text(templates / ("candidate" + std::string(language->extension))),

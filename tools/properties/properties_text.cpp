@@ -110,14 +110,16 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
     if (campaign->finding != Finding::kBroken) continue;
     laws += (laws.empty() ? "" : ", ") + std::string(campaign->law->name);
     for (const CampaignPart& part : campaign->result.parts) {
-      if (part.is_broken()) broken = std::min(broken.value_or(Level::kExtreme), part.source.level());
+      if (part.is_broken())
+        broken = std::min(broken.value_or(Level::kExtreme), part.source.level());
     }
   }
   const Level tried = campaigns.front()->result.level;
   if (!broken) return fmt::format("right on {} cases, as far as it was asked", name(tried));
   const std::string right =
       *broken > Level::kOrdinary
-          ? fmt::format("right on {} cases; ", name(static_cast<Level>(static_cast<int>(*broken) - 1)))
+          ? fmt::format("right on {} cases; ",
+                        name(static_cast<Level>(static_cast<int>(*broken) - 1)))
           : "";
   if (cause == nullptr) return fmt::format("{}breaks {}", right, laws);
   return fmt::format("{}{} ({} of {} wrong answers)", right, cause->sentence, cause->explained,

@@ -181,8 +181,8 @@ TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
   }
   const scene::ValidRoots wide{0, 0x1p1000, Ends::kClosed, TUnit::kRadius, {}};
   EXPECT_FALSE(is_outside(wide, kRayAlongX, {{}, 0x1p1000}, 0x1p1023));
-  EXPECT_TRUE(is_outside({0x1p-1000, 1, Ends::kClosed, TUnit::kRadius, {}}, kRayAlongX,
-                         {{}, 0x1p-60}, 0));
+  EXPECT_TRUE(
+      is_outside({0x1p-1000, 1, Ends::kClosed, TUnit::kRadius, {}}, kRayAlongX, {{}, 0x1p-60}, 0));
 }
 
 TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {

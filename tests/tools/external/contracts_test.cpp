@@ -38,7 +38,8 @@ def intersect(ray, sphere, by):
     for s in sorted((q / a, other)):
         point = [x + s * y for x, y in zip(o, d)]
         if )" + counts + ": return " + returns + R"(
-rc.run('mine', intersect=intersect, root='nearest', tangent='either', )" + says + ")\n");
+rc.run('mine', intersect=intersect, root='nearest', tangent='either', )" +
+                                                       says + ")\n");
 }
 
 json laws_of(const std::string& candidate, const std::string& more = "") {
@@ -63,8 +64,8 @@ TEST(Contracts, that_return_less_are_judged_by_what_they_return) {
         Contract{"distance", "s * length", true, false},
         Contract{"squared-distance", "(s * length) ** 2", true, false},
         Contract{"class", "True", false, false}}) {
-    const json laws = laws_of(tracer("returns.py", "s >= 0", returns,
-                                     std::string("returns='") + says + "'"));
+    const json laws =
+        laws_of(tracer("returns.py", "s >= 0", returns, std::string("returns='") + says + "'"));
     EXPECT_EQ(finding(laws, "class"), "holds") << says;
     EXPECT_EQ(finding(laws, "parameter"), parameter ? "holds" : "left out") << says;
     EXPECT_EQ(finding(laws, "hit-point"), point ? "holds" : "left out") << says;
@@ -73,8 +74,10 @@ TEST(Contracts, that_return_less_are_judged_by_what_they_return) {
 }
 
 TEST(Contracts, that_return_something_else_than_they_say_are_broken) {
-  const std::string far = tracer("far.py", "s >= 0", "[x + 1e-3 for x in point]", "returns='point'");
-  EXPECT_EQ(report_of("properties --filter hit-point", far, 1)["campaigns"][0]["finding"], "broken");
+  const std::string far =
+      tracer("far.py", "s >= 0", "[x + 1e-3 for x in point]", "returns='point'");
+  EXPECT_EQ(report_of("properties --filter hit-point", far, 1)["campaigns"][0]["finding"],
+            "broken");
   const std::string plain = tracer("plain.py", "s >= 0", "s", "returns='distance'");
   EXPECT_EQ(report_of("properties --filter parameter", plain, 1)["campaigns"][0]["finding"],
             "broken");
@@ -87,11 +90,11 @@ TEST(Contracts, that_demand_unit_directions_are_asked_about_no_others) {
   const json laws = laws_of(unit, "--level demanding --source direction-length --source rays");
   EXPECT_EQ(finding(laws, "class"), "holds");
   EXPECT_EQ(finding(laws, "parameter"), "holds");
-  const std::string scene = temporary_file(
-      "long.toml",
-      "[[ray]]\norigin = [0, 0, 0]\ndirection = [1024, 0, 0]\n"
-      "[[ray]]\norigin = [0, 0, 0]\ndirection = [0.6, 0, 0.8]\n"
-      "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n");
+  const std::string scene =
+      temporary_file("long.toml",
+                     "[[ray]]\norigin = [0, 0, 0]\ndirection = [1024, 0, 0]\n"
+                     "[[ray]]\norigin = [0, 0, 0]\ndirection = [0.6, 0, 0.8]\n"
+                     "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n");
   const json report = judged(scene, unit);
   EXPECT_EQ(report["made_unit"], 1);
   EXPECT_EQ(report["discrepancies"], 0);
@@ -106,9 +109,9 @@ TEST(Contracts, may_end_in_scene_lengths) {
   const json laws = laws_of(epsilon, "--source direction-length --source surface --source rays");
   EXPECT_EQ(finding(laws, "class"), "holds");
   EXPECT_EQ(finding(laws, "nearest-root"), "holds");
-  const std::string scene =
-      temporary_file("longer.toml", "[[ray]]\norigin = [0, 0, 0]\ndirection = [1024, 0, 0]\n"
-                                    "[[sphere]]\ncentre = [3, 0, 0]\nradius = 2\n");
+  const std::string scene = temporary_file("longer.toml",
+                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [1024, 0, 0]\n"
+                                           "[[sphere]]\ncentre = [3, 0, 0]\nradius = 2\n");
   EXPECT_EQ(judged(scene, epsilon)["discrepancies"], 0);
   EXPECT_GT(judged(scene, tracer("wrong.py", "s > 1e-3", "(s, point)", roots))["discrepancies"], 0);
 }
@@ -125,10 +128,10 @@ TEST(Contracts, may_be_of_lines) {
 
 /// An end as declared is exact: next to the float 0.001f there are floats between it and 0.001.
 TEST(Contracts, in_floats_keep_their_ends_in_doubles) {
-  const std::string scene =
-      temporary_file("float-end.toml", "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
-                                       "[[sphere]]\ncentre = [3.0010001659393310546875, 0, 0]\n"
-                                       "radius = 3\n");
+  const std::string scene = temporary_file("float-end.toml",
+                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+                                           "[[sphere]]\ncentre = [3.0010001659393310546875, 0, 0]\n"
+                                           "radius = 3\n");
   const std::string says =
       "precision='single', roots=rc.Roots('()', 1e-3, float('inf'), 'absolute', 'none')";
   EXPECT_EQ(judged(scene, tracer("float.py", "s > 1e-3", "(s, point)", says))["discrepancies"], 0);
@@ -136,12 +139,11 @@ TEST(Contracts, in_floats_keep_their_ends_in_doubles) {
 
 /// Nothing decides whether a missed root within a rounding of the declared end counts.
 TEST(Contracts, show_the_case_that_is_left_undecided) {
-  const std::string misses =
-      tracer("misses.py", "s > 1.0000000000000002 ", "(s, point)",
-             "roots=rc.Roots('[]', 1.0, float('inf'), 'absolute', 'none')");
-  const std::string scene = temporary_file(
-      "end.toml", "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
-                  "[[sphere]]\ncentre = [3, 0, 0]\nradius = 2\n");
+  const std::string misses = tracer("misses.py", "s > 1.0000000000000002 ", "(s, point)",
+                                    "roots=rc.Roots('[]', 1.0, float('inf'), 'absolute', 'none')");
+  const std::string scene = temporary_file("end.toml",
+                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+                                           "[[sphere]]\ncentre = [3, 0, 0]\nradius = 2\n");
   const Outcome outcome = run("check " + scene + " --candidate '" + misses + "'");
   EXPECT_EQ(outcome.exit_code, 4);
   expect_parts(outcome.out, {"undecided"});

@@ -31,7 +31,7 @@ struct Introduction {
   scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
   bool unit_directions = false;  ///< It is given rays with unit directions alone.
   properties::Returns returns = properties::Returns::kHit;
-  std::optional<properties::Level> level;                  ///< The level that it must reach.
+  std::optional<properties::Level> level;  ///< The level that it must reach.
   /// It is judged on scenes whose nonzero lengths lie between these.
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();
