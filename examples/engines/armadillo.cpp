@@ -20,5 +20,5 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere,
   return chosen(ray, smaller, larger, asked);
 }
 
-RAYCHECK_CANDIDATE(.tangent = Tangent::hit, .intersect = intersect, .level = Level::ordinary,
+RAYCHECK_CANDIDATE(.tangent = Tangent::either, .intersect = intersect, .level = Level::ordinary,
                    .smallest_length = kSmallest, .largest_length = kLargest)

@@ -20,4 +20,5 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere,
 }
 
 RAYCHECK_CANDIDATE(.tangent = Tangent::hit, .intersect = intersect, .level = Level::ordinary,
-                   .smallest_length = 0x1p-10, .largest_length = kLargest)
+                   .smallest_length = 0x1p-10, .largest_length = kLargest,
+                   .directions = Directions::unit)

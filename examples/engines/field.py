@@ -173,6 +173,7 @@ class Page:
         self.mistake = mistake_of(self.ordinary) or mistake_of(self.extreme)
         self.error = error_of(self.ordinary, "parameter") or error_of(self.ordinary, "hit point")
         self.cases = self.smallest(raycheck, build)
+        self.class_alone = any("hit or miss, and no more" in one["reason_left_out"] for one in self.ordinary)
         self.ratio = None
 
     def smallest(self, raycheck, build):
@@ -209,7 +210,14 @@ class Page:
         ratio = f"{self.ratio:.2g}" if self.ratio else "-"
         return ([f"[{self.engine['library']}](field/{self.name}.md)", f"`{self.engine['function']}`"]
                 + [self.cell(level) for level in LEVELS] + [self.frontier_text(source) for source in DIALS]
-                + [errors, ratio, self.mistake or ("right within its contract" if self.breaks["ordinary"] == [] else "-")])
+                + [errors, ratio, self.said()])
+
+    def said(self):
+        """What matters most about it, in one sentence."""
+        right = "right within its contract" if not any(self.breaks.values()) else ""
+        if not right and not self.breaks["ordinary"]:
+            right = "right on ordinary cases"
+        return "; ".join(filter(None, [right, self.mistake, self.engine.get("note")])) or "-"
 
     def text(self):
         engine = self.engine
@@ -219,29 +227,30 @@ class Page:
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
         lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _) in DIALS.items()]
         if self.mistake:
-            lines += ["", f"What explains it: {self.mistake}."]
+            lines += ["", f"What explains most of it: {self.mistake}."]
+        if "note" in engine:
+            lines += ["", f"To be known besides: {engine['note']}."]
         if not any(self.breaks.values()):
             lines += ["", "Nothing that it promises was found broken."]
         for what, case in self.cases.items():
             lines += ["", f"## Breaks {what}", "", f"The law: {case['law']}. The smallest case found ({case['level']}):", "",
-                      "```toml", case["scene"], "```", "", answer_text(case)]
+                      "```toml", case["scene"], "```", "", answer_text(case, self.class_alone)]
             if case.get("reproduction"):
                 kind, program, prints = case["reproduction"]
                 lines += ["", "Without raycheck:", "", f"```{kind}", program, "```", "", "It prints:", "", "```text", prints, "```"]
         return "\n".join(lines) + "\n"
 
 
-def answer_text(case):
-    first = case["first"]
-    got = ", ".join(str(decimal(x)) for x in first["got"]) or "a miss"
-    exact = case.get("exact")
-    if not exact:
-        return f"It answers {got}."
-    if exact["class"] == "miss":
-        return f"It answers {got}. The exact answer is a miss."
-    s = exact["s"] and decimal(exact["s"])
-    form = f", exactly {exact['closed_form']}" if exact.get("closed_form") else ""
-    return f"It answers {got}. Exact: {exact['class']} at s = {s}{form}."
+def answer_text(case, class_alone):
+    """What was answered, and what is right under the conventions that the engine declares."""
+    first, exact = case["first"], case.get("exact", {})
+    got = ", ".join(str(decimal(x)) for x in first["got"])
+    right = ", ".join(str(decimal(x)) for x in first["exact"])
+    of = {"s": "s = ", "Q": "Q = "}.get(first["symbol"], "")
+    answers = "a hit" if got and class_alone else of + got if got else "a miss"
+    form = exact.get("closed_form") if first["exact"] == [exact.get("s")] else None
+    exactly = "a hit" if right and class_alone else of + right if right else "a miss"
+    return f"It answers {answers}. Exact: {exactly}" + (f", which is {form}." if form else ".")
 
 
 def decimal(number):

@@ -36,5 +36,5 @@ function intersectBatch(rays, { centre, radius }) {
 
 run("ammo", {
   precision: "single", directions: "unit", returns: "point", root: "smaller", tangent: "either",
-  roots: { tMax: reach, unit: "length" }, level: "ordinary", lengths: [2 ** -20, 2 ** 20], intersectBatch,
+  roots: { tMax: reach, unit: "length" }, level: "ordinary", lengths: [2 ** -10, 2 ** 10], intersectBatch,
 });
