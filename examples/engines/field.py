@@ -46,9 +46,9 @@ def version_of(engine, build):
     """That of the package that is installed; empty: none is."""
     if "package" not in engine:
         return "as it is written everywhere"
-    if engine["language"] == "javascript":
-        package = build / "field/npm/node_modules" / engine["package"] / "package.json"
-        return json.loads(package.read_text())["version"] if package.exists() else ""
+    package = build / "field/npm/node_modules" / engine["package"] / "package.json"
+    if package.exists():
+        return json.loads(package.read_text())["version"]
     asked = subprocess.run(["dpkg-query", "-W", "-f", "${db:Status-Abbrev}${Version}", engine["package"]],
                            capture_output=True, text=True)
     return asked.stdout[3:].strip() if asked.stdout.startswith("ii") else ""
@@ -173,7 +173,7 @@ class Page:
         self.mistake = mistake_of(self.ordinary) or mistake_of(self.extreme)
         self.error = error_of(self.ordinary, "parameter") or error_of(self.ordinary, "hit point")
         self.cases = self.smallest(raycheck, build)
-        self.class_alone = any("hit or miss, and no more" in one["reason_left_out"] for one in self.ordinary)
+        self.class_alone = any("hit or miss, and no more" in (one["reason_left_out"] or "") for one in self.ordinary)
         self.ratio = None
 
     def smallest(self, raycheck, build):
