@@ -260,6 +260,8 @@ def decimal(number):
 def add_times(pages, raycheck, build):
     """Time a ray over that of `quadratic`, of those that can be called in process, in one run."""
     libraries = [page for page in pages if page.engine["language"] in ("c++", "c") and page.name not in OWN]
+    if not libraries:
+        return
     words = [word for page in libraries for word in ("--candidate", words_of(page.engine, build)[0])]
     found = raycheck.json("tradeoff", "--cases", "500", "--sandbox", "none", "--i-know", *words,
                           "--method", ",".join(OWN))["intersections"]
