@@ -142,15 +142,17 @@ def reproduction(engine, numbers, build):
     for name, value in numbers.items():
         text = text.replace("{" + name + "}", repr(value))
     kind = templates[0].suffix
-    folder = build / "field/npm" / f"case-{engine['name']}" if kind == ".mjs" else pathlib.Path(tempfile.mkdtemp())
-    folder.mkdir(exist_ok=True)
+    # Beside node_modules, where there are any: shaders of its packages are read from there, too.
+    npm = (build / "field/npm").resolve()
+    folder = pathlib.Path(tempfile.mkdtemp(dir=npm if npm.exists() else None))
     try:
         source = folder / f"case{kind}"
         source.write_text(text)
-        run = {".mjs": f"node {engine.get('command', 'node')[5:]} case.mjs", ".py": "/usr/bin/python3 case.py"}.get(kind)
+        run = {".mjs": f"node {engine.get('command', 'node')[5:]} case.mjs", ".py": f"/usr/bin/python3 {source}"}.get(kind)
         # Of compiled ones the first line says how.
         run = run or text.splitlines()[0].strip("/* ") + " && ./case"
-        shown = subprocess.run(["sh", "-c", run], cwd=folder, capture_output=True, text=True, timeout=120)
+        shown = subprocess.run(["sh", "-c", run], cwd=npm if kind == ".py" and npm.exists() else folder, capture_output=True,
+                               text=True, timeout=120)
     finally:
         shutil.rmtree(folder)
     if shown.returncode != 0:
