@@ -107,9 +107,9 @@ def frontier(campaigns, source):
     return math.inf if math.isinf(broken) else below[-1] if below else -1
 
 
-def mistake_of(campaigns):
-    """The sentence that explains most of what is wrong, where one does."""
-    best = max((one for campaign in campaigns for one in campaign["explanations"]),
+def mistake_of(campaigns, refuted):
+    """The sentence that explains most of what is wrong, where one does that no reader of the source has refuted."""
+    best = max((one for campaign in campaigns for one in campaign["explanations"] if one["sentence"] not in refuted),
                key=lambda one: one["explained"], default=None)
     return best["sentence"] if best else ""
 
@@ -172,7 +172,8 @@ class Page:
         self.breaks = {level: broken_at(self.ordinary if level == "ordinary" else self.extreme, level)
                        for level in LEVELS}
         self.frontiers = {source: frontier(self.extreme, source) for source in DIALS}
-        self.mistake = mistake_of(self.ordinary) or mistake_of(self.extreme)
+        refuted = engine.get("refuted", [])
+        self.mistake = mistake_of(self.ordinary, refuted) or mistake_of(self.extreme, refuted)
         self.error = error_of(self.ordinary, "parameter") or error_of(self.ordinary, "hit point")
         self.cases = self.smallest(raycheck, build)
         self.class_alone = any("hit or miss, and no more" in (one["reason_left_out"] or "") for one in self.ordinary)
@@ -219,7 +220,7 @@ class Page:
         right = "right within its contract" if not any(self.breaks.values()) else ""
         if not right and not self.breaks["ordinary"]:
             right = "right on ordinary cases"
-        return "; ".join(filter(None, [right, self.mistake, self.engine.get("note")])) or "-"
+        return "; ".join(filter(None, [right, self.mistake])) or "-"
 
     def text(self):
         engine = self.engine
