@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "properties/case.h"
+#include "reference/account/nearby_choice.h"
 #include "reference/account/nearby_valid.h"
 #include "reference/ray_error.h"
 #include "scene/interruption.h"
@@ -67,24 +68,39 @@ Place TrialPart::place(Place of_part) const {
 
 namespace {
 
-/// Whether the class or the root of an answer is not the exact one.
+/// Whether the class of an answer, or the root if it tells one, is not the exact one.
 bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions,
-              scene::Precision precision) {
+              const Promises& promises) {
   const reference::Intersection at = answer.ray.intersect(answer.sphere, conventions);
   const bool is_hit = reference::counts_as_hit(at.hit_class, conventions.tangent);
   if (is_hit != answer.s.has_value()) return true;
-  return is_hit && (reference::is_at_other_root(answer.ray, answer.sphere, at, *answer.s) ||
-                    is_excluded(answer, at, conventions, precision));
+  return is_hit && promises.returns != Returns::kClass &&
+         (reference::is_at_other_root(answer.ray, answer.sphere, at, *answer.s) ||
+          is_excluded(answer, at, conventions, promises));
+}
+
+/// What inputs close by say of an answer.
+reference::NearbyAnswer nearby(const RayAnswer& answer, const reference::Neighbourhood& around,
+                               Returns returns) {
+  using reference::FirstMet;
+  if (returns != Returns::kClass) {
+    return right_nearby(answer.ray, answer.sphere, around, answer.s);
+  }
+  const FirstMet claim{answer.s ? FirstMet::What::kSomething : FirstMet::What::kNothing};
+  return right_nearby(answer.ray, {&answer.sphere, 1}, around, claim);
 }
 
 }  // namespace
 
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
-                 const scene::Conventions& conventions, scene::Precision precision) {
-  if (conventions.valid.is_usual() || !answer.s || !std::isfinite(*answer.s)) return false;
+                 const scene::Conventions& conventions, const Promises& promises) {
+  const bool compares =
+      promises.returns == Returns::kHit || promises.returns == Returns::kParameter;
+  if (conventions.valid.is_usual() || !compares) return false;
+  if (!answer.s || !std::isfinite(*answer.s)) return false;
   if (!reference::is_outside(conventions.valid, answer.ray, answer.sphere, *answer.s)) return false;
   return !reference::counts_as_hit(at.hit_class, conventions.tangent) ||
-         *answer.s != answer.ray.rounded_parameter(answer.sphere, at, precision);
+         *answer.s != answer.ray.rounded_parameter(answer.sphere, at, promises.precision);
 }
 
 Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change) {
@@ -205,9 +221,8 @@ Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
   std::optional<Excuse> weakest;
   for (const RayAnswer& answer : answers) {
     scene::poll();
-    if (!is_wrong(answer, conventions(), precision())) continue;
-    Excuse one = excuse_of(right_nearby(answer.ray, answer.sphere, around, answer.s),
-                           around.relative_change);
+    if (!is_wrong(answer, conventions(), candidate())) continue;
+    Excuse one = excuse_of(nearby(answer, around, candidate().returns), around.relative_change);
     if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
     if (weakest->standing() == Standing::kDefect) break;
   }

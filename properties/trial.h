@@ -80,11 +80,12 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
 }
 
 /// Whether the answer is a hit that the interval excludes by which it is judged, a comparison of
-/// doubles (reference::is_outside) that no change of inputs excuses. The exact root `at`, correctly
-/// rounded, is not excluded even on an open end.
+/// doubles (reference::is_outside) that no change of inputs excuses: of an s that the candidate
+/// itself returned, not of one that follows from a distance or a point. The exact root `at`,
+/// correctly rounded, is not excluded even on an open end.
 /// Domain: `at` is the exact intersection of the answer's ray and sphere under the conventions.
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
-                 const scene::Conventions& conventions, scene::Precision precision);
+                 const scene::Conventions& conventions, const Promises& promises);
 
 /// An error that a law measures; its bound counts units of the candidate's format, in which errors
 /// are judged.

@@ -24,6 +24,7 @@ LAWS = {  # what a column counts, by law
     "class": "class", "growing-radius": "class", "nearest-root": "root", "parameter": "s",
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes",
 }
+AGREES = {"double": 1e-14, "single": 1e-6}  # relative, of what a reproduction prints and what was answered
 DIALS = {  # frontier columns: the source, and how its severity reads
     "distance": ("far", "10^{} radii"), "tangency": ("grazing", "10^-{} of r"), "scale": ("scale", "2^±{}"),
     "surface": ("at the surface", "10^-{}"), "inside": ("inside", "10^-{} of r"), "far-world": ("off the origin", "10^{}"),
@@ -160,6 +161,25 @@ def reproduction(engine, numbers, build):
     return kind[1:], text.strip(), shown.stdout.strip()
 
 
+def agrees(prints, first, numbers, tolerance):
+    """Whether a reproduction prints what the candidate answered: a miss, a hit, s or a distance, or a point."""
+    words, got = prints.split(), [float(decimal(x)) for x in first["got"]]
+    if words[:1] == ["miss"] or not got:
+        return (words[:1] == ["miss"]) == (not got)
+    if words[:1] == ["hit"]:
+        return True
+    printed = [float(word) for word in words]
+    origin, direction = ([numbers[axis + k] for k in "xyz"] for axis in "od")
+    length = math.hypot(*direction)
+    if len(printed) == 1:
+        rights = [[got[0]], [got[0] * length]] if len(got) == 1 else [[math.dist(got, origin) / length], [math.dist(got, origin)]]
+    else:
+        rights = [got] if len(got) == 3 else [[o + got[0] * d for o, d in zip(origin, direction)]]
+    size = max(map(abs, [*origin, *printed]))
+    # NaNs agree: what is shown then is that it is no number.
+    return any(all(abs(x - y) <= tolerance * size or x != x for x, y in zip(printed, right)) for right in rights)
+
+
 class Page:
     """What one engine's page says."""
 
@@ -194,6 +214,8 @@ class Page:
                 sphere = ",".join(repr(numbers[k]) for k in ("cx", "cy", "cz", "r"))
                 case["exact"] = raycheck.json("explain", f"--ray={ray}", f"--sphere={sphere}")["exact"]
                 case["reproduction"] = reproduction(self.engine, numbers, build)
+                if case["reproduction"] and not agrees(case["reproduction"][2], case["first"], numbers, AGREES[campaign["precision"]]):
+                    raise RuntimeError(f"its reproduction prints {case['reproduction'][2]}, but it answered {case['first']['got']}")
             found[what] = case
         return found
 

@@ -9,7 +9,7 @@ static raycheck_hit intersect(const raycheck_ray* ray, const raycheck_sphere* sp
   /* Doubles: ray->origin, ray->direction, sphere->centre (x, y, z), sphere->radius. Return
      {0, ...} for a miss, or {1, s, {x, y, z}} with the point at origin + s direction. */
   (void)ray, (void)sphere, (void)asked;
-  fputs("NAME: intersect() calls nothing yet\n", stderr);
+  fputs("NAME: calls nothing yet\n", stderr);
   exit(1);
 }
 

@@ -9,7 +9,7 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   // ray.origin, ray.direction, sphere.centre (x, y, z) and sphere.radius are doubles. Return
   // std::nullopt for a miss, or Hit{s, {x, y, z}} with the point at origin + s direction.
   (void)ray, (void)sphere;
-  throw std::runtime_error("NAME: intersect() calls nothing yet");
+  throw std::runtime_error("NAME: calls nothing yet");
 }
 
 // Add what holds, in this order: .root = Root::nearest or Root::smaller, .tangent = Tangent::hit,

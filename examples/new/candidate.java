@@ -3,7 +3,7 @@ public class NAME extends RaycheckCandidate {
   @Override
   public Hit intersect(Ray ray, Sphere sphere, Conventions asked) {
     // Return null for a miss, or new Hit(s, point) with the point at origin + s direction.
-    throw new UnsupportedOperationException("NAME: intersect() calls nothing yet");
+    throw new IllegalStateException("NAME: calls nothing yet");
   }
 
   // Override what holds: declared() { return List.of("root nearest", "tangent hit"); }, precision(),

@@ -3,7 +3,7 @@ import { run } from "./raycheck_candidate.mjs";
 
 function intersect({ origin, direction }, { centre, radius }) {
   // Vectors are [x, y, z]. Return null for a miss, or { s, point } with the point at origin + s direction.
-  throw new Error("NAME: intersect() calls nothing yet");
+  throw new Error("NAME: calls nothing yet");
 }
 
 // Add what holds: root: "nearest" or "smaller", tangent: "hit", "miss" or "either", precision: "single",

@@ -5,7 +5,7 @@ import raycheck_candidate as rc
 def intersect(ray, sphere, conventions):
     (origin, direction), (centre, radius) = ray, sphere
     # Return None for a miss, or (s, point) with the point at origin + s direction.
-    raise NotImplementedError("NAME: intersect() calls nothing yet")
+    raise NotImplementedError("NAME: calls nothing yet")
 
 
 # Add what holds: root="nearest" or "smaller", tangent="hit", "miss" or "either", precision="single",

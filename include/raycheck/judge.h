@@ -114,7 +114,7 @@ struct Verdict {
   std::uint64_t comparisons = 0;        ///< Of answers with the truth.
   std::uint64_t excused = 0;            ///< Wrong ones that are right for inputs close by.
   std::string reason;                   ///< Why cases were left out, or too few judged.
-  std::optional<BrokenCase> broken;     ///< Where the law is broken.
+  std::optional<BrokenCase> broken;     ///< Where the law is broken or undecided.
   /// All of it in lines: the sentence, the discrepancy, the replay string and the shrunk scene.
   std::string text;
 

@@ -37,7 +37,7 @@ struct Encounter {
   bool is_excluded() const {
     return answer != nullptr && properties::is_excluded(answer_of(ray, sphere, answer),
                                                         exact != nullptr ? *exact : Intersection{},
-                                                        trial.conventions(), trial.precision());
+                                                        trial.conventions(), trial.candidate());
   }
   Excuse excuse() const { return trial.excuse({answer_of(ray, sphere, answer)}); }
   void describe(Discrepancy& d) const {

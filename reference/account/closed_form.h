@@ -44,8 +44,10 @@ struct ClosedForm {
 /// Integers of ten digits and more are also factored into a short odd number and a power of two.
 inline constexpr unsigned kFewestTwos = 32, kLargestOdd = 999;
 
+/// The coordinates of a point or vector, each as a closed form.
 using ClosedForm3 = std::array<ClosedForm, 3>;
 
+/// The text of each form.
 std::vector<std::string> texts(std::span<const ClosedForm> forms);
 
 struct ClosedFormFrame {

@@ -27,6 +27,7 @@ struct Bracket {
   std::string high = "0";
   std::int64_t exponent = 0;
 };
+/// The ends of a finite ball.
 Bracket bracket(const Enclosure& x);
 
 /// How a ray meets a sphere, and the numbers whose signs prove it (reference/internal/formulas.h):

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 
@@ -15,16 +16,21 @@ TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
   std::filesystem::create_directory(folder);
   for (const auto& [language, candidate] : {std::pair("cpp", "source:" + folder + "/mine.cpp"),
                                             {"c", "source:" + folder + "/mine.c"},
+                                            {"java", "command:java -cp " + folder + " mine"},
                                             {"python", "command:python3 " + folder + "/mine.py"},
                                             {"node", "command:node " + folder + "/mine.mjs"}}) {
     const std::string words = std::string("new mine --language ") + language + " --out " + folder;
     expect_parts(run(words, 0).out, {"mine", "raycheck properties --candidate"});
     expect_parts(run(words, 2).err, {"is there already"});
     if (std::string(language) == "node" && !is_installed("node")) continue;
+    if (std::string(language) == "java") {
+      if (!is_installed("javac")) continue;
+      ASSERT_EQ(std::system(("cd " + folder + " && javac *.java").c_str()), 0);
+    }
     const Outcome judged =
         run("properties --filter class --cases 3 --candidate '" + candidate + "'");
     EXPECT_EQ(judged.exit_code, 1) << candidate << judged.out << judged.err;
-    expect_parts(judged.out, {"mine: intersect() calls nothing yet"});
+    expect_parts(judged.out, {"mine: calls nothing yet"});
   }
 }
 

@@ -27,6 +27,7 @@ using reference::ExactRay;
 
 std::vector<ClosedForm> coordinates(const ClosedForm3& form) { return {form.begin(), form.end()}; }
 
+/// The explained ray in exact and symbolic form.
 struct Subject {
   ExactRay exact;
   reference::ClosedFormRay symbolic;
@@ -63,6 +64,7 @@ Step vector_step(const char* symbol, const char* formula, const ClosedForm3& clo
   return step;
 }
 
+/// T = C - L as an enclosure.
 Enclosure3 to_centre(const Subject& subject, const scene::Sphere& sphere, int bits) {
   const Enclosure3 centre = {Enclosure(sphere.centre.x, bits), Enclosure(sphere.centre.y, bits),
                              Enclosure(sphere.centre.z, bits)};
@@ -211,6 +213,7 @@ Subject subject_of(const scene::Scene& scene, const std::optional<reference::Exa
           reference::ClosedFormRay(*scene.camera, scene.conventions, *pixel), true};
 }
 
+/// Everyone's rays at a pixel.
 void report_all_rays(const Case& the_case, const std::optional<Candidate>& other,
                      ExplainReport& report) {
   SharedTruths truths(the_case);

@@ -26,6 +26,7 @@ struct ExplainOptions {
   std::shared_ptr<const Implementation> other = nullptr;
 };
 
+/// One step of the exact derivation: a scalar or three coordinates.
 struct Step {
   std::string symbol;
   std::string formula;
@@ -76,6 +77,7 @@ struct RootLeftOut {
   reference::RootCounts why = reference::RootCounts::kYes;
 };
 
+/// The exact answer about one sphere.
 struct SphereReport {
   reference::Intersection intersection;
   bool is_hit = false;                ///< Under the conventions, which tell what counts.

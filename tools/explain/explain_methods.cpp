@@ -25,6 +25,7 @@ using reference::Enclosure;
 using reference::Enclosure3;
 using reference::ExactRay;
 
+/// What the laws of a kind find wrong first.
 template <class Condition>
 std::optional<properties::Discrepancy> found_wrong(Trials& trials, const Condition& is_asked) {
   properties::Verdict verdict;
@@ -114,6 +115,7 @@ void add_ray_steps(Trial& trial, bool is_own, Steps steps) {
   }
 }
 
+/// T, v and d^2 of one of raycheck's own methods.
 std::optional<fast::Roots> add_own_steps(const fast::IntersectMethod& own, const ExactRay& exact,
                                          const Trial& trial, Steps steps) {
   const scene::Ray& ray = exact.source().given;

@@ -12,6 +12,7 @@
 
 namespace raycheck::tools {
 
+/// The coordinates as a list.
 template <class Triple>
 std::vector<double> numbers(const Triple& value) {
   return {value.x, value.y, value.z};

@@ -7,6 +7,7 @@
 
 namespace raycheck::tools {
 
+/// A program's answer to a request, or how it failed.
 struct StoredAnswer {
   std::string text;  ///< In the caller's format; for a failure its words.
   std::optional<FailureKind> failure = {};

@@ -7,6 +7,7 @@
 
 namespace raycheck::tools {
 
+/// The kinds of other people's implementations.
 enum class CandidateKind {
   kLibrary,  ///< A shared library with functions of <raycheck/candidate.h>.
   kSource,   ///< A C++ file, or a folder of them or with a CMakeLists.txt, compiled to a library.
@@ -35,6 +36,7 @@ class CandidateError : public std::invalid_argument {
                           std::string_view whose = {});
   /// One line, without the candidate's name.
   const std::string& why() const { return why_; }
+  /// Output of others, or empty.
   const std::string& said() const { return said_; }
 
  private:

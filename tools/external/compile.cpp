@@ -64,6 +64,7 @@ class Step {
   Process process_;
 };
 
+/// The compiler, without its words yet.
 Confined compiler(const RunOptions& options) {
   Confined confined = options.confined();
   confined.spent = options.build_spent;

@@ -21,6 +21,7 @@ std::filesystem::path source_folder(const std::filesystem::path& source);
 std::filesystem::path compile(const std::filesystem::path& source, const std::filesystem::path& to,
                               const RunOptions& options);
 
+/// A shell command that builds something.
 struct BuildWords {
   std::string words;
   std::string shown;  ///< Its name in errors.

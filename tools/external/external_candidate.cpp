@@ -18,6 +18,7 @@
 
 namespace raycheck::tools {
 
+/// How a candidate failed.
 struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
@@ -172,12 +173,14 @@ class Conversation {
     external_.answers->keep(std::string(kGreeting), {text});
   }
 
+  /// The source line at which a worker says that it failed.
   std::optional<CodeLine> line_in(std::string_view answer) const {
     return external_.lines ? external_.lines->innermost(frames_in(answer)) : std::nullopt;
   }
 
   double spent_since(double before) const { return external_.program.spent->seconds() - before; }
 
+  /// A reply, and the id of its request.
   struct IdentifiedReply {
     std::string id, text;
   };
@@ -233,6 +236,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   return judged_in(external.precision, std::move(candidate));
 }
 
+/// The functions that it offers.
 void add_functions(const std::shared_ptr<Conversation>& talk,
                    const std::set<std::string>& functions, Candidate& candidate) {
   const auto of_pixels = [talk](const char* function, auto answers) {
@@ -275,6 +279,7 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 
+/// What it declares, and the bounds to which it is held.
 Candidate introduced(const External& external) {
   Candidate candidate;
   candidate.name = external.name;

@@ -37,6 +37,7 @@ struct External {
   std::optional<Renderer> renderer = {};
   /// The program's folder, if raycheck made it.
   std::shared_ptr<const PrivateFolder> folder;
+  /// What a renderer drew last.
   std::shared_ptr<Pictures> pictures = {};
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
   /// The file that it is made from, as named by the user; empty if that is not one file.

@@ -44,6 +44,7 @@ External library(const std::string& name, const fs::path& path, const RunOptions
 /// The most bytes copied from a folder that is closed to others.
 constexpr std::uintmax_t kMostCopied = std::uintmax_t{64} << 20;
 
+/// Copies a folder for a user that may not read it.
 void copy_for_others(const fs::path& from, const fs::path& to) {
   std::uintmax_t copied = 0;
   if (!fs::relative(to, from).string().starts_with("..")) {

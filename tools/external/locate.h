@@ -9,27 +9,31 @@
 
 namespace raycheck::tools {
 
+/// How an external implementation is run.
 struct RunOptions {
   Layers layers;
   Limits limits;
   MethodPair bounds = kDefaultMethods;
+  // For renderers.
   DriverForm driver = {};
   scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
   /// What it may read besides its own folder.
   std::vector<std::filesystem::path> reads = {};
-  std::vector<std::filesystem::path> includes =
-      {};  ///< Where a source's headers are; it reads these.
+  /// Where a source's headers are, which it may read.
+  std::vector<std::filesystem::path> includes = {};
   /// The base of relative paths; empty: the working folder.
   std::filesystem::path folder = {};
   double build_seconds = 120;           ///< To compile it, of CPU time.
   std::string build_seconds_name = {};  ///< The name of that limit.
+  /// Where compile time is added up.
   std::shared_ptr<SpentTime> build_spent = std::make_shared<SpentTime>();
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
   /// Is told about failures with a cause outside the candidate; null: nobody is.
   std::shared_ptr<Surroundings> surroundings = {};
 
+  /// A program to run in this way, without its words yet.
   Confined confined() const {
     return {.arguments = {},
             .readable = reads,

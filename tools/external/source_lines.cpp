@@ -25,6 +25,7 @@ using properties::CodeLine;
 constexpr double kSeconds = 30;
 /// No person writes a longer source file.
 constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{16} << 20;
+/// How much of a line is shown.
 constexpr std::size_t kMostShown = 200;
 
 /// A line of a text, as shown, without its file; empty if the text has fewer.

@@ -37,7 +37,7 @@ struct GateCheck {
   std::string name;  ///< Unique among those of the candidate: "class/tangency".
   GateOutcome outcome = GateOutcome::kPassed;
   std::string summary = {};  ///< Why it does not pass: one line.
-  std::string text = {};     ///< If it failed, all details, in lines.
+  std::string text = {};     ///< If it failed or is undecided, all details.
   std::vector<Identity> defects = {};
   std::optional<properties::CodeLine> line = {};  ///< At which the candidate first died or threw.
 };

@@ -17,6 +17,7 @@
 
 namespace raycheck::tools {
 
+/// What a picture shows of a pixel.
 enum class Picture { kSphere, kError };
 inline constexpr std::array<std::string_view, 2> kPictureNames = {"sphere", "error"};
 constexpr std::string_view name(Picture picture) {

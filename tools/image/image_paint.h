@@ -46,6 +46,7 @@ std::string hex(const Colour& colour);
 /// that neighbours in the file, and any few spheres, differ.
 Colour sphere_colour(std::size_t sphere);
 
+/// Turns lines of this width upside down.
 void flip_lines(std::vector<Colour>& pixels, std::int64_t width);
 
 /// What the pixels of whole rows see, row by row.

@@ -29,6 +29,7 @@ std::vector<Implementation> built_in(const std::vector<MethodPair>& pairs);
 /// may use. Throws std::invalid_argument naming the field and the known names.
 std::vector<Implementation> find_methods(const std::vector<std::string>& names);
 
+/// Every pair, in the order of reports.
 std::vector<MethodPair> all_pairs();
 /// Each method once, with the default of the other kind.
 std::vector<MethodPair> each_method_once();

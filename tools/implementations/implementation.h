@@ -24,6 +24,7 @@ struct MethodPair {
 /// The pair judged by default: stable and simple.
 inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross};
 
+/// The arguments of one call: rays that meet a sphere, or pixels of a camera.
 struct IntersectCall {
   std::vector<scene::Ray> rays;
   scene::Sphere sphere;

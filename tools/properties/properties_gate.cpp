@@ -91,6 +91,11 @@ void add_check_of(const CampaignReport& campaign, Parts parts, Gate& gate) {
   for (const CampaignPart& part : parts) {
     if (!check.line) check.line = part.failed_at;
   }
+  const auto& shown = campaign.result.failure;
+  const bool is_shown_undecided =
+      shown && shown->is_undecided &&
+      properties::parse_replay(shown->replay).source.source == parts.front().source.source;
+  if (is_shown_undecided) check.text = failure_text(campaign, false);
   if (!check.summary.empty()) return;
   if (!check.defects.empty()) {
     check.summary = summary_of(campaign, check.defects);

@@ -98,24 +98,33 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
 }
 
 /// What matters most about someone else's implementation, of the campaigns about it: the mistake
-/// that explains most, or up to which level it is right.
+/// that explains most, or up to which level it is right, unless nothing shows that.
 std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
   const properties::Explanation* cause = nullptr;
-  std::optional<properties::Level> broken;
-  std::string laws;
+  std::optional<Level> broken, held;
+  std::string laws, open;
   for (const CampaignReport* campaign : campaigns) {
     for (const properties::Explanation& one : campaign->explanations) {
       if (cause == nullptr || one.explained > cause->explained) cause = &one;
     }
+    const auto add_to = [&](std::string& list) {
+      list += (list.empty() ? "" : ", ") + std::string(campaign->law->name);
+    };
+    if (campaign->finding == Finding::kHolds) {
+      held = std::max(held.value_or(Level::kOrdinary), campaign->result.level);
+    } else if (campaign->finding != Finding::kBroken && campaign->finding != Finding::kLeftOut) {
+      add_to(open);
+    }
     if (campaign->finding != Finding::kBroken) continue;
-    laws += (laws.empty() ? "" : ", ") + std::string(campaign->law->name);
+    add_to(laws);
     for (const CampaignPart& part : campaign->result.parts) {
       if (part.is_broken())
         broken = std::min(broken.value_or(Level::kExtreme), part.source.level());
     }
   }
-  const Level tried = campaigns.front()->result.level;
-  if (!broken) return fmt::format("right on {} cases, as far as it was asked", name(tried));
+  if (!broken && !open.empty()) return fmt::format("nothing broken, but not all decided: {}", open);
+  if (!broken && !held) return "nothing that was asked says anything of it";
+  if (!broken) return fmt::format("right on {} cases, as far as it was asked", name(*held));
   const std::string right =
       *broken > Level::kOrdinary
           ? fmt::format("right on {} cases; ",

@@ -23,6 +23,7 @@ struct Selection {
 };
 Json selection_json(const Selection& selection);
 
+/// Everything about one ray and one sphere.
 struct Panel {
   Selection selection;
   std::vector<std::string> wrong;  ///< The methods that go wrong.
@@ -46,6 +47,7 @@ struct SceneView {
   Selection start;  ///< The first selection.
 };
 
+/// Something to look at.
 struct FindingView {
   std::string sentence;
   std::string candidate;

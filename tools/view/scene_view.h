@@ -12,6 +12,7 @@ namespace raycheck::tools {
 /// For the panels of all scenes of a page together.
 inline constexpr std::size_t kPanelBytes = 720 << 10;
 
+/// How much of a scene a page may contain.
 struct PageLimits {
   std::size_t spheres = 10'000;           ///< Drawn in the figure.
   std::int64_t picture_pixels = 1 << 20;  ///< Of a picture; larger images are reduced.
@@ -47,6 +48,7 @@ SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
 /// The ray and the sphere of a place in a scene; neither pixel nor ray if the place has none.
 Selection selection_of(const properties::Place& place, const scene::Scene& scene);
 
+/// Whether a selection determines a ray.
 bool is_of_ray(const Selection& selection);
 
 /// What a page of one case must show: where it is wrong, then everything that the case looks at.

@@ -30,6 +30,7 @@ struct PossibleMeeting {
   double latest = 0;
 };
 
+/// Bounds of the largest |coordinate|.
 Interval largest(const IntervalKernel::Vector_3& v) {
   const Interval size[] = {CGAL::abs(v.x()), CGAL::abs(v.y()), CGAL::abs(v.z())};
   return {std::max({size[0].inf(), size[1].inf(), size[2].inf()}),

@@ -33,6 +33,7 @@ Variation sum_of(std::initializer_list<std::pair<double, const Variation*>> term
   return sum;
 }
 
+/// In doubles, in units of `unit`.
 double in_units(const Enclosure& x, const Enclosure& unit) { return (x / unit).upper(); }
 
 /// Two directions at right angles to a third and to each other.

@@ -185,6 +185,19 @@ TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
       is_outside({0x1p-1000, 1, Ends::kClosed, TUnit::kRadius, {}}, kRayAlongX, {{}, 0x1p-60}, 0));
 }
 
+/// As of one sphere: where no end matters, witnesses are searched for.
+TEST(RefutedNearby, LeavesWhatIsMetFirstToTheSearchForWitnesses) {
+  const std::vector<scene::Sphere> touched = {{{3, 1, 0}, 1}, {{-9, 0, 0}, 1}};
+  const auto claim = [&](FirstMet::What what, double t_min) {
+    const Neighbourhood around{.relative_change = 16 * 0x1p-53,
+                               .valid = {t_min, kNoEnd, Ends::kOpen, {}, {}}};
+    return right_nearby(kRayAlongX, touched, around, FirstMet{what}).found;
+  };
+  EXPECT_EQ(claim(FirstMet::What::kNothing, 1e-3), Nearby::kWitness);
+  EXPECT_EQ(claim(FirstMet::What::kSomething, 1e-3), Nearby::kWitness);
+  EXPECT_EQ(claim(FirstMet::What::kNothing, 3), Nearby::kUndecided);
+}
+
 TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
   const std::vector<scene::Sphere> spheres = {kFromTwoToFour, {{13, 0, 0}, 1}};
   const auto claim = [&](FirstMet::What what, std::size_t sphere, double t_min) {

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -186,6 +187,29 @@ TEST(Candidate, is_right_in_java) {
                             .c_str()),
             0);
   expect_right(kRays, "command:java -cp " + folder + " Right");
+}
+
+TEST(Candidate, sees_the_folders_and_headers_that_it_is_shown) {
+  const std::string folder = temporary_file("shown", "") + ".d";
+  std::filesystem::create_directory(folder);
+  const std::string right = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp");
+  std::ofstream(folder + "/right.h") << right;
+  std::ofstream(folder + "/beside.py")
+      << contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py");
+  const std::string source = temporary_file("shown.cpp", "#include \"right.h\"\n");
+  const std::string program = temporary_file("shows.py", "import runpy\nrunpy.run_path('" + folder +
+                                                             "/beside.py', run_name='__main__')\n");
+  for (const auto& [candidate, option] :
+       {std::pair("source:" + source, "--include "), {"command:python3 " + program, "--read "}}) {
+    const std::string words = "check " + kRays + " --candidate '" + candidate + "' ";
+    run(words + option + folder, 0);
+    const Outcome hidden = run(words);
+    if (has(run(words + option + folder).out, "bubblewrap")) {
+      EXPECT_EQ(hidden.exit_code, 2) << candidate << hidden.out;
+      expect_parts(hidden.err, {"--read DIR shows it another, and --include DIR its headers"});
+    }
+  }
+  run("check " + kRays + " --candidate 'source:" + source + "' --include /no/such", 2);
 }
 
 TEST(Candidate, in_JavaScript_offers_all_that_one_in_Python_does) {

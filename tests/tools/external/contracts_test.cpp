@@ -38,8 +38,8 @@ def intersect(ray, sphere, by):
     for s in sorted((q / a, other)):
         point = [x + s * y for x, y in zip(o, d)]
         if )" + counts + ": return " + returns + R"(
-rc.run('mine', intersect=intersect, root='nearest', tangent='either', )" +
-                                                       says + ")\n");
+rc.run('mine', intersect=intersect, root='nearest', **{'tangent': 'either'} | dict()" +
+                                                       says + "))\n");
 }
 
 json laws_of(const std::string& candidate, const std::string& more = "") {
@@ -135,6 +135,55 @@ TEST(Contracts, in_floats_keep_their_ends_in_doubles) {
   const std::string says =
       "precision='single', roots=rc.Roots('()', 1e-3, float('inf'), 'absolute', 'none')";
   EXPECT_EQ(judged(scene, tracer("float.py", "s > 1e-3", "(s, point)", says))["discrepancies"], 0);
+}
+
+/// A class alone tells no s, which no end can exclude: inputs close by are what decides.
+TEST(Contracts, of_a_class_alone_are_undecided_at_an_end) {
+  const std::string scene = temporary_file("exit.toml",
+                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 1, 0]\n"
+                                           "[[sphere]]\ncentre = [-1, 0, 0]\nradius = 2\n");
+  const std::string roots = "roots=rc.Roots('()', 1.0, float('inf'), 'length', 'none')";
+  const std::string closed = tracer("closed.py", "s >= 1", "True", "returns='class', " + roots);
+  const Outcome outcome = check(scene, closed);
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
+  const json report = json::parse(outcome.out)["candidates"][0];
+  EXPECT_EQ(report["discrepancies_by_standing"]["undecided"], 1);
+  // s itself is excluded by its own word.
+  EXPECT_EQ(check(scene, tracer("s.py", "s >= 1", "s", "returns='parameter', " + roots)).exit_code,
+            1);
+}
+
+/// Whoever misses tangents where only back faces count: no witness is looked for there.
+TEST(Contracts, that_leave_a_law_undecided_show_the_case) {
+  const std::string tracing =
+      tracer("back.py", "s >= 0 and under > 0 and s == max(q / a, other)", "(s, point)",
+             "roots=rc.Roots('[]', 0.0, float('inf'), 'absolute', 'front-faces'), tangent='hit'");
+  const std::string tangent =
+      "--filter class --source ties --cases 200 --candidate '" + tracing + "'";
+  const Outcome outcome = run("properties " + tangent);
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
+  expect_parts(outcome.out, {"undecided", "# leaves undecided the law class with", "[[sphere]]",
+                             "replay: raycheck properties"});
+  for (const char* format : {"json", "junit", "markdown"}) {
+    expect_parts(run("properties --format " + std::string(format) + " " + tangent).out,
+                 {"[[sphere]]"});
+  }
+}
+
+/// What it says first is no praise where nothing was decided.
+TEST(Contracts, are_told_first_what_matters_most) {
+  const auto first = [](const std::string& candidate, const std::string& more = "") {
+    const std::string out =
+        run("properties --cases 60 " + more + " --candidate '" + candidate + "'").out;
+    return out.substr(0, out.find('\n'));
+  };
+  expect_parts(first(tracer("right.py", "s >= 0", "(s, point)", "tangent='hit'")),
+               {"right on ordinary cases"});
+  expect_parts(first(tracer("no_hit.py", "False", "(s, point)", "lengths=(1e-300, 1e-299)")),
+               {"not all decided: class"});
+  expect_parts(first(tracer("none.py", "False", "(s, point)", "tangent='hit'")),
+               {"no ray ever hits a sphere"});
 }
 
 /// Nothing decides whether a missed root within a rounding of the declared end counts.

@@ -30,6 +30,7 @@ inline constexpr std::array<std::string_view, 2> kDriverNumberNames = {"shortest
 /// How many numbers a sphere's line may have, the likeliest first.
 inline constexpr std::array<int, 7> kSphereNumbers = {16, 17, 20, 13, 19, 18, 21};
 
+/// The form in which a program reads driver files.
 struct DriverForm {
   scene::Dialect dialect = scene::Dialect::kB;
   /// How many numbers a sphere's line has: centre, radius, ambient, diffuse and specular colour are
@@ -84,6 +85,7 @@ DriverRule driver_rule(std::string_view name);
 /// tried where it is not read. Errors: scene::SceneFileError naming file, line, field and value.
 DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from);
 
+/// The form of a dialect.
 DriverForm form_of(scene::Dialect dialect);
 
 /// All forms that programs are known to read: `first`, then those like it, then the others.

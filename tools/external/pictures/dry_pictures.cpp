@@ -19,6 +19,7 @@ constexpr double kBackgroundShare = 0.9;
 constexpr std::size_t kShadedColours = 12;
 constexpr double kShadedShare = 0.3;
 
+/// The colours along the border of a picture.
 struct Frame {
   std::size_t colours = 0, pixels = 0;
   Colour most;  ///< The most frequent one.

@@ -20,6 +20,7 @@ scene::Scene whole_scene();
 /// A few scenes as they are judged, with fractions, and spheres behind the eye.
 std::vector<scene::Scene> ordinary_scenes();
 
+/// The middle sphere of each cross.
 scene::Scene middle_spheres();
 
 /// The colour of nearly all of a picture's frame; black if it has no such colour, or the picture

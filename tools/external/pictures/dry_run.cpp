@@ -23,6 +23,7 @@ constexpr double kSurelyAlike = 0.95;
 /// The other channels of a pure colour are at most this part of the largest.
 constexpr double kNoChannel = 0.4;
 
+/// The result of drawing the symmetric scene in one form.
 struct Attempt {
   DriverForm form;
   std::optional<MadePicture> made;
@@ -112,6 +113,7 @@ class DryRunner {
     return {failure.why(), failure.said()};
   }
 
+  /// Draws the symmetric scene in a form.
   Attempt attempt(const DriverForm& form) {
     ++tried_;
     return attempt_of(scene_, form);

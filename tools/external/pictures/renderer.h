@@ -48,6 +48,7 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
                                      scene::Rows rows, std::size_t spheres,
                                      const ColourHabit& habit = {});
 
+/// A picture that a renderer made, and how.
 struct MadePicture {
   ReadPicture picture;
   std::string other_name;  ///< Where it was found; empty: where requested.

@@ -13,6 +13,7 @@ namespace raycheck::tools {
 /// them by a gamma or cuts them to whole numbers leaves their hues.
 inline constexpr std::size_t kMostSaturated = 6;
 
+/// How a renderer shows colours.
 struct ColourHabit {
   Colour background = {};  ///< Where it shows no sphere.
   /// Which channels of the picture show a sphere's red, green and blue.

@@ -25,6 +25,7 @@ constexpr std::size_t kMostWalked = 256;
 constexpr std::size_t kAlternateStack = std::size_t{1} << 16;
 constexpr std::array kDeadly = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
 
+/// The library that is followed.
 const link_map* followed = nullptr;
 int descriptor = -1;
 /// The signal it dies of; 0 while it lives.

@@ -75,6 +75,7 @@ void read_convention(Words& words, properties::DeclaredConventions& declared) {
   }
 }
 
+/// What a line of that kind states.
 void read_statement(std::string_view kind, Words& words, Introduction& introduction) {
   if (kind == "function") {
     introduction.functions.emplace(

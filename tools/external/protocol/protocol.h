@@ -18,6 +18,7 @@ namespace raycheck::tools {
 
 inline constexpr int kProtocolVersion = 1;
 
+/// What a candidate says about itself.
 struct Introduction {
   std::string name;  ///< "-": none
   std::set<std::string> functions;
@@ -44,6 +45,7 @@ Introduction parse_introduction(std::string_view text);
 /// "roots ENDS T_MIN T_MAX UNIT CULLING", a line.
 std::string roots_line(const scene::ValidRoots& valid);
 
+/// Builds a request.
 class Request {
  public:
   Request(std::string id, std::string_view function, const scene::Conventions& conventions);
@@ -53,7 +55,9 @@ class Request {
   Request& spheres(std::span<const scene::Sphere> spheres);
 
   const std::string& id() const { return id_; }
+  /// The whole request.
   std::string text() const;
+  /// The request without its id.
   const std::string& body() const { return body_; }
 
  private:

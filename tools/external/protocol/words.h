@@ -85,6 +85,7 @@ class Words {
     const double x = number(), y = number(), z = number();
     return {x, y, z};
   }
+  /// Which of these names the next word is.
   std::size_t place_in(std::span<const std::string_view> names, const char* otherwise) {
     const auto found = std::find(names.begin(), names.end(), word());
     if (found == names.end()) fail(otherwise);

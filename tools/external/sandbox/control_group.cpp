@@ -122,6 +122,7 @@ void remove_dead_groups(const fs::path& own) {
   }
 }
 
+/// The groups of this run.
 class RunGroups {
  public:
   RunGroups()

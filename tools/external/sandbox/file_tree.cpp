@@ -151,6 +151,7 @@ namespace {
 /// How many lines of a process's mappings are read: only hostile programs have more.
 constexpr int kMostMappings = 4096;
 
+/// A file's device and inode.
 using Key = std::pair<dev_t, ino_t>;
 struct Size {
   std::uint64_t bytes = 0;
@@ -180,6 +181,7 @@ void take_open(const std::string& process, Sizes& sizes) {
   }
 }
 
+/// Two hexadecimal numbers with a separator.
 std::optional<std::pair<std::uint64_t, std::uint64_t>> pair_of(std::string_view text, char mark) {
   std::uint64_t first = 0, second = 0;
   constexpr int kBase = 16;

@@ -27,6 +27,7 @@ std::string file_bytes(const std::filesystem::path& file,
 /// followed. True if nothing is left.
 bool remove_tree(const std::filesystem::path& folder);
 
+/// Removes everything in a folder.
 void empty_folder(const std::filesystem::path& folder);
 
 /// The most files and folders that are added up.

@@ -49,6 +49,7 @@ using raycheck::tools::FileRights;
 using raycheck::tools::Reach;
 
 constexpr int kCannot = 125;
+/// The first descriptor that is closed.
 constexpr unsigned kFirstClosed = 4;
 
 [[noreturn]] void give_up(std::string_view what, const char* why) {

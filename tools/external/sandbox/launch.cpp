@@ -91,6 +91,7 @@ bool counts_by_namespace() {
   return std::pair(major, minor) >= std::pair(kCountsByNamespace[0], kCountsByNamespace[1]);
 }
 
+/// The number of tasks that this user has now.
 std::uint64_t tasks_of_user() {
   std::uint64_t tasks = 0;
   std::error_code ignored;

@@ -48,6 +48,7 @@ struct LayersHere {
 };
 const LayersHere& layers_here();
 
+/// Which layers to use.
 enum class Sandbox {
   kRequire,    ///< All that should be there: a user of its own if root, seccomp, bubblewrap.
   kAvailable,  ///< Those that work here.
@@ -141,6 +142,7 @@ struct Confined {
   std::vector<std::filesystem::path> readable;
   Layers layers;
   Limits limits;
+  /// The files in its folder at the start.
   std::vector<StartingFolder::File> files = {};
   /// Further contents of it; null: none.
   std::shared_ptr<const StartingFolder> start = {};
@@ -150,6 +152,7 @@ struct Confined {
   std::shared_ptr<SpentTime> spent = std::make_shared<SpentTime>();
 };
 
+/// How a candidate's process failed.
 enum class FailureKind {
   kSystem,    ///< The system refused something: it could not be started, or not be reached.
   kEnded,     ///< It ended before it had finished its task.
@@ -180,6 +183,7 @@ class ProcessFailure : public std::runtime_error {
 
 /// Where programs named without a folder are searched.
 inline constexpr std::array kProgramFolders = {"/usr/local/bin", "/usr/bin", "/bin"};
+/// The same as a PATH.
 std::string program_path();
 
 /// raycheck-jail or raycheck-worker.
@@ -197,8 +201,10 @@ std::filesystem::path adapters();
 /// A user id for each process that belongs to no account: made of this process's id and a counter
 /// where such large ids exist, else of 16 bits.
 std::uint64_t next_user();
+/// Large ids do not work here.
 void use_small_users();
 
+/// The descriptors that a program reads and writes.
 struct Streams {
   int input, output, error;
 };

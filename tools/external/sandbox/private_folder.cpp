@@ -91,6 +91,7 @@ fs::path readable_copy(const fs::path& path) {
 
 namespace {
 
+/// A new folder with this prefix.
 fs::path new_folder(const fs::path& begin) {
   std::string name = begin.string() + "XXXXXX";
   if (mkdtemp(name.data()) == nullptr) {

@@ -27,6 +27,7 @@ std::string without_private_folders(const std::string& text);
 /// Whether a candidate's own user may enter a folder, and every folder on the way to it.
 bool others_may_enter(std::filesystem::path folder);
 
+/// Whether a candidate's own user may read a path.
 bool others_may_read(const std::filesystem::path& path);
 
 /// Lets every user read a file, or a folder and all in it.

@@ -152,6 +152,7 @@ Process::~Process() {
   if (!kill_all()) blame(FailureKind::kSystem, words_left());
 }
 
+/// Whether other candidates may run beside it.
 bool Process::has_neighbours() const {
   return confined_.surroundings && !confined_.surroundings->alone();
 }
@@ -185,6 +186,7 @@ void Process::blame(FailureKind kind, const std::string& words) const {
   if (kind == FailureKind::kSystem && confined_.surroundings) confined_.surroundings->blame(words);
 }
 
+/// Adds up the time it took.
 void Process::charge() { confined_.spent->add(watch_->taken()); }
 
 /// Stops it if it uses too much, or its time is up.
@@ -238,6 +240,7 @@ std::string_view Process::heard_on(Descriptor& stream) {
   return {buffer_.data(), static_cast<std::size_t>(count)};
 }
 
+/// Reads what a stream has.
 void Process::listen(Descriptor& stream, KeptText& to) {
   for (int turn = 0; turn < kMostTurns; ++turn) {
     const std::string_view heard = heard_on(stream);

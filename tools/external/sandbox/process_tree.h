@@ -9,8 +9,10 @@
 
 namespace raycheck::tools {
 
+/// What lies between spaces and line ends.
 std::vector<std::string> words_of(const std::string& text);
 
+/// A process as shown in /proc.
 struct ProcessState {
   pid_t pid = 0, parent = 0;
   bool is_dead = false;    ///< It only waits to be reaped.

@@ -31,6 +31,7 @@ std::string memory_words(const Limits& limits);
 /// "the machine has less than 256 MiB of disk left"; empty if it has enough.
 std::string lack_of_room(const std::filesystem::path& folder);
 
+/// Why something was stopped.
 struct Stop {
   FailureKind kind;
   std::string words;
@@ -44,6 +45,7 @@ class Watch {
   /// candidates run beside it, so that merely waiting may not be its own fault.
   Watch(pid_t root, std::filesystem::path folder, const Limits& limits, const ControlGroup* group,
         bool has_neighbours);
+  /// Starts a new time limit.
   void restart();
   /// Cheap if the next check is not due. `doing`: "gave no reply".
   std::optional<Stop> look(const char* doing);

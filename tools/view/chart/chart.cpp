@@ -21,6 +21,7 @@ Json errors_json(const ChartPoint::Errors& errors) {
           {"front", errors.is_front}};
 }
 
+/// A mark for wrong decisions, and its meaning.
 struct Mark {
   const char *standing, *text;
 };
@@ -86,6 +87,7 @@ Json condition_json(const ChartFacet& facet, std::size_t severity, std::size_t q
   return nullptr;
 }
 
+/// The same of each quantity, share and severity.
 Json conditions_json(const ChartFacet& facet) {
   Json json = Json::array();
   for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {

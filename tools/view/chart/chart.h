@@ -29,6 +29,7 @@ inline constexpr std::size_t kChartShare = 3;
 /// Errors at each of kChartShares; empty if none was measured.
 using ChartQuantiles = std::array<std::optional<double>, kChartShares.size()>;
 
+/// The results of one method.
 struct ChartPoint {
   struct Errors {
     std::uint64_t compared = 0;
@@ -84,6 +85,7 @@ std::optional<ChartPoint> chart_point(
     const std::map<properties::Quantity, properties::Tally>& tallies,
     const std::vector<properties::Quantity>& quantities);
 
+/// The data from which the page's script draws a chart.
 Json chart_json(const ChartView& chart);
 
 }  // namespace raycheck::tools

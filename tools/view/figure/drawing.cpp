@@ -64,6 +64,7 @@ Drawn across(const Drawn& direction, const Drawn& foot, const Drawn& centre, con
           std::round(finest[2]) / kSteps};
 }
 
+/// A ray and a sphere.
 struct RayDrawing {
   Drawn direction;              ///< D
   double until = 0;             ///< How far from L the line is drawn.
@@ -71,6 +72,7 @@ struct RayDrawing {
   Json names = Json::object();  ///< Labels of places.
 };
 
+/// Adds the roots on a ray's line to its drawing.
 void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const scene::Sphere& sphere,
                const scene::Conventions& conventions, RayDrawing& drawing) {
   const auto line = class_of_line(ray, sphere);

@@ -64,6 +64,7 @@ inline bool is_finite(const Drawn& a) {
 /// A drawn number or place; null if it is not finite.
 inline Json drawn(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 inline Json drawn(const Drawn& place) { return is_finite(place) ? Json(place) : Json(nullptr); }
+/// The finite places by their names.
 Json places_json(const DrawnPlaces& places);
 
 }  // namespace raycheck::tools

@@ -13,6 +13,7 @@
 namespace raycheck::tools {
 namespace {
 
+/// A scene of only this ray and sphere, as given input for explain.
 scene::Scene alone(const scene::Scene& scene, const Selection& selection) {
   scene::Scene result;
   result.conventions = scene.conventions;

@@ -53,6 +53,7 @@ Json picture_json(const char* kind, const std::string& name, const std::string& 
           {"legend", std::move(legend)}};
 }
 
+/// A picture of which pixel sees which sphere.
 Json picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen, const char* kind,
                 const std::string& name) {
   constexpr std::size_t kMostEntries = 24;
@@ -142,6 +143,7 @@ Painter drawn_error_painter(const scene::Scene& scene, properties::Candidate can
   };
 }
 
+/// A candidate's answers for rows of pixels.
 void answer(const scene::Scene& scene, const properties::Candidate& candidate, std::int64_t j,
             std::span<std::int32_t> rows) {
   const properties::Case some = {scene, pixels_of_rows(scene, j, 0, rows.size())};

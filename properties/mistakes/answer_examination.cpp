@@ -1,0 +1,260 @@
+#include "properties/mistakes/answer_examination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "properties/trial.h"
+#include "scene/interruption.h"
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Vector3;
+
+bool agree(const Vector3& a, const Vector3& b, double tolerance) {
+  double size = 0;
+  for (const double x : {a.x, a.y, a.z, b.x, b.y, b.z}) {
+    if (std::isfinite(x)) size = std::max(size, std::abs(x));
+  }
+  const auto same = [allowed = tolerance * size](double x, double y) {
+    return (std::isnan(x) && std::isnan(y)) || x == y || std::abs(x - y) <= allowed;
+  };
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
+bool agree(const Answer& a, const Answer& b, double tolerance) {
+  return a.choice == b.choice &&
+         std::equal(a.vectors.begin(), a.vectors.end(), b.vectors.begin(),
+                    [tolerance](auto& x, auto& y) { return agree(x, y, tolerance); });
+}
+
+StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
+  const auto found = trial.intersect(asked.rays, asked.the_case.scene.spheres, trial.conventions());
+  StepAnswers answers;
+  for (const SphereHits& hits : found) {
+    const std::size_t first = answers.size();
+    answers.resize(first + asked.rays.size());
+    for (const auto& [ray, hit] : hits) {
+      answers[first + ray] = {0, {Vector3{}, Vector3{}}};
+      if (asked.class_alone) continue;
+      answers[first + ray].vectors = {Vector3{hit.parameter, 0, 0}, vector(hit.point)};
+    }
+  }
+  return answers;
+}
+
+/// Empty where the candidate lacks the function.
+std::optional<StepAnswers> ask(Step step, const AskedCase& asked, const Candidate& candidate) {
+  Trial trial(asked.the_case, candidate);
+  const scene::Scene& scene = asked.the_case.scene;
+  StepAnswers answers;
+  switch (step) {
+    case Step::kFrame: {
+      if (!scene.camera || !candidate.frame) return {};
+      const auto& [U, V, W] = trial.frame();
+      return StepAnswers{{{}, {vector(U), vector(V), vector(W)}}};
+    }
+    case Step::kPixelPoint:
+      if (!scene.camera || !candidate.pixel_points) return {};
+      for (const scene::Point3& P : trial.pixel_points()) answers.push_back({{}, {vector(P)}});
+      return answers;
+    case Step::kRay:
+      if (!scene.camera || !trial.has_rays()) return {};
+      for (const auto& [origin, direction] : trial.rays()) {
+        answers.push_back({{}, {vector(origin), direction}});
+      }
+      return answers;
+    case Step::kIntersect:
+      if (!candidate.intersect) return {};
+      return hit_answers(asked, trial);
+    case Step::kNearest:
+      break;
+  }
+  if (!candidate.nearest) return {};
+  for (const auto& sphere : trial.rank(asked.rays, scene.spheres)) {
+    answers.push_back({sphere, {}});
+  }
+  return answers;
+}
+
+/// The same; also empty where the candidate refuses or fails.
+std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
+                                      const Candidate& candidate) {
+  scene::poll();
+  try {
+    return ask(step, asked, candidate);
+  } catch (const std::runtime_error&) {
+    return {};
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+}
+
+/// Floats have fewer digits than an answer whose relative error is at most this.
+constexpr double kPrecise = 0x1p-36;
+
+/// Whether an answer is neither as expected nor right in another way.
+bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers& expected,
+                  double tolerance) {
+  const auto is_like = [&](const StepAnswers& other) {
+    return agree(comparison.answers[k], other[k], tolerance);
+  };
+  if (is_like(expected)) return false;
+  return is_like(comparison.right) ||
+         std::none_of(comparison.also_right.begin(), comparison.also_right.end(), is_like);
+}
+
+/// How many answers differ from those expected, except those that are right in another way.
+std::uint64_t count_different(const Comparison& comparison, const StepAnswers& expected,
+                              double tolerance) {
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+    count += is_different(comparison, k, expected, tolerance) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Which of a asked's answers, by sphere and ray or by ray, miss a sphere that none meets.
+std::vector<bool> dropped(Step step, const Comparison& comparison) {
+  const std::size_t count = comparison.asked->rays.size();
+  const auto sphere_of = [&](const Answer& answer, std::size_t k) -> std::optional<std::size_t> {
+    if (!answer.choice) return {};
+    return step == Step::kNearest ? *answer.choice : k / count;
+  };
+  std::set<std::size_t> met;
+  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+    if (const auto sphere = sphere_of(comparison.answers[k], k)) met.insert(*sphere);
+  }
+  std::vector<bool> found(comparison.answers.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto sphere = sphere_of(comparison.right[k], k);
+    found[k] = sphere && !comparison.answers[k].choice && !met.contains(*sphere);
+  }
+  return found;
+}
+
+/// Whether another root counts than if every root >= 0 did, as in the code of classic mistakes.
+bool ends_matter(const AskedCase& asked) {
+  const scene::Conventions& conventions = asked.the_case.scene.conventions;
+  if (conventions.valid.is_usual()) return false;
+  Case given{asked.the_case.scene, {}};
+  given.scene.camera.reset();
+  given.scene.rays = asked.rays;
+  if (!scene::defects(given.scene).empty()) return true;
+  scene::Conventions usual = conventions;
+  usual.valid = {};
+  Truth own(given, conventions), others(given, usual);
+  for (std::size_t ray = 0; ray < asked.rays.size(); ++ray) {
+    for (std::size_t sphere = 0; sphere < given.scene.spheres.size(); ++sphere) {
+      if (!(own.intersection(ray, sphere) == others.intersection(ray, sphere))) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Examination::Examination(std::span<const Case> cases, const Candidate& candidate)
+    : candidate_(candidate), others_(other_right_candidates(candidate)) {
+  for (const Case& the_case : cases) {
+    auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
+    if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
+    asked_.push_back({*std::move(rounded), {}, candidate.returns == Returns::kClass});
+    AskedCase& asked = asked_.back();
+    scene::Conventions& conventions = asked.the_case.scene.conventions;
+    conventions = candidate.declared.over(conventions);
+    asked.rays = Trial(asked.the_case, right_).rays();
+    for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
+    if (ends_matter(asked)) asked_.pop_back();
+  }
+}
+
+const std::vector<Comparison>& Examination::at(Step step) {
+  auto& known = comparisons_[static_cast<std::size_t>(step)];
+  if (known) return *known;
+  known.emplace();
+  for (const AskedCase& asked : asked_) {
+    std::optional<StepAnswers> answers = try_to_ask(step, asked, candidate_);
+    if (!answers) continue;
+    Comparison comparison = {&asked, std::move(*answers), ask(step, asked, right_).value(), {}};
+    if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
+      comparison.also_right = ask_others(step, asked);
+    }
+    known->push_back(std::move(comparison));
+  }
+  return *known;
+}
+
+std::uint64_t Examination::errors(Step step, double tolerance) {
+  std::uint64_t count = 0;
+  for (const Comparison& comparison : at(step))
+    count += count_different(comparison, comparison.right, tolerance);
+  return count;
+}
+
+std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step last,
+                                        double tolerance, std::uint64_t most) {
+  std::uint64_t count = 0;
+  for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
+    for (const Comparison& comparison : at(static_cast<Step>(step))) {
+      if (count > most) return count;
+      const auto made = try_to_ask(static_cast<Step>(step), *comparison.asked, mistake.candidate);
+      count += count_different(comparison, made ? *made : comparison.right, tolerance);
+    }
+  }
+  return count;
+}
+
+DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance) {
+  DoubtTally all;
+  for (const Comparison& comparison : at(step)) {
+    const auto& [the_case, rays, class_alone] = *comparison.asked;
+    const scene::Conventions& conventions = the_case.scene.conventions;
+    const std::vector<bool> is_dropped = dropped(step, comparison);
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const Answer& answer = comparison.answers[k];
+      const bool is_wrong = is_different(comparison, k, comparison.right, tolerance);
+      if (step == Step::kNearest) {
+        const PossibleSight sight =
+            possible_sight(arithmetic, rays[k], the_case.scene.spheres, conventions, answer.choice);
+        all.add(is_wrong, is_dropped[k], sight.allows, sight.is_doubtful, sight.radii);
+        continue;
+      }
+      const PossibleHit hit = possible_hit(arithmetic, rays[k % rays.size()],
+                                           the_case.scene.spheres[k / rays.size()], conventions);
+      const bool is_wide = hit.is_possible && hit.most - hit.least > tolerance * hit.most;
+      const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
+      // Roundings of d^2 move Q along the ray.
+      const bool is_on_ray =
+          !s || agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
+      all.add(is_wrong, is_dropped[k], is_on_ray && hit.allows(s), hit.is_doubtful() || is_wide,
+              hit.radii);
+      if (is_wrong || !s || class_alone) continue;
+      const double exact = comparison.right[k].vectors[0].x;
+      ++all.hits;
+      all.precise += std::abs(*s - exact) <= kPrecise * exact ? 1 : 0;
+    }
+  }
+  return all;
+}
+
+std::vector<StepAnswers> Examination::ask_others(Step step, AskedCase asked) const {
+  std::vector<StepAnswers> answers;
+  scene::Conventions& conventions = asked.the_case.scene.conventions;
+  const auto add = [&](const Candidate& other) {
+    if (!(other.declared.over(conventions) == conventions)) return;
+    if (auto its = try_to_ask(step, asked, other)) answers.push_back(std::move(*its));
+  };
+  for (const Candidate& other : others_) add(other);
+  if (conventions.tangent == scene::Tangent::kEither && step >= Step::kIntersect) {
+    conventions.tangent = scene::Tangent::kMiss;
+    add(right_);
+  }
+  return answers;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,70 @@
+#pragma once
+
+// A candidate's answers, step by step, beside what is right. Internal to answer_explanation.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "properties/candidate.h"
+#include "properties/case.h"
+#include "properties/mistakes/answer_explanation.h"
+#include "properties/mistakes/imprecision.h"
+#include "properties/mistakes/mistake_list.h"
+
+namespace raycheck::properties {
+
+/// The answer at any step: which sphere, or whether one is hit, and any vectors.
+struct Answer {
+  std::optional<std::size_t> choice;
+  std::array<scene::Vector3, 3> vectors;
+};
+using StepAnswers = std::vector<Answer>;
+
+/// A case under the conventions that the candidate is judged by, and its correct rays.
+struct AskedCase {
+  Case the_case;
+  std::vector<scene::Ray> rays;
+  bool class_alone = false;  ///< That a ray hits is all that is known of a hit.
+};
+
+/// What a candidate answered to a case at a step, what is right, and what other right formulas
+/// make of it.
+struct Comparison {
+  const AskedCase* asked;
+  StepAnswers answers, right;
+  std::vector<StepAnswers> also_right;
+};
+
+/// A candidate's answers to cases; each step is computed on demand.
+class Examination {
+ public:
+  Examination(std::span<const Case> cases, const Candidate& candidate);
+
+  const std::vector<Comparison>& at(Step step);
+
+  bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
+  double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
+
+  std::uint64_t errors(Step step, double tolerance);
+
+  /// How many answers up to a step are not as a mistake makes them; any number above `most` if
+  /// there are more.
+  std::uint64_t contradicted(const Mistake& mistake, Step first, Step last, double tolerance,
+                             std::uint64_t most);
+
+  /// How well the roundings of a formula agree with the answers at kIntersect or kNearest.
+  DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance);
+
+ private:
+  std::vector<StepAnswers> ask_others(Step step, AskedCase asked) const;
+
+  const Candidate& candidate_;
+  const Candidate right_ = right_candidate();
+  const std::vector<Candidate> others_;
+  std::vector<AskedCase> asked_;
+  std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
+};
+
+}  // namespace raycheck::properties
