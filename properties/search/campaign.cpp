@@ -79,8 +79,7 @@ class LawSearch {
     };
     until_interrupted([&] {
       const auto rounded = rounded_case(source.make(seed), candidate_.input_format()).the_case;
-      if (!rounded || !look(*rounded)) return;
-      smallest(failure->shrunk, std::numeric_limits<int>::max(), look);
+      if (rounded && look(*rounded)) shrink_while(look);
     });
   }
   /// Judges a case, and shrinks it.
@@ -159,9 +158,26 @@ class LawSearch {
   void shrink() {
     if (!failure) return;
     take_failed_question();
-    smallest(failure->shrunk, std::numeric_limits<int>::max(), [this](const Case& simpler) {
+    shrink_while([this](const Case& simpler) {
       return is_of_format(simpler.scene, candidate_.input_format()) && breaks(simpler);
     });
+  }
+
+  /// `breaks` keeps a case for which it is true as the failure. Who makes no rays needs no camera:
+  /// the rays that it was given take its place.
+  template <class Breaks>
+  void shrink_while(const Breaks& breaks) {
+    const auto shrink_on = [&] {
+      smallest(failure->shrunk, std::numeric_limits<int>::max(), breaks);
+    };
+    shrink_on();
+    const Case& shrunk = failure->shrunk;
+    if (!shrunk.scene.camera || candidate_.pixel_rays || candidate_.focal_rays) return;
+    const auto conventions = candidate_.declared.over(shrunk.scene.conventions);
+    const bool was_given = verdict_on(law_, candidate_, shrunk, max_error_).given_rays;
+    const auto given = was_given ? given_rays(shrunk, conventions, candidate_.precision)
+                                 : std::optional<GivenRays>();
+    if (given && breaks(given->the_case)) shrink_on();
   }
 
   /// If the candidate fails on the case, the question in it that it fails on: found by halving,
