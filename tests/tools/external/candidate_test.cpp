@@ -89,7 +89,8 @@ TEST(Candidate, that_makes_no_rays_is_held_to_laws_on_cameras_too) {
   };
   EXPECT_EQ(campaign("none", 0)["given_rays"], 40);
   const json wrong = campaign("far-root", 1);
-  // Shrunk, it is a case of what it intersects: one of the rays that it was given, in short numbers.
+  // Shrunk, it is a case of what it intersects: one of the rays that it was given, in short
+  // numbers.
   const std::string shrunk = wrong["scene"];
   EXPECT_FALSE(has(shrunk, "[camera]"));
   EXPECT_EQ(shrunk.find("[[ray]]"), shrunk.rfind("[[ray]]"));
