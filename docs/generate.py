@@ -263,5 +263,7 @@ if __name__ == "__main__":
             shown(path)
         for name in ("grading", "students"):
             sessions(ROOT / "docs" / f"{name}.md")
-    else:
+    elif not sys.argv[1:]:
         from_template("error-against-run-time")
+    else:
+        sys.exit(__doc__)

@@ -125,6 +125,9 @@ properties::Candidate inside(const Candidate& candidate) {
   if (candidate.largest_length > 0) inside.largest_length = candidate.largest_length;
   add_cameras(candidate, inside);
   add_intersections(candidate, inside);
+  inside.unit_directions = candidate.directions == Directions::unit;
+  inside.returns = static_cast<properties::Returns>(candidate.returns);
+  static_cast<properties::Functions&>(inside) = properties::completed(inside, inside.returns);
   return judged_in(precision(candidate.precision), std::move(inside));
 }
 

@@ -294,6 +294,15 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments) {
       ->check(kBound)
       ->needs(candidate)
       ->capture_default_str();
+  const auto start = [&arguments](const std::string& at) {
+    arguments.origin =
+        at == name(scene::Origin::kFocal) ? scene::Origin::kFocal : scene::Origin::kPixel;
+  };
+  command
+      .add_option_function<std::string>("--origin", start,
+                                        "where a renderer's rays start (default: where scenes say)")
+      ->check(CLI::IsMember({name(scene::Origin::kPixel), name(scene::Origin::kFocal)}))
+      ->needs(candidate);
 }
 
 namespace {
@@ -354,6 +363,7 @@ std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
   options.excused_image_change =
       arguments.image_change.value_or(properties::excused_image_change(options.precision));
   options.image_threshold = arguments.threshold;
+  options.origin = arguments.origin;
   for (const std::string& what : arguments.candidates) {
     External external = located(what, options);
     if (external.renderer && driver && driver->tries_others)

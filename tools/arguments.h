@@ -101,9 +101,10 @@ struct ExternalArguments {
   scene::Precision precision = scene::Precision::kDouble;  ///< Of renderers.
   std::optional<double> image_change;                      ///< Empty: the precision's default.
   double threshold = 0;
+  std::optional<scene::Origin> origin;  ///< Of renderers; empty: the scene's.
 };
 void add_external(CLI::App& command, ExternalArguments& arguments);
-/// --precision, --image-change and --t-threshold, which need a --candidate
+/// --precision, --image-change, --t-threshold and --origin, which need a --candidate
 void add_renderer(CLI::App& command, ExternalArguments& arguments);
 /// Compiles each candidate if necessary, and hears its introduction; `driver` is what renderers
 /// read, found by a dry run if it tries several.

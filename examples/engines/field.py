@@ -22,8 +22,9 @@ LEVELS = ("ordinary", "demanding", "extreme")
 OWN = ("quadratic", "cross", "robust")
 LAWS = {  # what a column counts, by law
     "class": "class", "growing-radius": "class", "nearest-root": "root", "parameter": "s",
-    "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes",
+    "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes", "image": "picture",
 }
+ANSWERS = ("class", "root", "s", "Q", "picture")  # those that a frontier speaks of
 AGREES = {"double": 1e-14, "single": 1e-6}  # relative, of what a reproduction prints and what was answered
 DIALS = {  # frontier columns: the source, and how its severity reads
     "distance": ("far", "10^{} radii"), "tangency": ("grazing", "10^-{} of r"), "scale": ("scale", "2^±{}"),
@@ -40,7 +41,9 @@ def words_of(engine, build):
         return [f"library:{library}"] if library.exists() else []
     field = build / "field"
     words = [str(field / word) if "/" in word else word for word in engine["command"].split()] + [str(field / engine["adapter"])]
-    return ["command:" + " ".join(words), "--read", str(field)]
+    words += engine.get("arguments", "").split()
+    kind = "renderer" if engine.get("renders") else "command"
+    return [f"{kind}:" + " ".join(words), "--read", str(field), *engine.get("options", "").split()]
 
 
 def version_of(engine, build):
@@ -65,8 +68,8 @@ class Raycheck:
             raise RuntimeError(asked.stderr.strip())
         return json.loads(asked.stdout)
 
-    def judged(self, who, level):
-        return self.json("properties", *who, "--level", level, "--cases", str(self.cases))["campaigns"]
+    def judged(self, who, level, cases):
+        return self.json("properties", *who, "--level", level, "--cases", str(min(cases, self.cases)))["campaigns"]
 
 
 def is_broken(part):
@@ -92,7 +95,7 @@ def frontier(campaigns, source):
     None: not judged there."""
     broken = math.inf
     for campaign in campaigns:
-        if LAWS.get(campaign["law"]) not in ("class", "root", "s", "Q"):
+        if LAWS.get(campaign["law"]) not in ANSWERS:
             continue
         for part in campaign["parts"]:
             if part["source"].split("@")[0] != source or part["comparisons"] == 0:
@@ -101,7 +104,7 @@ def frontier(campaigns, source):
                 broken = min(broken, part["severity"])
     severities = sorted({part["severity"] for campaign in campaigns for part in campaign["parts"]
                          if part["source"].split("@")[0] == source and part["comparisons"] > 0
-                         and LAWS.get(campaign["law"]) in ("class", "root", "s", "Q")})
+                         and LAWS.get(campaign["law"]) in ANSWERS})
     below = [severity for severity in severities if severity < broken]
     if not severities:
         return None
@@ -136,7 +139,7 @@ def scene_numbers(scene):
 
 def reproduction(engine, numbers, build):
     """The program that shows a case without raycheck, and what it prints when it is run; None: it has none."""
-    templates = sorted((HERE / "reproductions").glob(engine["name"] + ".*"))
+    templates = sorted((HERE / "reproductions").glob(engine.get("of", engine["name"]) + ".*"))
     if not templates:
         return None
     text = templates[0].read_text()
@@ -187,8 +190,9 @@ class Page:
         self.engine, self.name = engine, engine["name"]
         self.version = engine.get("version") or version_of(engine, build)
         who = ["--intersect", self.name] if self.name in OWN else ["--candidate", *words_of(engine, build)]
-        self.ordinary = raycheck.judged(who, "ordinary")
-        self.extreme = raycheck.judged(who, "extreme")
+        most = engine.get("cases", raycheck.cases)
+        self.ordinary = raycheck.judged(who, "ordinary", most)
+        self.extreme = raycheck.judged(who, "extreme", most)
         self.breaks = {level: broken_at(self.ordinary if level == "ordinary" else self.extreme, level)
                        for level in LEVELS}
         self.frontiers = {source: frontier(self.extreme, source) for source in DIALS}
@@ -198,6 +202,12 @@ class Page:
         self.cases = self.smallest(raycheck, build)
         self.class_alone = any("hit or miss, and no more" in (one["reason_left_out"] or "") for one in self.ordinary)
         self.ratio = None
+        self.title = self.name  # of its page
+        self.others = []  # pages of other readings, none milder
+
+    def harm(self):
+        """How much is broken, by level."""
+        return [len(self.breaks[level] or []) for level in LEVELS]
 
     def smallest(self, raycheck, build):
         """The smallest case of each kind that breaks, of the lowest level that does."""
@@ -233,7 +243,7 @@ class Page:
         error = self.error
         errors = f"{error['median']:.2g} / {error['max']:.3g} {error['unit']}" if error else "-"
         ratio = f"{self.ratio:.2g}" if self.ratio else "-"
-        return ([f"[{self.engine['library']}](field/{self.name}.md)", f"`{self.engine['function']}`"]
+        return ([f"[{self.engine['library']}](field/{self.title}.md)", f"`{self.engine['function']}`"]
                 + [self.cell(level) for level in LEVELS] + [self.frontier_text(source) for source in DIALS]
                 + [errors, ratio, self.said()])
 
@@ -253,6 +263,10 @@ class Page:
         lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _) in DIALS.items()]
         if self.mistake:
             lines += ["", f"What explains most of it: {self.mistake}."]
+        if self.others:
+            lines += ["", f"Its documentation does not say {engine['silent']}. Judged here: {engine['reading']}."]
+            lines += [f"The other reading, that {other.engine['reading']}, is no milder: ordinary {other.cell('ordinary')}, "
+                      f"demanding {other.cell('demanding')}, extreme {other.cell('extreme')}." for other in self.others]
         if "note" in engine:
             lines += ["", f"To be known besides: {engine['note']}."]
         if not any(self.breaks.values()):
@@ -280,6 +294,19 @@ def answer_text(case, class_alone):
 
 def decimal(number):
     return float.fromhex(number) if isinstance(number, str) and number.lstrip("-").startswith("0x") else number
+
+
+def mildest(pages):
+    """A page an engine: of its readings the one that breaks least, which knows the others."""
+    readings = {}
+    for page in pages:
+        readings.setdefault(page.engine.get("of", page.name), []).append(page)
+    kept = []
+    for name, ones in readings.items():
+        ones.sort(key=Page.harm)
+        ones[0].others, ones[0].title = ones[1:], name
+        kept.append(ones[0])
+    return kept
 
 
 def add_times(pages, raycheck, build):
@@ -362,9 +389,12 @@ def main():
     print(file=sys.stderr)
     order = [engine["name"] for engine in chosen]
     pages.sort(key=lambda page: order.index(page.name))
+    pages = mildest(pages)
     add_times(pages, raycheck, options.build)
     for name in skipped:
         print(f"skipped: {name}: not installed", file=sys.stderr)
+    shown = sum(bool(case.get("reproduction")) for page in pages for case in page.cases.values())
+    print(f"reproductions that were run and print what was answered: {shown}", file=sys.stderr)
     print(table(pages))
     if options.write and not failed:
         folder = options.write / "field"
@@ -372,7 +402,7 @@ def main():
         for old in folder.glob("*.md"):
             old.unlink()
         for page in pages:
-            (folder / f"{page.name}.md").write_text(page.text())
+            (folder / f"{page.title}.md").write_text(page.text())
         chart(pages, folder / "frontier.svg")
         text = (options.write / "field.in.md").read_text()
         not_taken = "\n".join(f"- {e['library']} (`{e.get('package', '-')}`): {e['reason']}" for e in engines if not e.get("taken", True))

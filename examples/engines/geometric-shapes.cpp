@@ -1,8 +1,9 @@
 // geometric_shapes' (ROS, MoveIt) bodies::Sphere::intersectsRay, in doubles: the intersections in
 // order along the ray, of which one is asked for. Debian: libgeometric-shapes-dev;
 // -lgeometric_shapes.
-// Source: geometric_shapes/bodies.h: a unit direction is only faster. Silent on tangents and
-// on its epsilon, an absolute 1e-9: lengths stay far above it.
+// Source: geometric_shapes/bodies.h: a unit direction is only faster (with UNIT defined it is read
+// as if it demanded them). Silent on tangents and on its epsilon, an absolute 1e-9: lengths stay
+// far above it.
 
 #include <geometric_shapes/bodies.h>
 #include <geometric_shapes/shapes.h>
@@ -23,6 +24,11 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   return Hit{.point = {points[0].x(), points[0].y(), points[0].z()}};
 }
 
+#ifdef UNIT
+constexpr Directions kDirections = Directions::unit;
+#else
+constexpr Directions kDirections = Directions::any;
+#endif
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
                    .level = Level::ordinary, .smallest_length = 0x1p-10, .largest_length = kLargest,
-                   .returns = Returns::point)
+                   .directions = kDirections, .returns = Returns::point)

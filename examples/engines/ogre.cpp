@@ -1,7 +1,8 @@
 // Ogre's Math::intersects(Ray, Sphere), discardInside = false, in floats: whether it is a hit, and
 // the t of Ray::getPoint(t). Debian: libogre-1.12-dev; -lOgreMain.
 // With discardInside = true an origin inside is a hit at 0, which no root convention is.
-// Source: OGRE/OgreMath.h, OGRE/OgreRay.h. Silent on tangents; any direction is a ray's.
+// Source: OGRE/OgreMath.h, OGRE/OgreRay.h. Silent on tangents and, as it returns negative t, on
+// whether lines are met (with LINES defined it is read so); any direction is a ray's.
 
 #include <OgreMath.h>
 #include <OgreRay.h>
@@ -21,7 +22,13 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   return Hit{t, {}};
 }
 
+#ifdef LINES
+constexpr ValidRoots kValid = {.t_min = -std::numeric_limits<double>::infinity()};
+#else
+constexpr ValidRoots kValid = {};
+#endif
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
                    .level = Level::ordinary, .smallest_length = kSmallest,
-                   .largest_length = kLargest, .precision = kPrecision,
+                   .largest_length = kLargest, .precision = kPrecision, .roots = Roots::declared,
+                   .valid = kValid,
                    .returns = Returns::parameter)

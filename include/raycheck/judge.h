@@ -42,6 +42,8 @@ struct Candidate {
   Precision precision = Precision::double_;
   /// With usual every root >= 0 counts; with declared those of declares.valid.
   Roots roots = Roots::usual;
+  Directions directions = Directions::any;  ///< For unit it is asked about unit ones alone.
+  Returns returns = Returns::hit;           ///< What of a Hit is judged; the rest may be anything.
 
   /// The camera's axes, unit and at right angles.
   std::function<Frame(const Camera&)> frame;

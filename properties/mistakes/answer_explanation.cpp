@@ -107,7 +107,7 @@ AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
 }
 
 /// Roots q/a and c/q lose what q = v + d or v - d does, the larger one, too, where q is the one
-/// that cancels. Roundings of d^2 leave that root alone.
+/// that cancels. Roundings of d^2 leave that root alone from inside a sphere.
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
   const auto found = small_errors(
       examination,
@@ -120,7 +120,8 @@ std::optional<AnswerCause> cancelling_q(Examination& examination) {
         return off <= lost;
       },
       [](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double s) {
-        return s * norm(ray.direction) > std::abs(fast::kCross.roots(ray, sphere).axial_distance);
+        const auto roots = fast::kCross.roots(ray, sphere);
+        return roots.smaller < 0 && s * norm(ray.direction) > std::abs(roots.axial_distance);
       });
   if (!found) return {};
   return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", *found);

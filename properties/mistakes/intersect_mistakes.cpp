@@ -29,6 +29,22 @@ Hit wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conve
   return meets(roots, conventions) ? Hit(hit_at(ray, roots.smaller)) : Hit();
 }
 
+/// v < 0 is a miss, and all else the smaller root, whatever its sign.
+Hit ahead_or_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
+  return roots.axial_distance < 0 ? Hit() : wherever_behind(ray, roots, conventions);
+}
+
+Hit larger_wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
+  if (!meets(roots, conventions)) return {};
+  return hit_at(ray, roots.smaller >= 0 ? roots.smaller : roots.larger);
+}
+
+/// |v - d|
+Hit without_sign(const Ray& ray, const Roots& roots, const Conventions& conventions) {
+  if (!meets(roots, conventions) || roots.larger < 0) return {};
+  return hit_at(ray, std::abs(roots.smaller));
+}
+
 /// -v - d and -v + d
 Roots roots_of_turned(const Ray& ray, const Sphere& sphere) {
   const auto [v, half_chord_sq, smaller, larger] = fast::kCross.roots(ray, sphere);
@@ -60,6 +76,15 @@ ChooseHit untested(bool is_number) {
   };
 }
 
+/// A hit at one s, whatever is asked.
+Mistake always_at(double s, std::string sentence) {
+  Mistake mistake =
+      of_hits(std::move(sentence),
+              {.choose = [s](const Ray& ray, auto&&...) { return Hit(hit_at(ray, s)); }});
+  mistake.family = "always";  // of a class alone s is not told
+  return mistake;
+}
+
 RankSphere by_index(double sign) {
   return [sign](std::size_t index, auto&&...) { return sign * static_cast<double>(index); };
 }
@@ -79,6 +104,8 @@ std::vector<Mistake> intersect_mistakes() {
       of_hits("the square root is left out: s = v - d^2", {.roots = roots_without_root}),
       of_hits("no ray ever hits a sphere",
               {.choose = [](const Ray&, const Roots&, const Conventions&) { return Hit(); }}),
+      always_at(0, "every ray is said to hit every sphere"),
+      always_at(1, "every ray is said to hit every sphere, at s = 1"),
       of_hits("b lacks its factor of 2: b^2 - 4ac with b = D . (L - C)",
               {.roots = roots_of_halved}),
       of_hits("d^2 < 0 is not tested: where spheres are missed s is no number",
@@ -87,6 +114,11 @@ std::vector<Mistake> intersect_mistakes() {
               {.choose = untested(true)}),
       of_hits("s >= 0 is not tested: spheres behind the origin are hit",
               {.choose = wherever_behind}),
+      of_hits("v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
+              {.choose = ahead_or_behind}),
+      of_hits("v + d counts though it is negative: spheres behind the origin are hit",
+              {.choose = larger_wherever_behind}),
+      of_hits("s is |v - d|, which from inside a sphere is no root", {.choose = without_sign}),
       of_hits("the far root is taken for the near one",
               {.choose =
                    [](const Ray& ray, const Roots& roots, const Conventions& c) {

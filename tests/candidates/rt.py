@@ -61,7 +61,8 @@ def main():
     camera = right.rc.Camera(eye, look, up, near, left, right_, bottom, top, width, height)
     if MISTAKE == "near-root-only":
         Asked.root = "smaller"
-    lines = [[nearest(right.pixel_ray(camera, Asked, (i, height - 1 - line)), spheres)
+    ray = right.focal_ray if MISTAKE == "from-eye" else right.pixel_ray
+    lines = [[nearest(ray(camera, Asked, (i, height - 1 - line)), spheres)
               for i in range(width)] for line in range(height)]
     if MISTAKE in ("upside-down", "dim-upside-down"):
         lines.reverse()

@@ -72,6 +72,23 @@ TEST(Judge, BreaksWhatItsOwnIntervalExcludes) {
   }
 }
 
+TEST(Judge, HoldsACandidateToWhatItReturnsOnTheDirectionsThatItAccepts) {
+  Candidate distances("distances");
+  distances.declares.tangent = Tangent::either;
+  distances.intersect = [](const Ray& ray, const Sphere& sphere, const Conventions& asked) {
+    auto hit = ::intersect(ray, sphere, asked);
+    if (hit) *hit = {hit->parameter * std::sqrt(dot(ray.direction, ray.direction)), {}};
+    return hit;
+  };
+  EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::broken);
+  distances.returns = Returns::distance;
+  EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
+  EXPECT_EQ(judge(distances, "hit-point", "rays").finding, Finding::left_out);
+  distances.returns = Returns::parameter;  // on unit directions both are one
+  distances.directions = Directions::unit;
+  EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
+}
+
 TEST(Judge, SaysWhereAndWhyALawIsBroken) {
   Candidate wrong = tracer();
   wrong.name = "far";

@@ -229,6 +229,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   candidate.level = properties::Level::kOrdinary;
   candidate.excused_image_change = external.renderer->excused_change;
   candidate.image_threshold = external.renderer->threshold;
+  candidate.declared.origin = external.renderer->origin;
   candidate.image = [pictures = external.pictures, last](const scene::Scene& scene,
                                                          const scene::Conventions& conventions) {
     return pictures->of(scene, conventions.rows, last);

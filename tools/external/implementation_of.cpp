@@ -29,6 +29,7 @@ std::string arguments_of(const Renderer& renderer, scene::Precision precision) {
   if (renderer.threshold != usual.threshold) {
     words += fmt::format(" --t-threshold {}", renderer.threshold);
   }
+  if (renderer.origin) words += fmt::format(" --origin {}", name(*renderer.origin));
   return words;
 }
 

@@ -19,6 +19,7 @@ struct RunOptions {
   scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
+  std::optional<scene::Origin> origin = {};  ///< Where their rays start; empty: as asked.
   /// What it may read besides its own folder.
   std::vector<std::filesystem::path> reads = {};
   /// Where a source's headers are, which it may read.

@@ -40,12 +40,13 @@ bool is_worth_asking(const Law& law, const Implementation& implementation, bool 
 }
 
 /// Renderers do not learn the conventions of a random case: they are judged by the default ones,
-/// and not at tangents.
+/// but for those that they are said to follow, and not at tangents.
 Candidate campaigner(const Implementation& implementation) {
   Candidate candidate = implementation.make();
   if (candidate.image) {
-    candidate.declared = {scene::Rows{}, scene::Samples{},        scene::Origin{},
-                          scene::Root{}, scene::Tangent::kEither, scene::ValidRoots{}};
+    candidate.declared = candidate.declared.over(properties::DeclaredConventions{
+        scene::Rows{}, scene::Samples{}, scene::Origin{}, scene::Root{}, scene::Tangent::kEither,
+        scene::ValidRoots{}});
   }
   return candidate;
 }

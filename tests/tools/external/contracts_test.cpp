@@ -184,6 +184,12 @@ TEST(Contracts, are_told_first_what_matters_most) {
                {"not all decided: class"});
   expect_parts(first(tracer("none.py", "False", "(s, point)", "tangent='hit'")),
                {"no ray ever hits a sphere"});
+  const std::string one =
+      "command:python3 " + temporary_file("one.py", R"(import raycheck_candidate as rc
+def intersect(ray, sphere, by):
+    return 1.0, [x + y for x, y in zip(*ray)]
+rc.run('one', intersect=intersect, root='nearest', tangent='hit'))");
+  expect_parts(first(one), {"every ray is said to hit every sphere, at s = 1"});
 }
 
 /// Nothing decides whether a missed root within a rounding of the declared end counts.

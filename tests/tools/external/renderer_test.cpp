@@ -88,6 +88,13 @@ int broken_by(const std::string& mistake, const std::string& more) {
   return report["failures"];
 }
 
+TEST(Renderer, is_judged_from_where_its_rays_are_said_to_start) {
+  EXPECT_GT(judged(kProbeScene, renderer("from-eye"))["discrepancies"], 0);
+  EXPECT_EQ(judged(kProbeScene, renderer("from-eye"), "--origin focal")["discrepancies"], 0);
+  EXPECT_GT(judged(kProbeScene, renderer("right"), "--origin focal")["discrepancies"], 0);
+  EXPECT_EQ(broken_by("from-eye", "--origin focal"), 0);
+}
+
 TEST(Renderer, is_tried_in_its_dialect_and_within_its_threshold) {
   EXPECT_EQ(broken_by("dialect-c", "--dialect C"), 0);
   EXPECT_EQ(broken_by("threshold", "--t-threshold 0.5"), 0);

@@ -32,7 +32,8 @@ struct Renderer {
   DriverForm driver = {};
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
-  double threshold = 0;  ///< Hits with an s of at most this are not judged.
+  double threshold = 0;                      ///< Hits with an s of at most this are not judged.
+  std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as asked.
   /// The number of pictures not made in time after which it is no longer started.
   int most_silences = kMostSilences;
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
