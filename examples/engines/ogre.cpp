@@ -30,5 +30,4 @@ constexpr ValidRoots kValid = {};
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
                    .level = Level::ordinary, .smallest_length = kSmallest,
                    .largest_length = kLargest, .precision = kPrecision, .roots = Roots::declared,
-                   .valid = kValid,
-                   .returns = Returns::parameter)
+                   .valid = kValid, .returns = Returns::parameter)
