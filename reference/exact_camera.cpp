@@ -41,17 +41,21 @@ void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel) {
 ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
     : camera(validated(its_camera, its_conventions)),
       conventions(its_conventions),
-      first_bits(camera_numbers(EnclosureLift{kFirstBits}, camera)),
       middle_bits(camera_numbers(EnclosureLift{kMiddleBits}, camera)),
       intervals{lift_camera(IntervalLift{}, camera),
                 converted<IntervalKernel>(middle_bits.axes, bounds)},
       double_doubles{lift_camera(DoubleDoubleLift{}, camera),
                      converted<DoubleDoubleKernel>(
-                         middle_bits.axes, [](const Enclosure& x) { return DoubleDouble(x); })},
-      exact(camera_numbers(ExactLift{}, camera)) {}
+                         middle_bits.axes, [](const Enclosure& x) { return DoubleDouble(x); })} {}
+
+const CameraNumbers<ExactKernel>& ExactCamera::Impl::exact() const {
+  return exact_.get([this] { return camera_numbers(ExactLift{}, camera); });
+}
 
 CameraNumbers<EnclosureKernel> ExactCamera::Impl::enclosed(const EnclosureLift& lift) const {
-  if (lift.relative_change == 0 && lift.bits == kFirstBits) return first_bits;
+  if (lift.relative_change == 0 && lift.bits == kFirstBits) {
+    return first_bits_.get([&] { return camera_numbers(lift, camera); });
+  }
   if (lift.relative_change == 0 && lift.bits == kMiddleBits) return middle_bits;
   return camera_numbers(lift, camera);
 }
@@ -67,13 +71,14 @@ namespace {
 /// Narrows or rounds every coordinate of the axes.
 template <class Frame, class Finish>
 Frame finish_frame(const ExactCamera::Impl& impl, Finish finish) {
+  const auto first_bits = impl.enclosed(EnclosureLift{kFirstBits});
   const auto axis = [&](auto of, auto exact_of) -> decltype(Frame::U) {
     const auto coordinate = [&](int k) {
       return finish(
-          (impl.first_bits.axes.*of)[k],
+          (first_bits.axes.*of)[k],
           [&, k](int bits) { return (impl.enclosed(EnclosureLift{bits}).axes.*of)[k]; },
           [&, k](const Rational& m) {
-            return *certain_sign((impl.exact.axes.*exact_of)[k] - ExactNumber(FirstExtension(m)));
+            return *certain_sign((impl.exact().axes.*exact_of)[k] - ExactNumber(FirstExtension(m)));
           });
     };
     return {coordinate(0), coordinate(1), coordinate(2)};

@@ -17,7 +17,21 @@ bool is_finite(const Triple& triple) {
 
 bool is_zero(const Vector3& vector) { return vector == Vector3{}; }
 
+/// Whether a b and c d certainly differ, for factors that are off by at most one rounding each. Of
+/// normal numbers each product is then off by at most 3 roundings and a little.
+bool certainly_differ(double a, double b, double c, double d) {
+  constexpr double kSmallestSum = 0x1p-900, kLargestSum = 0x1p1000, kRoundings = 0x1p-50;
+  const double one = a * b, other = c * d, sum = std::abs(one) + std::abs(other);
+  return sum > kSmallestSum && sum < kLargestSum && std::abs(one - other) > kRoundings * sum;
+}
+
 bool is_exactly_parallel(const Vector3& vector, const Point3& from, const Point3& to) {
+  const Vector3 between = {to.x - from.x, to.y - from.y, to.z - from.z};
+  if (certainly_differ(vector.y, between.z, vector.z, between.y) ||
+      certainly_differ(vector.z, between.x, vector.x, between.z) ||
+      certainly_differ(vector.x, between.y, vector.y, between.x)) {
+    return false;
+  }
   const mpq_class x = mpq_class(to.x) - mpq_class(from.x);
   const mpq_class y = mpq_class(to.y) - mpq_class(from.y);
   const mpq_class z = mpq_class(to.z) - mpq_class(from.z);

@@ -62,6 +62,7 @@ struct ChosenSource {
   std::string name() const;  ///< "SOURCE" or "SOURCE@SEVERITY"
   /// Hashes the name by FNV-1a: the same on every machine, unlike std::hash.
   std::uint64_t hash() const;
+  bool operator==(const ChosenSource&) const = default;
   /// The level of its severity, of a source without a dial, or of a dial's highest severity.
   Level level() const;
 };

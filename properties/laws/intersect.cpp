@@ -263,8 +263,11 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
   scene::Conventions from_eye = from_pixel;
   from_eye.origin = scene::Origin::kFocal;
   const scene::Camera& camera = *trial.scene().camera;
-  const reference::ExactCamera pixel_camera(camera, from_pixel);
-  const reference::ExactCamera eye_camera(camera, from_eye);
+  const auto exact_camera = [&](const scene::Conventions& by) {
+    return by == trial.conventions() ? trial.exact_camera() : reference::ExactCamera(camera, by);
+  };
+  const reference::ExactCamera pixel_camera = exact_camera(from_pixel);
+  const reference::ExactCamera eye_camera = exact_camera(from_eye);
   const auto pixel_rays = candidate.pixel_rays(camera, from_pixel, trial.pixels());
   const auto eye_rays = candidate.focal_rays(camera, from_eye, trial.pixels());
   const auto all_pixel_hits = trial.intersect(pixel_rays, trial.scene().spheres, from_pixel);

@@ -31,7 +31,9 @@ class PlaneAnswers {
  public:
   PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
       : trial_(trial),
-        camera_(camera, trial.conventions()),
+        camera_(&camera == &*trial.scene().camera
+                    ? trial.exact_camera()
+                    : reference::ExactCamera(camera, trial.conventions())),
         pixels_(std::move(pixels)),
         points_(trial.candidate().pixel_points(camera, trial.conventions(), pixels_)) {
     if (points_.size() != pixels_.size()) throw std::runtime_error("pixel points are missing");
@@ -46,10 +48,9 @@ class PlaneAnswers {
 
   /// (P - E).U, (P - E).V, (P - E).W of the candidate's point.
   Enclosure3 position(std::size_t k) const {
-    const auto frame = camera_.frame(200);
     const Enclosure3 from_eye =
         reference::enclose_exactly(points_[k]) - reference::enclose_exactly(camera_.camera().eye);
-    return {dot(from_eye, frame.U), dot(from_eye, frame.V), dot(from_eye, frame.W)};
+    return {dot(from_eye, frame_.U), dot(from_eye, frame_.V), dot(from_eye, frame_.W)};
   }
   /// alpha, beta, n of the exact point.
   Enclosure3 exact_position(std::size_t k) const {
@@ -69,6 +70,7 @@ class PlaneAnswers {
  private:
   const Trial& trial_;
   reference::ExactCamera camera_;
+  reference::EnclosedFrame frame_ = camera_.frame(200);
   std::vector<Pixel> pixels_;
   std::vector<Point3> points_;
 };

@@ -244,7 +244,7 @@ bool is_hidden(const ExactRay& ray, const Trial& trial, std::size_t sphere, std:
 
 void judge_left_out(Trial& trial, Verdict& verdict) {
   const PlanStatements statements(trial);
-  const ExactCamera camera(*trial.scene().camera, trial.conventions());
+  const ExactCamera& camera = trial.exact_camera();
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;
@@ -271,7 +271,7 @@ void judge_left_out(Trial& trial, Verdict& verdict) {
 
 void judge_rectangles(Trial& trial, Verdict& verdict) {
   const PlanStatements statements(trial);
-  const ExactCamera camera(*trial.scene().camera, trial.conventions());
+  const ExactCamera& camera = trial.exact_camera();
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;
@@ -322,7 +322,7 @@ class BothWays {
 
 void judge_roots(Trial& trial, Verdict& verdict) {
   const PlanStatements statements(trial);
-  const ExactCamera camera(*trial.scene().camera, trial.conventions());
+  const ExactCamera& camera = trial.exact_camera();
   const BothWays line(*trial.scene().camera, trial.conventions());
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {

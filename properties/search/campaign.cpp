@@ -1,220 +1,19 @@
 #include "properties/search/campaign.h"
 
-#include <rapidcheck/Random.h>
-
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
+#include <map>
 #include <stdexcept>
 
 #include "properties/case.h"
 #include "properties/cases/random.h"
-#include "properties/cases/shrink.h"
+#include "properties/search/law_search.h"
 #include "scene/interruption.h"
 
 namespace raycheck::properties {
 namespace {
-
-/// A law's verdict on a case.
-struct CaseVerdict {
-  bool inside_domain = true;
-  bool given_rays = false;
-  Verdict verdict;
-};
-
-CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& the_case,
-                       std::optional<double> max_error, FailureSearch* search = nullptr) {
-  if (!is_problem(the_case, candidate.declared)) return {false, false, Verdict(law.name)};
-  Trials trials(the_case, candidate, {.max_error = max_error, .search = search});
-  // What a candidate lacks is left out wherever the case lies.
-  const bool judged =
-      trials.of(law).is_judged(law.quantity) || !what_is_missing(law.needs, trials.of(law)).empty();
-  return {judged, trials.gave_rays(), judged ? trials.apply(law) : Verdict(law.name)};
-}
-
-bool fails_always(const Verdict& verdict) {
-  const std::vector<Discrepancy> worst = verdict.worst(1);
-  return !worst.empty() && worst.front().failed.blame == Blame::kAnything;
-}
-
-/// A law judged on a candidate, case after case, until one breaks it.
-class LawSearch {
- public:
-  LawSearch(const Law& law, const Candidate& candidate, std::optional<double> max_error,
-            bool strict)
-      : law_(law), candidate_(candidate), max_error_(max_error), strict_(strict) {}
-
-  CampaignPart part;
-  std::optional<Failure> failure;
-
-  /// Judges random cases of a source, as RapidCheck draws them: one stream per case, split off a
-  /// common one.
-  void run(const ChosenSource& source, int cases, std::uint64_t seed, const RunControl& control) {
-    part.source = source;
-    rc::Random all(Random(seed ^ source.hash()).bits());
-    until_interrupted([&] {
-      for (int k = 0; k < cases && !failure && !control.interrupted(); ++k) {
-        rc::Random one = all.split();
-        judge_seed(one.split().next());
-      }
-    });
-  }
-  /// Judges one case of a source, and shrinks it.
-  void replay(const ChosenSource& source, std::uint64_t seed) {
-    part.source = source;
-    until_interrupted([&] {
-      judge_seed(seed);
-      shrink();
-    });
-  }
-  /// Shrinks one case of a source that is undecided, as far as it still is.
-  void replay_undecided(const ChosenSource& source, std::uint64_t seed) {
-    part.source = source;
-    const auto look = [&](const Case& one) {
-      if (!is_of_format(one.scene, candidate_.input_format())) return false;
-      Verdict verdict = verdict_on(law_, candidate_, one, max_error_).verdict;
-      if (verdict.count(Standing::kUndecided) == 0) return false;
-      failure = Failure{one, std::move(verdict), replay_of(seed), true};
-      return true;
-    };
-    until_interrupted([&] {
-      const auto rounded = rounded_case(source.make(seed), candidate_.input_format()).the_case;
-      if (rounded && look(*rounded)) shrink_while(look);
-    });
-  }
-  /// Judges a case, and shrinks it.
-  void replay(Case the_case) {
-    until_interrupted([&] {
-      judge(rounded_case(std::move(the_case), candidate_.input_format()));
-      shrink();
-    });
-  }
-
- private:
-  template <class Work>
-  void until_interrupted(const Work& work) {
-    try {
-      work();
-    } catch (const scene::Interrupted&) {
-      // The cases judged before that count.
-    }
-    if (!strict_) part.undecided = part.verdict.undecided();
-  }
-
-  void judge_seed(std::uint64_t seed) {
-    const std::uint64_t undecided = part.verdict.count(Standing::kUndecided);
-    judge(rounded_case(part.source.make(seed), candidate_.input_format()));
-    if (!part.undecided_seed && part.verdict.count(Standing::kUndecided) > undecided) {
-      part.undecided_seed = seed;
-    }
-    if (failure) part.replay = failure->replay = replay_of(seed);
-  }
-
-  std::string replay_of(std::uint64_t seed) const {
-    char digits[17] = {};
-    std::to_chars(digits, digits + 16, seed, 16);
-    return std::string(law_.name) + ":" + candidate_.name + ":" + part.source.name() + ":" + digits;
-  }
-
-  void judge(const RoundedCase& rounded) {
-    if (rounded.the_case) {
-      breaks(*rounded.the_case);
-      return;
-    }
-    ++part.counts.cases;
-    ++part.counts.left_out;
-    part.counts.reason = rounded.reason;
-  }
-
-  /// Whether a case breaks the law; counts those before the first that does.
-  bool breaks(const Case& the_case) {
-    auto [judged, given, verdict] = verdict_on(law_, candidate_, the_case, max_error_);
-    const bool is_shrinking = failure.has_value();
-    if (!is_shrinking) count(judged, given, verdict);
-    if (verdict.holds(strict_)) return false;
-    // Failing whatever is asked says nothing about a simpler case.
-    if (is_shrinking && fails_always(verdict)) return false;
-    if (!is_shrinking) {
-      part.defects = verdict.defects(strict_);
-      part.failed_at = verdict.failed_at(strict_);
-    }
-    failure = Failure{the_case, std::move(verdict), part.replay};
-    return true;
-  }
-
-  void count(bool judged, bool given, const Verdict& verdict) {
-    ++part.counts.cases;
-    part.counts.given_rays += given ? 1 : 0;
-    part.counts.not_judged += judged ? 0 : 1;
-    if (!verdict.reason_left_out().empty() && verdict.compared() == 0) {
-      ++part.counts.left_out;
-      part.counts.reason = verdict.reason_left_out();
-    }
-    part.verdict.merge(verdict);
-  }
-
-  /// Goes on from the case that breaks the law to the first simpler one that does, too, and so on
-  /// until none does.
-  void shrink() {
-    if (!failure) return;
-    take_failed_question();
-    shrink_while([this](const Case& simpler) {
-      return is_of_format(simpler.scene, candidate_.input_format()) && breaks(simpler);
-    });
-  }
-
-  /// `breaks` keeps a case for which it is true as the failure. Who makes no rays needs no camera:
-  /// the rays that it was given take its place.
-  template <class Breaks>
-  void shrink_while(const Breaks& breaks) {
-    const auto shrink_on = [&] {
-      smallest(failure->shrunk, std::numeric_limits<int>::max(), breaks);
-    };
-    shrink_on();
-    const Case& shrunk = failure->shrunk;
-    if (!shrunk.scene.camera || candidate_.pixel_rays || candidate_.focal_rays) return;
-    const auto conventions = candidate_.declared.over(shrunk.scene.conventions);
-    const bool was_given = verdict_on(law_, candidate_, shrunk, max_error_).given_rays;
-    const auto given = was_given ? given_rays(shrunk, conventions, candidate_.precision)
-                                 : std::optional<GivenRays>();
-    if (given && breaks(given->the_case)) shrink_on();
-  }
-
-  /// If the candidate fails on the case, the question in it that it fails on: found by halving,
-  /// since each simpler case could run into the time limit for a reply.
-  void take_failed_question() {
-    const std::vector<Discrepancy> worst = failure->verdict.worst(1);
-    const bool has_failed = !worst.empty() && worst.front().wrong == Wrong::kFailed;
-    if (!has_failed || fails_always(failure->verdict)) return;
-    FailureSearch search;
-    const Verdict verdict =
-        verdict_on(law_, candidate_, failure->shrunk, max_error_, &search).verdict;
-    for (Discrepancy& one : verdict.worst(kKeptDiscrepancies)) {
-      if (one.failed.blame != Blame::kQuestion) continue;
-      failure->shrunk = {*one.failed.scene, {}};
-      if (one.failed.scene->camera) {
-        failure->shrunk.pixels = {one.place.pixel.value()};
-      } else {
-        one.place = {0, {}, one.place.sphere ? std::optional<std::size_t>(0) : std::nullopt};
-      }
-      failure->verdict = Verdict(law_.name);
-      failure->verdict.add(one);
-      return;
-    }
-  }
-
-  const Law& law_;
-  const Candidate& candidate_;
-  std::optional<double> max_error_;
-  bool strict_;
-};
-
-CampaignPart run_part(const Law& law, const Candidate& candidate, const CampaignOptions& options,
-                      const std::pair<ChosenSource, int>& share, const RunControl& control) {
-  LawSearch search(law, candidate, options.max_error, options.strict);
-  search.run(share.first, share.second, options.seed, control);
-  return std::move(search.part);
-}
 
 /// The k-th share of `all`, split evenly up to a remainder.
 int share_of_all(int all, std::size_t shares, std::size_t k) {
@@ -222,22 +21,26 @@ int share_of_all(int all, std::size_t shares, std::size_t k) {
   return all / among + (static_cast<int>(k) < all % among ? 1 : 0);
 }
 
-/// The sources that a law is tried on, each with its share of the cases.
-std::vector<std::pair<ChosenSource, int>> shared_out(const Law& law,
-                                                     const CampaignOptions& options) {
-  std::vector<ChosenSource> sources = options.sources;
-  if (sources.empty()) {
-    for (const CaseSource& source : case_sources()) {
-      if (source.dial || source.level <= options.level) sources.push_back({&source});
-    }
+/// A source that a law is tried on, its place among all that are, and its share of the cases.
+struct Share {
+  ChosenSource source;
+  std::size_t place;
+  int cases;
+};
+
+std::vector<Share> shared_out(const Law& law, const CampaignOptions& options) {
+  std::vector<Share> shares;
+  const auto add = [&](const ChosenSource& chosen, std::size_t place) {
+    if (speaks_of_cameras(law) && !chosen.source->has_camera) return;
+    shares.push_back({chosen, place, 0});
+  };
+  for (std::size_t k = 0; k < options.sources.size(); ++k) add(options.sources[k], k);
+  const auto all = case_sources();
+  for (std::size_t k = 0; options.sources.empty() && k < all.size(); ++k) {
+    if (all[k].dial || all[k].level <= options.level) add({&all[k]}, k);
   }
-  std::erase_if(sources, [&](const ChosenSource& chosen) {
-    return speaks_of_cameras(law) && !chosen.source->has_camera;
-  });
-  std::vector<std::pair<ChosenSource, int>> shares;
-  for (const ChosenSource& source : sources) {
-    const int share = share_of_all(options.cases, sources.size(), shares.size());
-    shares.emplace_back(source, std::max(1, share));
+  for (std::size_t k = 0; k < shares.size(); ++k) {
+    shares[k].cases = std::max(1, share_of_all(options.cases, shares.size(), k));
   }
   return shares;
 }
@@ -252,6 +55,52 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
   }
   return severities;
 }
+
+/// A case of a source: made once, rounded once for each format, its truths worked out once for each
+/// set of conventions, and a candidate's answers asked for once, by whatever laws.
+class AskedCase {
+ public:
+  AskedCase(const ChosenSource& source, std::uint64_t seed)
+      : seed_(seed), made_(source.make(seed)) {}
+
+  /// Searches of one candidate come one after the other.
+  void judge(LawSearch& search, const Candidate& candidate, std::optional<double> max_error) {
+    Rounded& rounded = in(candidate.input_format());
+    if (&candidate != candidate_) {
+      candidate_ = &candidate;
+      trials_.reset();
+      const auto& the_case = rounded.rounded.the_case;
+      if (the_case && is_problem(*the_case, candidate.declared)) {
+        const auto conventions = candidate.declared.over(the_case->scene.conventions);
+        trials_.emplace(
+            *the_case, candidate,
+            TrialOptions{.max_error = max_error, .truth = rounded.truths->under(conventions)});
+      }
+    }
+    search.judge(seed_, rounded.rounded, trials_ ? &*trials_ : nullptr);
+  }
+
+ private:
+  struct Rounded {
+    RoundedCase rounded;
+    std::optional<SharedTruths> truths;
+  };
+
+  Rounded& in(InputFormat format) {
+    auto& kept = formats_[index_of(format)];
+    if (!kept) {
+      kept.emplace(Rounded{rounded_case(made_, format), {}});
+      if (kept->rounded.the_case) kept->truths.emplace(*kept->rounded.the_case);
+    }
+    return *kept;
+  }
+
+  std::uint64_t seed_;
+  Case made_;
+  std::array<std::optional<Rounded>, kInputFormats.size()> formats_;
+  const Candidate* candidate_ = nullptr;
+  std::optional<Trials> trials_;
+};
 
 }  // namespace
 
@@ -268,6 +117,20 @@ void CaseCounts::add(const CaseCounts& other) {
   not_judged += other.not_judged;
   given_rays += other.given_rays;
   if (!other.reason.empty()) reason = other.reason;
+}
+
+void CampaignPart::merge(CampaignPart later) {
+  counts.add(later.counts);
+  verdict.merge(later.verdict);
+  replay = std::move(later.replay);
+  defects = std::move(later.defects);
+  failed_at = std::move(later.failed_at);
+  if (!undecided_seed) undecided_seed = later.undecided_seed;
+}
+
+void CampaignPart::close(bool strict) {
+  if (!strict) undecided = verdict.undecided();
+  verdict.keep_counts();
 }
 
 Finding CampaignResult::finding() const {
@@ -310,30 +173,107 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) 
   return cases;
 }
 
-CampaignResult run_campaign(const Law& law, const Candidate& candidate,
-                            const CampaignOptions& options, const RunControl& control) {
-  const scene::Interruptible interruptible(control.interrupted);
-  CampaignResult result;
-  result.level = options.level;
-  const auto& declared = candidate.declared.valid;
-  result.wants_hits = declared && !declared->is_usual();
-  const auto shares = shared_out(law, options);
-  if (shares.empty()) result.counts.reason = "no source of cases has a camera";
-  bool stopped = false;
-  for (const auto& [source, share] : shares) {
-    const auto severities = severities_of(source, options.level, share);
-    for (std::size_t k = 0; k < severities.size() && !stopped; ++k) {
-      const int cases = share_of_all(share, severities.size(), k);
-      CampaignPart part = run_part(law, candidate, options, {severities[k], cases}, control);
-      stopped = part.counts.cases == 0;  // interrupted
-      if (stopped) break;
-      result.level = std::max(result.level, part.source.level());
-      result.counts.add(part.counts);
-      result.verdict.merge(part.verdict);
-      part.verdict.keep_counts();
-      result.parts.push_back(std::move(part));
+Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates)
+    : asked_(std::move(of_candidates)) {
+  std::map<std::pair<std::size_t, int>, std::pair<ChosenSource, std::vector<Tried>>> all;
+  for (std::size_t candidate = 0; candidate < asked_.size(); ++candidate) {
+    const auto& [laws, options] = asked_[candidate];
+    results_.emplace_back(laws.size());
+    for (std::size_t law = 0; law < laws.size(); ++law) {
+      CampaignResult& result = results_.back()[law];
+      result.level = options.level;
+      const auto shares = shared_out(*laws[law], options);
+      if (shares.empty()) result.counts.reason = "no source of cases has a camera";
+      for (const auto& [source, place, share] : shares) {
+        const auto severities = severities_of(source, options.level, share);
+        for (std::size_t k = 0; k < severities.size(); ++k) {
+          auto& [chosen, tried] = all[{place, severities[k].severity.value_or(0)}];
+          chosen = severities[k];
+          tried.push_back({candidate, law, share_of_all(share, severities.size(), k)});
+        }
+      }
     }
   }
+  for (auto& [place, one] : all) {
+    auto& [source, tried] = one;
+    int most = 0;
+    for (const Tried& law : tried) most = std::max(most, law.cases);
+    rc::Random random(Random(asked_.front().options.seed ^ source.hash()).bits());
+    for (int k = 0; k < most; ++k) {
+      if (k % kUnitCases == 0) units_.push_back({series_.size(), k, random});
+      random.split();
+    }
+    std::vector<std::atomic<std::size_t>> broken_in(tried.size());
+    for (auto& unit : broken_in) unit = std::numeric_limits<std::size_t>::max();
+    series_.push_back({source, std::move(tried), std::move(broken_in)});
+  }
+}
+
+std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Candidate> candidates,
+                                         const RunControl& control) const {
+  const Unit& unit = units_[number];
+  Series& series = series_[unit.series];
+  std::vector<LawSearch> searches;
+  for (const auto& [candidate, law, cases] : series.tried) {
+    const auto& [laws, options] = asked_[candidate];
+    searches.emplace_back(*laws[law], candidates[candidate], options, series.source);
+  }
+  const auto goes_on = [&](std::size_t k, int at) {
+    return at < series.tried[k].cases && !searches[k].failure && series.broken_in[k] >= number;
+  };
+  rc::Random random = unit.random;
+  try {
+    for (int at = unit.first; at < unit.first + kUnitCases && !control.interrupted(); ++at) {
+      rc::Random one = random.split();
+      std::optional<AskedCase> asked;
+      for (std::size_t k = 0; k < searches.size(); ++k) {
+        if (!goes_on(k, at)) continue;
+        if (!asked) asked.emplace(series.source, one.split().next());
+        const std::size_t candidate = series.tried[k].candidate;
+        asked->judge(searches[k], candidates[candidate], asked_[candidate].options.max_error);
+      }
+    }
+  } catch (const scene::Interrupted&) {
+    // The cases judged before that count.
+  }
+  std::vector<CampaignPart> parts;
+  for (std::size_t k = 0; k < searches.size(); ++k) {
+    std::size_t known = series.broken_in[k];
+    while (searches[k].failure && number < known &&
+           !series.broken_in[k].compare_exchange_weak(known, number)) {
+    }
+    parts.push_back(std::move(searches[k].part));
+  }
+  return parts;
+}
+
+void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
+  const Series& series = series_[units_[number].series];
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto& [candidate, law, cases] = series.tried[k];
+    CampaignResult& result = results_[candidate][law];
+    const bool goes_on = units_[number].first > 0 && !result.parts.empty() &&
+                         result.parts.back().source == series.source;
+    if (parts[k].counts.cases == 0 || (goes_on && result.parts.back().is_broken())) continue;
+    result.counts.add(parts[k].counts);
+    result.verdict.merge(parts[k].verdict);
+    if (goes_on) {
+      result.parts.back().merge(std::move(parts[k]));
+      continue;
+    }
+    if (!result.parts.empty()) result.parts.back().close(asked_[candidate].options.strict);
+    result.level = std::max(result.level, series.source.level());
+    result.parts.push_back(std::move(parts[k]));
+  }
+}
+
+CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
+                                   const Candidate& candidate) {
+  const auto& [laws, options] = asked_[number];
+  CampaignResult result = std::move(results_[number][law]);
+  if (!result.parts.empty()) result.parts.back().close(options.strict);
+  const auto& declared = candidate.declared.valid;
+  result.wants_hits = declared && !declared->is_usual();
   const CampaignPart* first = nullptr;
   for (const CampaignPart& part : result.parts) {
     if (!part.is_broken()) continue;
@@ -341,8 +281,8 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
   }
   if (first != nullptr) {
     const std::uint64_t seed = parse_replay(first->replay).seed;
-    LawSearch search(law, candidate, options.max_error, options.strict);
-    search.replay(first->source, seed);
+    LawSearch search(*laws[law], candidate, options, first->source);
+    search.replay(seed);
     result.failure = std::move(search.failure);
     if (!result.failure) {  // interrupted before it was judged again
       result.failure = Failure{first->source.make(seed), first->verdict, first->replay};
@@ -351,12 +291,22 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
   }
   for (const CampaignPart& part : result.parts) {
     if (!part.undecided_seed || result.finding() != Finding::kUndecided) continue;
-    LawSearch search(law, candidate, options.max_error, options.strict);
-    search.replay_undecided(part.source, *part.undecided_seed);
+    LawSearch search(*laws[law], candidate, options, part.source);
+    search.replay_undecided(*part.undecided_seed);
     result.failure = std::move(search.failure);
     break;
   }
   return result;
+}
+
+CampaignResult run_campaign(const Law& law, const Candidate& candidate,
+                            const CampaignOptions& options, const RunControl& control) {
+  const scene::Interruptible interruptible(control.interrupted);
+  Campaigns campaigns({{{&law}, options}});
+  for (std::size_t unit = 0; unit < campaigns.unit_count(); ++unit) {
+    campaigns.take(unit, campaigns.run(unit, {&candidate, 1}, control));
+  }
+  return campaigns.finished(0, 0, candidate);
 }
 
 Replay parse_replay(std::string_view text) {
@@ -396,7 +346,10 @@ CampaignResult result_of(LawSearch& search) {
 
 CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& the_case,
                         std::optional<double> max_error, bool strict) {
-  LawSearch search(law, candidate, max_error, strict);
+  CampaignOptions options;
+  options.max_error = max_error;
+  options.strict = strict;
+  LawSearch search(law, candidate, options, {});
   search.replay(the_case);
   CampaignResult result = result_of(search);
   const std::string& left_out = result.verdict.reason_left_out();
@@ -406,8 +359,11 @@ CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& 
 
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error, bool strict) {
-  LawSearch search(*replay.law, candidate, max_error, strict);
-  search.replay(replay.source, replay.seed);
+  CampaignOptions options;
+  options.max_error = max_error;
+  options.strict = strict;
+  LawSearch search(*replay.law, candidate, options, replay.source);
+  search.replay(replay.seed);
   CampaignResult result = result_of(search);
   result.level = replay.source.level();
   result.parts.push_back(std::move(search.part));

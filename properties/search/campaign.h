@@ -1,8 +1,12 @@
 #pragma once
 
+#include <rapidcheck/Random.h>
+
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -60,6 +64,10 @@ struct CampaignPart {
   std::optional<std::uint64_t> undecided_seed;  ///< and the first of these.
 
   bool is_broken() const { return !replay.empty(); }
+  /// Adds later cases of the same. Domain: it is not broken.
+  void merge(CampaignPart later);
+  /// After its last case: notes what is undecided, and keeps counts alone.
+  void close(bool strict);
 };
 
 /// A case that breaks a law, or leaves it undecided, shrunk as far as it still does.
@@ -107,6 +115,59 @@ struct CampaignResult {
 /// is, the first that broke it at each source and severity, then more from the same, right or
 /// wrong; then, unless all break it, as many from all, which rule out what would be wrong there.
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most);
+
+/// A unit of work is no larger, so that threads end together.
+inline constexpr int kUnitCases = 64;
+
+/// The laws that a candidate is held to, and how.
+struct LawsOfCandidate {
+  std::vector<const Law*> laws;
+  CampaignOptions options;  ///< With one seed and the same sources for all candidates.
+};
+
+/// The campaigns of several candidates and laws as one pass: a case is made once, its truth worked
+/// out once, and each candidate asked once, for all laws that are tried on it. The work falls into
+/// units, at most kUnitCases of one source at one severity, which know nothing of each other: any
+/// thread may run any of them.
+/// Domain: at least one candidate; `candidates` are those of the constructor, in its order.
+class Campaigns {
+ public:
+  explicit Campaigns(std::vector<LawsOfCandidate> of_candidates);
+
+  std::size_t unit_count() const { return units_.size(); }
+  /// What became of the cases of a unit, for each law of each candidate that they are tried on; an
+  /// interrupt ends them early.
+  std::vector<CampaignPart> run(std::size_t unit, std::span<const Candidate> candidates,
+                                const RunControl& control) const;
+  /// Adds that; unit after unit.
+  void take(std::size_t unit, std::vector<CampaignPart> parts);
+  /// What all units came to, for a law of a candidate, with its failure shrunk. Once for each.
+  CampaignResult finished(std::size_t candidate, std::size_t law, const Candidate& judged);
+
+ private:
+  /// A law of a candidate, by their numbers, on so many of a series' cases.
+  struct Tried {
+    std::size_t candidate, law;
+    int cases;
+  };
+  /// A source at a severity.
+  struct Series {
+    ChosenSource source;
+    std::vector<Tried> tried;  ///< Candidate after candidate.
+    /// The first unit in which each of these is broken: later ones do not count.
+    std::vector<std::atomic<std::size_t>> broken_in;
+  };
+  struct Unit {
+    std::size_t series;
+    int first;          ///< Of its cases,
+    rc::Random random;  ///< whose streams are split off this.
+  };
+
+  std::vector<LawsOfCandidate> asked_;
+  mutable std::vector<Series> series_;                ///< In the order of sources and severities.
+  std::vector<Unit> units_;                           ///< Series after series.
+  std::vector<std::vector<CampaignResult>> results_;  ///< By candidate and law.
+};
 
 /// Runs a law on random cases (by RapidCheck's streams) of every source and severity, each with its
 /// own seed: breaking the law in one ends no other. The same options give the same result, and

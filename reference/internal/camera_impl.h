@@ -4,6 +4,7 @@
 
 #include "reference/exact_camera.h"
 #include "reference/internal/formulas.h"
+#include "reference/internal/kept.h"
 #include "reference/internal/rounding.h"
 
 namespace raycheck::reference {
@@ -17,13 +18,18 @@ struct ExactCamera::Impl {
   /// The camera at any precision: kept for the two usual ones.
   CameraNumbers<EnclosureKernel> enclosed(const EnclosureLift& lift) const;
 
+  /// In the exact field, which intervals nearly always spare.
+  const CameraNumbers<ExactKernel>& exact() const;
+
   scene::Camera camera;
   scene::Conventions conventions;
-  CameraNumbers<EnclosureKernel> first_bits;
   CameraNumbers<EnclosureKernel> middle_bits;
   CameraNumbers<IntervalKernel> intervals;
   CameraNumbers<DoubleDoubleKernel> double_doubles;
-  CameraNumbers<ExactKernel> exact;
+
+ private:
+  OnDemand<CameraNumbers<EnclosureKernel>> first_bits_;
+  OnDemand<CameraNumbers<ExactKernel>> exact_;
 };
 
 /// Throws std::invalid_argument unless the camera's image has the pixel.

@@ -33,7 +33,7 @@ inline CameraNumbers<EnclosureKernel> numbers_of(const EnclosureLift& lift,
 }
 inline const CameraNumbers<ExactKernel>& numbers_of(const ExactLift& /*lift*/,
                                                     const ExactCamera::Impl& camera) {
-  return camera.exact;
+  return camera.exact();
 }
 
 /// E, or a given ray's own origin.

@@ -1,6 +1,7 @@
 #include "tools/properties/properties.h"
 
 #include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -9,6 +10,7 @@
 #include "properties/mistakes/causes.h"
 #include "scene/interruption.h"
 #include "tools/implementations/built_in.h"
+#include "tools/run/in_order.h"
 
 namespace raycheck::tools {
 namespace {
@@ -136,15 +138,47 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   }
   const auto laws = filtered_laws(options.filter);
   const std::vector<std::string> names = lasting_names(judged);
+  tbb::enumerable_thread_specific<std::vector<Candidate>> candidates([&] {
+    std::vector<Candidate> own;
+    for (const Implementation& one : judged) own.push_back(campaigner(one));
+    return own;
+  });
+  std::vector<properties::LawsOfCandidate> asked;
+  struct Finished {
+    const Law* law;
+    std::size_t candidate, number;
+  };
+  std::vector<Finished> in_reports_order;
+  for (std::size_t k = 0; k < judged.size(); ++k) {
+    campaign.level = options.level.value_or(candidates.local()[k].level);
+    asked.push_back({{}, campaign});
+  }
   for (const Law* law : laws) {
     for (std::size_t k = 0; k < judged.size(); ++k) {
-      if (control.interrupted() || !is_worth_asking(*law, judged[k], chosen)) continue;
-      const Candidate candidate = campaigner(judged[k]);
-      control.progress(fmt::format("{} on {}", law->name, candidate.name));
-      campaign.level = options.level.value_or(candidate.level);
-      report.campaigns.push_back(report_of(*law, judged[k], candidate, names[k],
-                                           run_campaign(*law, candidate, campaign, control)));
+      if (!is_worth_asking(*law, judged[k], chosen)) continue;
+      in_reports_order.push_back({law, k, asked[k].laws.size()});
+      asked[k].laws.push_back(law);
     }
+  }
+  properties::Campaigns campaigns(std::move(asked));
+  using Parts = std::vector<properties::CampaignPart>;
+  const auto count = static_cast<std::int64_t>(campaigns.unit_count());
+  std::int64_t next = 0;
+  in_order<Parts>(
+      count, control,
+      [&](std::int64_t unit) {
+        return campaigns.run(static_cast<std::size_t>(unit), candidates.local(), control);
+      },
+      [&](Parts& parts) {
+        campaigns.take(static_cast<std::size_t>(next++), std::move(parts));
+        control.progress(fmt::format("{} of {} severities of sources", next, count));
+      });
+  for (const auto& [law, candidate, number] : in_reports_order) {
+    const Candidate& own = candidates.local()[candidate];
+    properties::CampaignResult result = campaigns.finished(candidate, number, own);
+    if (control.interrupted() && result.parts.empty()) continue;  // not reached
+    report.campaigns.push_back(
+        report_of(*law, judged[candidate], own, names[candidate], std::move(result)));
   }
   report.interrupted = control.interrupted();
   return report;

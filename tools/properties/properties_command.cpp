@@ -1,3 +1,5 @@
+#include <tbb/info.h>
+
 #include <algorithm>
 #include <memory>
 
@@ -18,6 +20,7 @@ struct PropertiesArguments {
   std::string level;
   std::optional<std::string> view;
   GateArguments gate;
+  int threads = tbb::info::default_concurrency();
 };
 
 /// Domain: one of kLevelNames.
@@ -36,7 +39,7 @@ int run_properties_command(PropertiesArguments& arguments) {
   options.implementations = find_judged(arguments.judged);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
-  PropertiesReport report = run_properties(options, run_control("laws"));
+  PropertiesReport report = run_properties(options, run_control("laws", arguments.threads));
   Gate gate = properties_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
   if (report.ratchet) gate = properties_gate(report);  // which the baseline is part of
@@ -82,6 +85,7 @@ CommandRun add_properties(CLI::App& command) {
     replay->excludes(command.get_option(other));
   }
   add_strict(command, options.strict);
+  add_threads(command, given->threads, "the report");
   add_view(command, given->view, "the shrunk case of every broken law");
   add_max_ulp(command, options.max_error,
               "the bound on every error (default: the method's documented bounds)");

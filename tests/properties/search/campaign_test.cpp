@@ -65,6 +65,44 @@ TEST(Campaign, TakesAPartAsItIsWhateverOthersThereAre) {
   for (std::size_t k = 0; k < of_distance.size(); ++k) expect_same(all[k + 1], of_distance[k]);
 }
 
+/// In one pass, by units in any order, each candidate asked once for all laws.
+TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
+  CampaignOptions some = options(5 * kUnitCases);
+  some.sources = {chosen_source("rays"), chosen_source("tangency@9")};
+  std::vector<const Law*> laws;
+  for (const char* name : {"class", "nearest-root", "parameter", "hit-point"}) {
+    laws.push_back(find_law(name));
+  }
+  int asked = 0;
+  Candidate counted = kGood;
+  counted.intersect = [&](auto... of) {
+    ++asked;
+    return kGood.intersect(of...);
+  };
+  const std::vector<Candidate> candidates = {counted, kBad};
+  Campaigns together({{laws, some}, {laws, some}});
+  std::vector<std::vector<CampaignPart>> parts(together.unit_count());
+  ASSERT_EQ(parts.size(), 6u);
+  for (std::size_t k = parts.size(); k-- > 0;) parts[k] = together.run(k, candidates, {});
+  for (std::size_t k = 0; k < parts.size(); ++k) together.take(k, std::move(parts[k]));
+  EXPECT_EQ(asked, some.cases);
+  bool any_broken = false;
+  for (std::size_t candidate = 0; candidate < candidates.size(); ++candidate) {
+    for (std::size_t law = 0; law < laws.size(); ++law) {
+      const CampaignResult its = together.finished(candidate, law, candidates[candidate]);
+      const CampaignResult alone = run_campaign(*laws[law], candidates[candidate], some);
+      EXPECT_EQ(its.finding(), alone.finding());
+      ASSERT_EQ(its.parts.size(), alone.parts.size());
+      for (std::size_t k = 0; k < its.parts.size(); ++k) expect_same(its.parts[k], alone.parts[k]);
+      ASSERT_EQ(its.failure.has_value(), alone.failure.has_value());
+      if (its.failure) EXPECT_EQ(its.failure->replay, alone.failure->replay);
+      any_broken = any_broken || its.failure;
+      EXPECT_EQ(its.counts.cases < some.cases, its.failure.has_value());
+    }
+  }
+  EXPECT_TRUE(any_broken);
+}
+
 TEST(Campaign, GoesOnAfterABreak) {
   CampaignOptions far = options(1600);
   far.sources = {chosen_source("distance")};

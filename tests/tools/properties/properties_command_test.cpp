@@ -24,6 +24,16 @@ TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_a
   EXPECT_TRUE(has(again.out, "BROKEN"));
 }
 
+TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {
+  const std::string asked =
+      "properties --level extreme --intersect quadratic --intersect cross --cases 1000 --format "
+      "json --threads ";
+  const std::string by_one = run(asked + "1").out;
+  ASSERT_TRUE(has(by_one, "broken"));
+  EXPECT_EQ(run(asked + "2").out, by_one);
+  EXPECT_EQ(run(asked + "7").out, by_one);
+}
+
 TEST(PropertiesCommand, exits_with_4_when_nothing_too_little_or_nothing_inside_was_judged) {
   for (const auto& [asked, why] :
        {std::pair("pixel-point --rays focal --cases 5", ""),

@@ -1,0 +1,65 @@
+#pragma once
+
+// Internal to properties/search/.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "properties/search/campaign.h"
+
+namespace raycheck::properties {
+
+/// A law judged on a candidate, case after case of a source, until one breaks it.
+class LawSearch {
+ public:
+  /// Law and candidate must outlive it.
+  LawSearch(const Law& law, const Candidate& candidate, const CampaignOptions& options,
+            const ChosenSource& source)
+      : law_(&law), candidate_(&candidate), max_error_(options.max_error), strict_(options.strict) {
+    part.source = source;
+  }
+
+  CampaignPart part;
+  std::optional<Failure> failure;
+
+  const Law& law() const { return *law_; }
+  /// Judges the source's case of a seed, as rounded for the candidate; `trials` on it are null
+  /// where it is no problem under the candidate's conventions.
+  void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);
+  /// Judges one case of the source, and shrinks it.
+  void replay(std::uint64_t seed);
+  /// Shrinks one case of the source that is undecided, as far as it still is.
+  void replay_undecided(std::uint64_t seed);
+  /// Judges a case, and shrinks it.
+  void replay(Case the_case);
+
+ private:
+  template <class Work>
+  void until_interrupted(const Work& work);
+  void judge(std::uint64_t seed);
+  std::string replay_of(std::uint64_t seed) const;
+  void leave_out(const std::string& reason);
+  /// Whether a case breaks the law; counts those before the first that does.
+  bool breaks(const Case& the_case);
+  /// The same, of a verdict.
+  bool take(const Case& the_case, bool judged, bool given, Verdict verdict);
+  void count(bool judged, bool given, const Verdict& verdict);
+  /// Goes on from the case that breaks the law to the first simpler one that does, too, and so on
+  /// until none does.
+  void shrink();
+  /// `breaks` keeps a case for which it is true as the failure. Who makes no rays needs no camera:
+  /// the rays that it was given take its place.
+  template <class Breaks>
+  void shrink_while(const Breaks& breaks);
+  /// If the candidate fails on the case, the question in it that it fails on: found by halving,
+  /// since each simpler case could run into the time limit for a reply.
+  void take_failed_question();
+
+  const Law* law_;
+  const Candidate* candidate_;
+  std::optional<double> max_error_;
+  bool strict_;
+};
+
+}  // namespace raycheck::properties
