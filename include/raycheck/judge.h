@@ -83,7 +83,8 @@ RAYCHECK_API std::vector<Check> checks(const Candidate& candidate);
 
 /// How many cases are tried, which ones, and what is tolerated.
 struct JudgeOptions {
-  /// Shared evenly among the sources, and within a source among its severities.
+  /// Shared evenly among the sources of each level up to the candidate's, and within a source among
+  /// its severities.
   int cases = 500;
   std::uint64_t seed = 1;  ///< The same seed gives the same cases.
   /// A bound on errors that replaces those of direct/cross, in each quantity's own unit.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <compare>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -21,30 +22,6 @@ int share_of_all(int all, std::size_t shares, std::size_t k) {
   return all / among + (static_cast<int>(k) < all % among ? 1 : 0);
 }
 
-/// A source that a law is tried on, its place among all that are, and its share of the cases.
-struct Share {
-  ChosenSource source;
-  std::size_t place;
-  int cases;
-};
-
-std::vector<Share> shared_out(const Law& law, const CampaignOptions& options) {
-  std::vector<Share> shares;
-  const auto add = [&](const ChosenSource& chosen, std::size_t place) {
-    if (speaks_of_cameras(law) && !chosen.source->has_camera) return;
-    shares.push_back({chosen, place, 0});
-  };
-  for (std::size_t k = 0; k < options.sources.size(); ++k) add(options.sources[k], k);
-  const auto all = case_sources();
-  for (std::size_t k = 0; options.sources.empty() && k < all.size(); ++k) {
-    if (all[k].dial || all[k].level <= options.level) add({&all[k]}, k);
-  }
-  for (std::size_t k = 0; k < shares.size(); ++k) {
-    shares[k].cases = std::max(1, share_of_all(options.cases, shares.size(), k));
-  }
-  return shares;
-}
-
 /// The severities that a source stands for.
 std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level, int cases) {
   if (chosen.severity || !chosen.source->dial) return {chosen};
@@ -54,6 +31,53 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
     severities.push_back({chosen.source, severity});
   }
   return severities;
+}
+
+/// A source that a law is tried on at a severity, 0 where it has no dial, and its place among all
+/// that are.
+struct SeriesKey {
+  std::size_t place;
+  int severity;
+  auto operator<=>(const SeriesKey&) const = default;
+};
+struct SeriesCases {
+  ChosenSource source;
+  int cases = 0;
+};
+using CasesOfLaw = std::map<SeriesKey, SeriesCases>;
+
+/// Shares cases evenly among the sources of a level that suit a law, and a source's among its
+/// severities; a series gets no fewer than it has.
+void share_out(const Law& law, const CampaignOptions& options, Level level, CasesOfLaw& given) {
+  std::vector<std::pair<std::size_t, ChosenSource>> sources;
+  const auto add = [&](std::size_t place, const ChosenSource& chosen) {
+    if (speaks_of_cameras(law) && !chosen.source->has_camera) return;
+    sources.emplace_back(place, chosen);
+  };
+  for (std::size_t k = 0; k < options.sources.size(); ++k) add(k, options.sources[k]);
+  const auto all = case_sources();
+  for (std::size_t k = 0; options.sources.empty() && k < all.size(); ++k) {
+    if (all[k].dial || all[k].level <= level) add(k, {&all[k]});
+  }
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    const auto& [place, source] = sources[k];
+    const int share = std::max(1, share_of_all(options.cases, sources.size(), k));
+    const auto severities = severities_of(source, level, share);
+    for (std::size_t at = 0; at < severities.size(); ++at) {
+      SeriesCases& its = given[{place, severities[at].severity.value_or(0)}];
+      its.source = severities[at];
+      its.cases = std::max(its.cases, share_of_all(share, severities.size(), at));
+    }
+  }
+}
+
+/// The cases of every level up to the one asked for: no level is easier than the one before it.
+CasesOfLaw cases_of(const Law& law, const CampaignOptions& options) {
+  CasesOfLaw given;
+  for (int level = 0; level <= static_cast<int>(options.level); ++level) {
+    share_out(law, options, static_cast<Level>(level), given);
+  }
+  return given;
 }
 
 /// A case of a source: made once, rounded once for each format, its truths worked out once for each
@@ -175,26 +199,23 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) 
 
 Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates)
     : asked_(std::move(of_candidates)) {
-  std::map<std::pair<std::size_t, int>, std::pair<ChosenSource, std::vector<Tried>>> all;
+  std::map<SeriesKey, std::pair<ChosenSource, std::vector<Tried>>> all;
   for (std::size_t candidate = 0; candidate < asked_.size(); ++candidate) {
     const auto& [laws, options] = asked_[candidate];
     results_.emplace_back(laws.size());
     for (std::size_t law = 0; law < laws.size(); ++law) {
       CampaignResult& result = results_.back()[law];
       result.level = options.level;
-      const auto shares = shared_out(*laws[law], options);
-      if (shares.empty()) result.counts.reason = "no source of cases has a camera";
-      for (const auto& [source, place, share] : shares) {
-        const auto severities = severities_of(source, options.level, share);
-        for (std::size_t k = 0; k < severities.size(); ++k) {
-          auto& [chosen, tried] = all[{place, severities[k].severity.value_or(0)}];
-          chosen = severities[k];
-          tried.push_back({candidate, law, share_of_all(share, severities.size(), k)});
-        }
+      const CasesOfLaw series = cases_of(*laws[law], options);
+      if (series.empty()) result.counts.reason = "no source of cases has a camera";
+      for (const auto& [key, its] : series) {
+        auto& [chosen, tried] = all[key];
+        chosen = its.source;
+        tried.push_back({candidate, law, its.cases});
       }
     }
   }
-  for (auto& [place, one] : all) {
+  for (auto& [key, one] : all) {
     auto& [source, tried] = one;
     int most = 0;
     for (const Tried& law : tried) most = std::max(most, law.cases);

@@ -24,8 +24,9 @@ namespace raycheck::properties {
 inline constexpr int kCampaignCases = 500;
 
 struct CampaignOptions {
-  /// Shared evenly among the sources, and within a source among its severities; every source has at
-  /// least one, at its highest severity.
+  /// Shared evenly among the sources of each level up to `level`, and within a source among its
+  /// severities, of which each gets the most that a level gives it; every source has at least one,
+  /// at its highest severity. So whatever a level tries the next one tries, too.
   int cases = kCampaignCases;
   std::uint64_t seed = 1;
   std::optional<double> max_error;

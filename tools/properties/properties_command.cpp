@@ -58,7 +58,7 @@ CommandRun add_properties(CLI::App& command) {
   JudgedArguments& judged = given->judged;
   command.add_option("--filter", options.filter, "laws whose name contains this");
   add_cases(command, options.cases,
-            "cases for each law and candidate, shared among sources and severities");
+            "cases for each law, candidate and level, shared among sources and severities");
   add_seed(command, options.seed);
   CLI::Option* const replay =
       command.add_option("--replay", options.replay, "the string that a failure printed");
