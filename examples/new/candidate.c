@@ -21,7 +21,9 @@ const raycheck_candidate* raycheck_candidate_functions(void) {
   candidate.version = RAYCHECK_CANDIDATE_VERSION;
   candidate.name = "NAME";
   candidate.intersect = intersect;
-  /* Add what holds: candidate.declared.root, .tangent; candidate.precision if it computes in
-     floats; candidate.roots and .declared_roots; candidate.directions; candidate.returns. */
+  candidate.declared.root = RAYCHECK_ROOT_NEAREST; /* or RAYCHECK_ROOT_SMALLER: v - d alone */
+  candidate.declared.tangent = RAYCHECK_TANGENT_EITHER;
+  /* Add what holds: candidate.precision if it computes in floats; candidate.roots and
+     .declared_roots; candidate.directions; candidate.returns. */
   return &candidate;
 }

@@ -12,9 +12,10 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   throw std::runtime_error("NAME: calls nothing yet");
 }
 
-// Add what holds, in this order: .root = Root::nearest or Root::smaller, .tangent = Tangent::hit,
-// miss or either, .precision = Precision::single if it computes in floats,
+// Root::nearest is the smallest s >= 0, Root::smaller v - d alone. Add what holds, in this order:
+// .precision = Precision::single if it computes in floats,
 // .roots = Roots::declared and .valid = {.t_min = 1e-3, .ends = Ends::open, .unit = TUnit::length}
 // if it takes no hit nearer than that, .directions = Directions::unit if it demands them,
 // .returns = Returns::parameter, point, distance, squared_distance or class_only.
-RAYCHECK_CANDIDATE(.name = "NAME", .intersect = intersect)
+RAYCHECK_CANDIDATE(.name = "NAME", .root = Root::nearest, .tangent = Tangent::either,
+                   .intersect = intersect)

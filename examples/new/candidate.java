@@ -6,8 +6,12 @@ public class NAME extends RaycheckCandidate {
     throw new IllegalStateException("NAME: calls nothing yet");
   }
 
-  // Override what holds: declared() { return List.of("root nearest", "tangent hit"); }, precision(),
-  // roots(), directions(), returns().
+  // "root smaller": v - d alone. Override what else holds: precision(), roots(), directions(),
+  // returns().
+  @Override
+  public java.util.List<String> declared() {
+    return java.util.List.of("root nearest", "tangent either");
+  }
 
   public static void main(String[] arguments) throws java.io.IOException {
     new NAME().run("NAME");

@@ -6,7 +6,7 @@ function intersect({ origin, direction }, { centre, radius }) {
   throw new Error("NAME: calls nothing yet");
 }
 
-// Add what holds: root: "nearest" or "smaller", tangent: "hit", "miss" or "either", precision: "single",
+// root: "smaller" is v - d alone. Add what holds: precision: "single",
 // roots: { ends: "()", tMin: 1e-3, unit: "length" } if it takes no hit nearer than that, directions: "unit" if it demands
 // them, returns: "parameter", "point", "distance", "squared-distance" or "class".
-run("NAME", { intersect });
+run("NAME", { root: "nearest", tangent: "either", intersect });

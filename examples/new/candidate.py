@@ -8,8 +8,8 @@ def intersect(ray, sphere, conventions):
     raise NotImplementedError("NAME: calls nothing yet")
 
 
-# Add what holds: root="nearest" or "smaller", tangent="hit", "miss" or "either", precision="single",
+# root="smaller" is v - d alone. Add what holds: precision="single",
 # roots=rc.Roots("()", 1e-3, float("inf"), "length", "none") if it takes no hit nearer than that,
 # directions="unit" if it demands them, returns="parameter", "point", "distance",
 # "squared-distance" or "class".
-rc.run("NAME", intersect=intersect)
+rc.run("NAME", root="nearest", tangent="either", intersect=intersect)

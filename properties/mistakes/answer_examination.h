@@ -45,6 +45,7 @@ class Examination {
   const std::vector<Comparison>& at(Step step);
 
   bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
+  bool is_of_unit_directions() const { return candidate_.unit_directions; }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
 
   std::uint64_t errors(Step step, double tolerance);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "fast/intersect.h"
@@ -47,6 +48,20 @@ void tell_apart(Examination& examination, Step step, Step last, double tolerance
   }
 }
 
+/// Which sphere is nearest tells no more than pictures do: drops what these do not tell from the
+/// rest, if there is a rest.
+void keep_told(std::vector<const Mistake*>& suspects) {
+  const auto is_told = [](const Mistake* one) { return one->is_told_by_pictures; };
+  if (std::none_of(suspects.begin(), suspects.end(), is_told)) return;
+  std::erase_if(suspects, std::not_fn(is_told));
+}
+
+/// Who promises floats is not told that it computes in them, but what is lost there.
+std::string sentence_of(const Examination& examination, Arithmetic arithmetic, double radii) {
+  if (!examination.is_single()) return imprecision_sentence(arithmetic, radii);
+  return "in floats " + imprecision_sentence(Arithmetic::kDifference, radii);
+}
+
 /// The roundings that explain the answers at a step, if any do.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
   for (const Arithmetic arithmetic : kArithmetics) {
@@ -54,10 +69,13 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
     if (!tally.tells()) continue;
     // Whose right answers have more digits than floats does not compute in them.
     if (arithmetic != Arithmetic::kDifference && 2 * tally.precise > tally.hits) continue;
-    return AnswerCause{step,
-                       {{imprecision_sentence(arithmetic, tally.radii), tally.wrong, tally.wrong}},
-                       arithmetic,
-                       tolerance};
+    // Who promises floats makes no mistake by computing in them.
+    if (arithmetic == Arithmetic::kSingle && examination.is_single()) continue;
+    return AnswerCause{
+        step,
+        {{sentence_of(examination, arithmetic, tally.radii), tally.wrong, tally.wrong}},
+        arithmetic,
+        tolerance};
   }
   return {};
 }
@@ -142,7 +160,7 @@ std::optional<AnswerCause> cancelling_difference(Examination& examination) {
       examination, within(is_single ? Arithmetic::kSingleDifference : Arithmetic::kDifference),
       [&](const auto&... of) { return !stable(of...); });
   if (!found) return {};
-  return small_cause(imprecision_sentence(Arithmetic::kDifference, found->radii), *found);
+  return small_cause(sentence_of(examination, Arithmetic::kDifference, found->radii), *found);
 }
 
 /// At the first step of a part that has errors.
@@ -155,9 +173,12 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       std::uint64_t left = most_unexplained(errors);
       std::vector<const Mistake*> suspects;
       for (const Mistake& mistake : mistakes()) {
-        if (mistake.step >= part.first && mistake.step <= step) suspects.push_back(&mistake);
+        if (mistake.step < part.first || mistake.step > step) continue;
+        if (mistake.needs_other_directions && examination.is_of_unit_directions()) continue;
+        suspects.push_back(&mistake);
       }
       suspects = best_of(examination, suspects, {part.first, step}, tolerance, left);
+      if (step == Step::kNearest) keep_told(suspects);
       if (suspects.size() > 1) tell_apart(examination, step, part.last, tolerance, suspects);
       const bool all_by_mistake = !suspects.empty() && left == 0;
       if (!all_by_mistake && part.first >= Step::kIntersect) {

@@ -125,7 +125,8 @@ std::vector<Mistake> ray_mistakes() {
        .hits = {.roots = roots_of_unit}},
       {.sentence = "directions are taken for unit ones, whatever their length",
        .step = Step::kIntersect,
-       .hits = {.roots = roots_of_unit}},
+       .hits = {.roots = roots_of_unit},
+       .needs_other_directions = true},
       {.sentence =
            "only what lies between the eye and the image plane is seen: near is taken for far",
        .step = Step::kRay,

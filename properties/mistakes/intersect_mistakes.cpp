@@ -20,6 +20,13 @@ Mistake of_hits(std::string sentence, HitFormulas formulas) {
           .hits = std::move(formulas)};
 }
 
+/// The same where s and Q tell it from other mistakes, and pictures do not.
+Mistake of_answers(std::string sentence, ChooseHit choose) {
+  Mistake mistake = of_hits(std::move(sentence), {.choose = std::move(choose)});
+  mistake.is_told_by_pictures = false;
+  return mistake;
+}
+
 /// Right hits, changed afterwards.
 Mistake of_value(std::string sentence, ChangeHit change) {
   return {.sentence = std::move(sentence), .step = Step::kIntersect, .hit = std::move(change)};
@@ -82,6 +89,7 @@ Mistake always_at(double s, std::string sentence) {
       of_hits(std::move(sentence),
               {.choose = [s](const Ray& ray, auto&&...) { return Hit(hit_at(ray, s)); }});
   mistake.family = "always";  // of a class alone s is not told
+  mistake.is_told_by_pictures = false;
   return mistake;
 }
 
@@ -114,11 +122,11 @@ std::vector<Mistake> intersect_mistakes() {
               {.choose = untested(true)}),
       of_hits("s >= 0 is not tested: spheres behind the origin are hit",
               {.choose = wherever_behind}),
-      of_hits("v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
-              {.choose = ahead_or_behind}),
-      of_hits("v + d counts though it is negative: spheres behind the origin are hit",
-              {.choose = larger_wherever_behind}),
-      of_hits("s is |v - d|, which from inside a sphere is no root", {.choose = without_sign}),
+      of_answers("v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
+                 ahead_or_behind),
+      of_answers("v + d counts though it is negative: spheres behind the origin are hit",
+                 larger_wherever_behind),
+      of_answers("s is |v - d|, which from inside a sphere is no root", without_sign),
       of_hits("the far root is taken for the near one",
               {.choose =
                    [](const Ray& ray, const Roots& roots, const Conventions& c) {

@@ -50,7 +50,9 @@ struct Mistake {
   bool black_outside = false;
   CameraFormulas rays = {};
   HitFormulas hits = {};
-  ChangeHit hit = {};  ///< Pictures do not show it.
+  ChangeHit hit = {};                   ///< Pictures do not show it.
+  bool is_told_by_pictures = true;      ///< Apart from what all pictures of one colour share.
+  bool needs_other_directions = false;  ///< Who demands unit directions does not make it.
   /// Mistakes of one family differ in a size, and each does all that the one before it does: of
   /// several that explain the same answers the first is meant. Empty: it is alone.
   std::string_view family = {};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <ranges>
 #include <set>
 #include <utility>
 
@@ -9,6 +10,11 @@
 
 namespace raycheck::properties {
 namespace {
+
+auto told_by_pictures() {
+  return mistakes() |
+         std::views::filter([](const Mistake& one) { return one.is_told_by_pictures; });
+}
 
 /// The best suspects so far. One that leaves half as many pixels again is about as good.
 class Suspects {
@@ -113,7 +119,7 @@ std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures&
 
 std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t errors) {
   Suspects suspects(most_unexplained(errors));
-  for (const Mistake& mistake : mistakes()) {
+  for (const Mistake& mistake : told_by_pictures()) {
     const Fault fault = {&mistake};
     if (const auto its = left(fault, pictures, suspects.most_left())) suspects.add({fault, *its});
   }
@@ -132,7 +138,7 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
   };
   known.insert(made({}));
   std::vector<const Mistake*> shown;
-  for (const Mistake& mistake : mistakes()) {
+  for (const Mistake& mistake : told_by_pictures()) {
     if (known.insert(made({&mistake})).second) shown.push_back(&mistake);
   }
   return shown;
@@ -143,7 +149,7 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
 std::vector<const Mistake*> alike_beside(const Mistake& other, const Mistake& mistake,
                                          const Pictures& pictures) {
   std::vector<const Mistake*> alike = {&mistake};
-  for (const Mistake& one : mistakes()) {
+  for (const Mistake& one : told_by_pictures()) {
     const bool is_known =
         &one == &mistake || &one == &other || (!one.family.empty() && one.family == mistake.family);
     if (!is_known && can_be_together(one, other) &&
@@ -193,7 +199,7 @@ std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t e
 /// The mistakes that make exactly these pictures, whose wrong pixels are all borderline.
 std::vector<Suspect> exact_suspects(const Pictures& pictures) {
   std::vector<Suspect> suspects;
-  for (const Mistake& mistake : mistakes()) {
+  for (const Mistake& mistake : told_by_pictures()) {
     if (!mistake.conventions) continue;
     const bool makes_all = std::all_of(pictures.begin(), pictures.end(), [&](const Evidence& one) {
       const scene::Scene other = mistaken(mistake, one.picture().scene);

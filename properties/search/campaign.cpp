@@ -1,5 +1,7 @@
 #include "properties/search/campaign.h"
 
+#include <rapidcheck/Random.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -80,6 +82,20 @@ CasesOfLaw cases_of(const Law& law, const CampaignOptions& options) {
   return given;
 }
 
+constexpr std::size_t kNoUnit = std::numeric_limits<std::size_t>::max();
+
+void lower(std::atomic<std::size_t>& unit, std::size_t to) {
+  std::size_t known = unit;
+  while (to < known && !unit.compare_exchange_weak(known, to)) {
+  }
+}
+
+/// The seed of a unit's streams: a function of the series' own and the unit's number alone.
+std::uint64_t stream_of(std::uint64_t seed, int unit) {
+  const std::uint64_t first = Random(seed).bits();
+  return unit == 0 ? first : Random(first + static_cast<std::uint64_t>(unit)).bits();
+}
+
 /// A case of a source: made once, rounded once for each format, its truths worked out once for each
 /// set of conventions, and a candidate's answers asked for once, by whatever laws.
 class AskedCase {
@@ -149,6 +165,7 @@ void CampaignPart::merge(CampaignPart later) {
   replay = std::move(later.replay);
   defects = std::move(later.defects);
   failed_at = std::move(later.failed_at);
+  failed_at_once = false;
   if (!undecided_seed) undecided_seed = later.undecided_seed;
 }
 
@@ -198,7 +215,9 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) 
 }
 
 Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates)
-    : asked_(std::move(of_candidates)) {
+    : asked_(std::move(of_candidates)),
+      units_failed_(asked_.size()),
+      answers_nothing_(asked_.size()) {
   std::map<SeriesKey, std::pair<ChosenSource, std::vector<Tried>>> all;
   for (std::size_t candidate = 0; candidate < asked_.size(); ++candidate) {
     const auto& [laws, options] = asked_[candidate];
@@ -219,32 +238,38 @@ Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates)
     auto& [source, tried] = one;
     int most = 0;
     for (const Tried& law : tried) most = std::max(most, law.cases);
-    rc::Random random(Random(asked_.front().options.seed ^ source.hash()).bits());
-    for (int k = 0; k < most; ++k) {
-      if (k % kUnitCases == 0) units_.push_back({series_.size(), k, random});
-      random.split();
-    }
     std::vector<std::atomic<std::size_t>> broken_in(tried.size());
-    for (auto& unit : broken_in) unit = std::numeric_limits<std::size_t>::max();
-    series_.push_back({source, std::move(tried), std::move(broken_in)});
+    for (auto& unit : broken_in) unit = kNoUnit;
+    series_.push_back({source, std::move(tried), unit_count_, std::move(broken_in)});
+    unit_count_ += static_cast<std::size_t>((most + kUnitCases - 1) / kUnitCases);
   }
+}
+
+Campaigns::Unit Campaigns::unit(std::size_t number) const {
+  const auto after = std::upper_bound(
+      series_.begin(), series_.end(), number,
+      [](std::size_t its, const Series& series) { return its < series.first_unit; });
+  Series& series = *std::prev(after);
+  return {series, static_cast<int>(number - series.first_unit)};
 }
 
 std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Candidate> candidates,
                                          const RunControl& control) const {
-  const Unit& unit = units_[number];
-  Series& series = series_[unit.series];
+  const auto [series, in_series] = unit(number);
   std::vector<LawSearch> searches;
   for (const auto& [candidate, law, cases] : series.tried) {
     const auto& [laws, options] = asked_[candidate];
     searches.emplace_back(*laws[law], candidates[candidate], options, series.source);
   }
   const auto goes_on = [&](std::size_t k, int at) {
-    return at < series.tried[k].cases && !searches[k].failure && series.broken_in[k] >= number;
+    return at < series.tried[k].cases && !searches[k].failure && series.broken_in[k] >= number &&
+           !answers_nothing_[series.tried[k].candidate];
   };
-  rc::Random random = unit.random;
+  const std::uint64_t seed = asked_.front().options.seed ^ series.source.hash();
+  rc::Random random(stream_of(seed, in_series));
+  const int first = in_series * kUnitCases;
   try {
-    for (int at = unit.first; at < unit.first + kUnitCases && !control.interrupted(); ++at) {
+    for (int at = first; at < first + kUnitCases && !control.interrupted(); ++at) {
       rc::Random one = random.split();
       std::optional<AskedCase> asked;
       for (std::size_t k = 0; k < searches.size(); ++k) {
@@ -259,22 +284,29 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
   }
   std::vector<CampaignPart> parts;
   for (std::size_t k = 0; k < searches.size(); ++k) {
-    std::size_t known = series.broken_in[k];
-    while (searches[k].failure && number < known &&
-           !series.broken_in[k].compare_exchange_weak(known, number)) {
-    }
+    if (searches[k].failure) lower(series.broken_in[k], number);
     parts.push_back(std::move(searches[k].part));
   }
   return parts;
 }
 
 void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
-  const Series& series = series_[units_[number].series];
+  const auto [series, in_series] = unit(number);
+  std::vector<bool> fails(asked_.size()), answers(asked_.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::size_t candidate = series.tried[k].candidate;
+    if (parts[k].failed_at_once) {
+      fails[candidate] = true;
+    } else if (parts[k].verdict.compared() > 0) {
+      answers[candidate] = true;
+    }
+  }
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto& [candidate, law, cases] = series.tried[k];
     CampaignResult& result = results_[candidate][law];
-    const bool goes_on = units_[number].first > 0 && !result.parts.empty() &&
-                         result.parts.back().source == series.source;
+    if (answers_nothing_[candidate]) continue;
+    const bool goes_on =
+        in_series > 0 && !result.parts.empty() && result.parts.back().source == series.source;
     if (parts[k].counts.cases == 0 || (goes_on && result.parts.back().is_broken())) continue;
     result.counts.add(parts[k].counts);
     result.verdict.merge(parts[k].verdict);
@@ -285,6 +317,10 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
     if (!result.parts.empty()) result.parts.back().close(asked_[candidate].options.strict);
     result.level = std::max(result.level, series.source.level());
     result.parts.push_back(std::move(parts[k]));
+  }
+  for (std::size_t k = 0; k < asked_.size(); ++k) {
+    if (units_failed_[k] == number && fails[k] && !answers[k]) ++units_failed_[k];
+    if (units_failed_[k] == kUnitsToFail) answers_nothing_[k] = true;
   }
 }
 
@@ -303,7 +339,7 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
   if (first != nullptr) {
     const std::uint64_t seed = parse_replay(first->replay).seed;
     LawSearch search(*laws[law], candidate, options, first->source);
-    search.replay(seed);
+    search.replay(seed, !answers_nothing_[number]);
     result.failure = std::move(search.failure);
     if (!result.failure) {  // interrupted before it was judged again
       result.failure = Failure{first->source.make(seed), first->verdict, first->replay};

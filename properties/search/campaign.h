@@ -1,7 +1,5 @@
 #pragma once
 
-#include <rapidcheck/Random.h>
-
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -64,6 +62,8 @@ struct CampaignPart {
   std::vector<DefectKind> undecided;  ///< What is undecided in all its cases,
   std::optional<std::uint64_t> undecided_seed;  ///< and the first of these.
 
+  bool failed_at_once = false;  ///< The candidate failed before it answered anything.
+
   bool is_broken() const { return !replay.empty(); }
   /// Adds later cases of the same. Domain: it is not broken.
   void merge(CampaignPart later);
@@ -120,6 +120,9 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most);
 /// A unit of work is no larger, so that threads end together.
 inline constexpr int kUnitCases = 64;
 
+/// Who only fails in the first of so many is asked no more.
+inline constexpr std::size_t kUnitsToFail = 3;
+
 /// The laws that a candidate is held to, and how.
 struct LawsOfCandidate {
   std::vector<const Law*> laws;
@@ -135,7 +138,7 @@ class Campaigns {
  public:
   explicit Campaigns(std::vector<LawsOfCandidate> of_candidates);
 
-  std::size_t unit_count() const { return units_.size(); }
+  std::size_t unit_count() const { return unit_count_; }
   /// What became of the cases of a unit, for each law of each candidate that they are tried on; an
   /// interrupt ends them early.
   std::vector<CampaignPart> run(std::size_t unit, std::span<const Candidate> candidates,
@@ -155,18 +158,23 @@ class Campaigns {
   struct Series {
     ChosenSource source;
     std::vector<Tried> tried;  ///< Candidate after candidate.
+    std::size_t first_unit;
     /// The first unit in which each of these is broken: later ones do not count.
     std::vector<std::atomic<std::size_t>> broken_in;
   };
   struct Unit {
-    std::size_t series;
-    int first;          ///< Of its cases,
-    rc::Random random;  ///< whose streams are split off this.
+    Series& series;
+    int number;  ///< In the series.
   };
+  Unit unit(std::size_t number) const;
 
   std::vector<LawsOfCandidate> asked_;
-  mutable std::vector<Series> series_;                ///< In the order of sources and severities.
-  std::vector<Unit> units_;                           ///< Series after series.
+  mutable std::vector<Series> series_;  ///< In the order of sources and severities.
+  std::size_t unit_count_ = 0;
+  /// By candidate, how many units it has done nothing but fail in, from the first on; after
+  /// kUnitsToFail it is asked no more.
+  std::vector<std::size_t> units_failed_;
+  std::vector<std::atomic<bool>> answers_nothing_;
   std::vector<std::vector<CampaignResult>> results_;  ///< By candidate and law.
 };
 

@@ -64,10 +64,10 @@ void LawSearch::judge(std::uint64_t seed) {
   judge(seed, rounded, trials ? &*trials : nullptr);
 }
 
-void LawSearch::replay(std::uint64_t seed) {
+void LawSearch::replay(std::uint64_t seed, bool shrinks) {
   until_interrupted([&] {
     judge(seed);
-    shrink();
+    if (shrinks) shrink();
   });
 }
 
@@ -133,6 +133,8 @@ bool LawSearch::take(const Case& the_case, bool judged, bool given, Verdict verd
   if (!is_shrinking) {
     part.defects = verdict.defects(strict_);
     part.failed_at = verdict.failed_at(strict_);
+    const bool is_first = part.verdict.compared() == verdict.compared();
+    part.failed_at_once = is_first && verdict.worst(1).front().wrong == Wrong::kFailed;
   }
   failure = Failure{the_case, std::move(verdict), part.replay};
   return true;

@@ -27,8 +27,8 @@ class LawSearch {
   /// Judges the source's case of a seed, as rounded for the candidate; `trials` on it are null
   /// where it is no problem under the candidate's conventions.
   void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);
-  /// Judges one case of the source, and shrinks it.
-  void replay(std::uint64_t seed);
+  /// Judges one case of the source, and shrinks it unless told not to.
+  void replay(std::uint64_t seed, bool shrinks = true);
   /// Shrinks one case of the source that is undecided, as far as it still is.
   void replay_undecided(std::uint64_t seed);
   /// Judges a case, and shrinks it.

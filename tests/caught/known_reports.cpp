@@ -206,9 +206,8 @@ std::span<const KnownReport> known_reports() {
        .said = "in floats, rays from far away miss small spheres",
        .mutant = "quadratic-in-floats",
        .hit = quadratic_in_floats,
-       .sentences = {"computed in single precision: the difference r^2 - (|T|^2 - v^2), or b^2 - "
-                     "4ac, loses its digits from 10^1 radii away",
-                     "computed in single precision"},
+       .sentences = {"in floats the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits "
+                     "from 10^1 radii away"},
        .precision = scene::Precision::kSingle},
       {.thread = "ebruneton/precomputed_atmospheric_scattering#21",
        .said = "in floats, -b + sqrt(b^2 - c) cancels near a planet's surface",

@@ -101,7 +101,7 @@ TEST(Mutants, ComeFromACandidateThatBreaksNone) {
     const CampaignResult result = run_campaign(law, unmutated(), at(Level::kDemanding));
     EXPECT_FALSE(result.failure.has_value()) << law.name << "\n"
                                              << scene_text(result.failure->shrunk);
-    EXPECT_EQ(result.counts.cases, kCampaignCases) << law.name;
+    EXPECT_GE(result.counts.cases, kCampaignCases) << law.name;
     EXPECT_GT(result.verdict.compared(), 20u) << law.name;
   }
 }

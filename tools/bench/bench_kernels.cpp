@@ -194,9 +194,33 @@ Kernel campaign(const char* subject, const char* law) {
   const properties::Candidate candidate = tools::candidate_of(tools::kDefaultMethods);
   properties::CampaignOptions options;
   options.cases = 40;
+  options.level = properties::Level::kOrdinary;
   return {"campaign/" + std::string(subject), static_cast<std::size_t>(options.cases),
           [=] { *result = run_campaign(*properties::find_law(law), candidate, options); },
           [=] { return !result->failure && result->verdict.compared() > 0; }};
+}
+
+/// Every law in one pass, by one thread.
+Kernel campaigns() {
+  constexpr int kCases = 500;
+  properties::LawsOfCandidate asked;
+  for (const properties::Law& law : properties::laws()) asked.laws.push_back(&law);
+  asked.options.cases = kCases;
+  asked.options.level = properties::Level::kOrdinary;
+  const properties::Candidate candidate = tools::candidate_of(tools::kDefaultMethods);
+  const auto broken = std::make_shared<std::size_t>();
+  return {"campaign/all laws", kCases * asked.laws.size(),
+          [=] {
+            *broken = 0;
+            properties::Campaigns all({asked});
+            for (std::size_t unit = 0; unit < all.unit_count(); ++unit) {
+              all.take(unit, all.run(unit, {&candidate, 1}, {}));
+            }
+            for (std::size_t law = 0; law < asked.laws.size(); ++law) {
+              *broken += all.finished(0, law, candidate).failure ? 1 : 0;
+            }
+          },
+          [=] { return *broken == 0; }};
 }
 
 Kernel check_of_scene() {
@@ -218,6 +242,7 @@ std::vector<Kernel> kernels() {
   result.push_back(campaign("camera", "direction"));
   result.push_back(campaign("intersection", "parameter"));
   result.push_back(campaign("both", "hit-point"));
+  result.push_back(campaigns());
   result.push_back(check_of_scene());
   return result;
 }

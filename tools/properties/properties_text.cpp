@@ -102,7 +102,7 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
 std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
   const properties::Explanation* cause = nullptr;
   std::optional<Level> broken, held;
-  std::string laws, open;
+  std::string laws, open, failure;
   for (const CampaignReport* campaign : campaigns) {
     for (const properties::Explanation& one : campaign->explanations) {
       if (cause == nullptr || one.explained > cause->explained) cause = &one;
@@ -115,6 +115,12 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
     } else if (campaign->finding != Finding::kBroken && campaign->finding != Finding::kLeftOut) {
       add_to(open);
     }
+    const auto& parts = campaign->result.parts;
+    if (campaign->result.failure && std::all_of(parts.begin(), parts.end(), [](const auto& part) {
+          return part.failed_at_once;
+        })) {
+      failure = campaign->result.failure->verdict.worst(1).front().what;
+    }
     if (campaign->finding != Finding::kBroken) continue;
     add_to(laws);
     for (const CampaignPart& part : campaign->result.parts) {
@@ -122,6 +128,7 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
         broken = std::min(broken.value_or(Level::kExtreme), part.source.level());
     }
   }
+  if (!held && !failure.empty()) return fmt::format("answers nothing: {}", failure);
   if (!broken && !open.empty()) return fmt::format("nothing broken, but not all decided: {}", open);
   if (!broken && !held) return "nothing that was asked says anything of it";
   if (!broken) return fmt::format("right on {} cases, as far as it was asked", name(*held));

@@ -91,11 +91,11 @@ class EachMistake : public testing::TestWithParam<std::size_t> {
 };
 
 /// Where the cases do not tell the sizes of a family apart, the first of them.
-const Mistake& as_told(const Mistake& mistake) {
+const Mistake& as_told(const Mistake& mistake, const Candidate& candidate) {
   const auto is_alike = [&](const Mistake& other) {
     return &other == &mistake || (!other.family.empty() && other.family == mistake.family);
   };
-  const Sentences sentences = sentences_for(mistake.candidate);
+  const Sentences sentences = sentences_for(candidate);
   const Mistake* const named = sentences.empty() ? nullptr : find_mistake(sentences.front());
   return named != nullptr && is_alike(*named) ? *named : mistake;
 }
@@ -110,7 +110,8 @@ TEST_P(EachMistake, IsExplainedByItsOwnSentenceAlone) {
       says("as many lines as there are columns")) {
     return expect_among(sentences_for(mistake().candidate), mistake().sentence);
   }
-  EXPECT_EQ(sentences_for(mistake().candidate), Sentences{as_told(mistake()).sentence});
+  EXPECT_EQ(sentences_for(mistake().candidate),
+            Sentences{as_told(mistake(), mistake().candidate).sentence});
 }
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistake, testing::Range(std::size_t{0}, mistakes().size()));
@@ -136,7 +137,7 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfNearestSpheresAlone) {
   if (keeps_nearest) {
     EXPECT_EQ(sentences_for(candidate), Sentences());
   } else {
-    expect_among(sentences_for(candidate), as_told(mistake()).sentence);
+    expect_among(sentences_for(candidate), as_told(mistake(), candidate).sentence);
   }
 }
 
