@@ -48,8 +48,8 @@ void tell_apart(Examination& examination, Step step, Step last, double tolerance
   }
 }
 
-/// Which sphere is nearest tells no more than pictures do: drops what these do not tell from the
-/// rest, if there is a rest.
+/// Of mistakes that nothing tells apart those that pictures show are the likelier: the rest is
+/// dropped, unless there is no other.
 void keep_told(std::vector<const Mistake*>& suspects) {
   const auto is_told = [](const Mistake* one) { return one->is_told_by_pictures; };
   if (std::none_of(suspects.begin(), suspects.end(), is_told)) return;
@@ -178,8 +178,8 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
         suspects.push_back(&mistake);
       }
       suspects = best_of(examination, suspects, {part.first, step}, tolerance, left);
-      if (step == Step::kNearest) keep_told(suspects);
       if (suspects.size() > 1) tell_apart(examination, step, part.last, tolerance, suspects);
+      keep_told(suspects);
       const bool all_by_mistake = !suspects.empty() && left == 0;
       if (!all_by_mistake && part.first >= Step::kIntersect) {
         if (const auto found = roundings_at(examination, step, tolerance)) return *found;
