@@ -45,7 +45,8 @@ inline std::optional<raycheck::Hit> chosen(const raycheck::Ray& ray, double smal
 }
 
 // An adapter of templates computes in Real: in doubles, or in floats where a file defines SINGLE
-// and includes it. The squares of lengths stay in the range of either.
+// and includes it. Squares of lengths stay in the range of floats; doubles have no limits but those
+// that a library documents.
 #ifdef SINGLE
 using Real = float;
 constexpr auto kPrecision = raycheck::Precision::single;
@@ -53,7 +54,7 @@ constexpr double kSmallest = 0x1p-30, kLargest = 0x1p30;
 #else
 using Real = double;
 constexpr auto kPrecision = raycheck::Precision::double_;
-constexpr double kSmallest = 0x1p-200, kLargest = 0x1p200;
+constexpr double kSmallest = 0, kLargest = 0;
 #endif
 
 /// Lines, not rays: the smaller root counts wherever it is.

@@ -137,8 +137,9 @@ def scene_numbers(scene):
                     map(float, [*origin, *direction, *centre, sphere["radius"]])))
 
 
-def reproduction(engine, numbers, build):
-    """The program that shows a case without raycheck, and what it prints when it is run; None: it has none."""
+def reproduction(engine, numbers, build, may_fail):
+    """The program that shows a case without raycheck, and what it prints when it is run, or how it fails where the engine
+    does; None: it has none."""
     templates = sorted((HERE / "reproductions").glob(engine.get("of", engine["name"]) + ".*"))
     if not templates:
         return None
@@ -159,28 +160,46 @@ def reproduction(engine, numbers, build):
                                text=True, timeout=120)
     finally:
         shutil.rmtree(folder)
-    if shown.returncode != 0:
+    if shown.returncode != 0 and not may_fail:
         raise RuntimeError(f"its reproduction fails: {shown.stderr[-300:]}")
-    return kind[1:], text.strip(), shown.stdout.strip()
+    ends = [line for line in shown.stderr.splitlines() if "terminate called" in line or "rror" in line]
+    return kind[1:], text.strip(), ends[0].strip() if shown.returncode != 0 and ends else shown.stdout.strip()
 
 
-def agrees(prints, first, numbers, tolerance):
-    """Whether a reproduction prints what the candidate answered: a miss, a hit, s or a distance, or a point."""
+def right_as_printed(case, numbers, tolerance):
+    """What a reproduction that prints what the candidate answered (a miss, a hit, s or a distance, or a point) would print
+    if that were right; empty where that is not known."""
+    prints, first = case["reproduction"][2], case["first"]
     words, got = prints.split(), [float(decimal(x)) for x in first["got"]]
-    if words[:1] == ["miss"] or not got:
-        return (words[:1] == ["miss"]) == (not got)
-    if words[:1] == ["hit"]:
-        return True
-    printed = [float(word) for word in words]
+    exact = [float(decimal(x)) for x in first["exact"]]
+    wrong = RuntimeError(f"its reproduction prints {prints}, but it answered {first['got']}")
     origin, direction = ([numbers[axis + k] for k in "xyz"] for axis in "od")
     length = math.hypot(*direction)
-    if len(printed) == 1:
-        rights = [[got[0]], [got[0] * length]] if len(got) == 1 else [[math.dist(got, origin) / length], [math.dist(got, origin)]]
-    else:
-        rights = [got] if len(got) == 3 else [[o + got[0] * d for o, d in zip(origin, direction)]]
+    point = lambda s: [o + s * d for o, d in zip(origin, direction)]
+    ways = {1: [lambda s: [s], lambda s: [s * length]], 3: [point]}  # s, a distance, a point
+    if len(got) == 3:
+        ways = {1: [lambda Q: [math.dist(Q, origin) / length], lambda Q: [math.dist(Q, origin)]], 3: [lambda Q: Q]}
+    if words[:1] in (["miss"], ["hit"]) or not got:
+        if (words[:1] == ["miss"]) != (not got):
+            raise wrong
+        return "a miss" if not exact else "a hit" if words[:1] == ["hit"] else ""
+    printed = [float(word) for word in words]
     size = max(map(abs, [*origin, *printed]))
-    # NaNs agree: what is shown then is that it is no number.
-    return any(all(abs(x - y) <= tolerance * size or x != x for x, y in zip(printed, right)) for right in rights)
+    for way in ways[len(printed)]:
+        # NaNs agree: what is shown then is that it is no number.
+        if all(abs(x - y) <= tolerance * size or x != x for x, y in zip(printed, way(got if len(got) == 3 else got[0]))):
+            if is_residual(first):
+                return ""
+            return " ".join(f"{x:.17g}" for x in way(exact if len(exact) == 3 else exact[0])) if exact else "a miss"
+    raise wrong
+
+
+def power_of_two(number):
+    return f"2^{math.log2(number):.0f}"
+
+
+def is_residual(first):
+    return "residual" in first["quantity"]
 
 
 class Page:
@@ -196,6 +215,8 @@ class Page:
         self.breaks = {level: broken_at(self.ordinary if level == "ordinary" else self.extreme, level)
                        for level in LEVELS}
         self.frontiers = {source: frontier(self.extreme, source) for source in DIALS}
+        least, most = (float(decimal(x)) for x in self.ordinary[0]["lengths"])
+        self.lengths = f"lengths from {power_of_two(least)} to {power_of_two(most)}" if most < math.inf else ""
         refuted = engine.get("refuted", [])
         self.mistake = mistake_of(self.ordinary, refuted) or mistake_of(self.extreme, refuted)
         self.error = error_of(self.ordinary, "parameter") or error_of(self.ordinary, "hit point")
@@ -217,15 +238,17 @@ class Page:
             if not what or what in found or campaign["finding"] != "broken" or what in ("scaling", "axes"):
                 continue
             numbers = scene_numbers(campaign["scene"])
+            part = next(part for part in campaign["parts"] if part["replay"] == campaign["replay"])
+            severity = "" if part["severity"] is None else f"@{part['severity']}"
             case = {"law": campaign["sentence"], "scene": campaign["scene"].strip(), "first": campaign["discrepancies"][0],
-                    "replay": campaign["replay"], "level": campaign["level"]}
+                    "level": part["level"], "source": part["source"].split("@")[0] + severity}
             if numbers:
                 ray = ",".join(repr(numbers[k]) for k in ("ox", "oy", "oz", "dx", "dy", "dz"))
                 sphere = ",".join(repr(numbers[k]) for k in ("cx", "cy", "cz", "r"))
                 case["exact"] = raycheck.json("explain", f"--ray={ray}", f"--sphere={sphere}")["exact"]
-                case["reproduction"] = reproduction(self.engine, numbers, build)
-                if case["reproduction"] and not agrees(case["reproduction"][2], case["first"], numbers, AGREES[campaign["precision"]]):
-                    raise RuntimeError(f"its reproduction prints {case['reproduction'][2]}, but it answered {case['first']['got']}")
+                case["reproduction"] = reproduction(self.engine, numbers, build, case["first"]["failed"] is not None)
+                if case["reproduction"]:
+                    case["right"] = "" if case["first"]["failed"] else right_as_printed(case, numbers, AGREES[campaign["precision"]])
             found[what] = case
         return found
 
@@ -250,15 +273,19 @@ class Page:
     def said(self):
         """What matters most about it, in one sentence."""
         right = "right within its contract" if not any(self.breaks.values()) else ""
+        if right and self.engine.get("renders"):
+            pictures = sum(campaign["cases"] for campaign in self.extreme if campaign["law"] == "image")
+            right = f"right in {pictures} pictures"
         if not right and not self.breaks["ordinary"]:
             right = "right on ordinary cases"
-        return "; ".join(filter(None, [right, self.mistake])) or "-"
+        lost = "before it is called " if self.engine.get("solver") and self.mistake else ""
+        return "; ".join(filter(None, [right, lost + self.mistake])) or "-"
 
     def text(self):
         engine = self.engine
         lines = [f"# {engine['library']}: `{engine['function']}`", "",
                  f"{engine.get('package', 'raycheck')} {self.version}, {engine['language']}. {engine['contract']} "
-                 f"({engine['source']})", ""]
+                 f"({engine['source']})" + (f" Judged: {self.lengths}." if self.lengths else ""), ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
         lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _) in DIALS.items()]
         if self.mistake:
@@ -272,11 +299,13 @@ class Page:
         if not any(self.breaks.values()):
             lines += ["", "Nothing that it promises was found broken."]
         for what, case in self.cases.items():
-            lines += ["", f"## Breaks {what}", "", f"The law: {case['law']}. The smallest case found ({case['level']}):", "",
+            lines += ["", f"## Breaks {what}", "", f"The law: {case['law']}. The smallest case found ({case['level']}, {case['source']}):", "",
                       "```toml", case["scene"], "```", "", answer_text(case, self.class_alone)]
             if case.get("reproduction"):
                 kind, program, prints = case["reproduction"]
                 lines += ["", "Without raycheck:", "", f"```{kind}", program, "```", "", "It prints:", "", "```text", prints, "```"]
+                if case["right"]:
+                    lines += ["", f"Right is: {case['right']}."]
         return "\n".join(lines) + "\n"
 
 
@@ -286,9 +315,14 @@ def answer_text(case, class_alone):
     got = ", ".join(str(decimal(x)) for x in first["got"])
     right = ", ".join(str(decimal(x)) for x in first["exact"])
     of = {"s": "s = ", "Q": "Q = "}.get(first["symbol"], "")
+    if first["failed"]:
+        return f"It fails: {first['what']}."
+    if is_residual(first):
+        off = {"sphere residual": "the sphere", "ray residual": "the ray"}[first["quantity"]]
+        return f"It answers {of}{got}, which is off {off} by {first['error']:.3g} {first['unit']}."
     answers = "a hit" if got and class_alone else of + got if got else "a miss"
-    form = exact.get("closed_form") if first["exact"] == [exact.get("s")] else None
     exactly = "a hit" if right and class_alone else of + right if right else "a miss"
+    form = exact.get("closed_form") if first["exact"] == [exact.get("s")] and not class_alone else None
     return f"It answers {answers}. Exact: {exactly}" + (f", which is {form}." if form else ".")
 
 
@@ -395,18 +429,20 @@ def main():
         print(f"skipped: {name}: not installed", file=sys.stderr)
     shown = sum(bool(case.get("reproduction")) for page in pages for case in page.cases.values())
     print(f"reproductions that were run and print what was answered: {shown}", file=sys.stderr)
-    print(table(pages))
+    solvers = [page for page in pages if page.engine.get("solver")]
+    pages = [page for page in pages if page not in solvers]
+    print(table(pages + solvers))
     if options.write and not failed:
         folder = options.write / "field"
         folder.mkdir(exist_ok=True)
         for old in folder.glob("*.md"):
             old.unlink()
-        for page in pages:
+        for page in pages + solvers:
             (folder / f"{page.title}.md").write_text(page.text())
-        chart(pages, folder / "frontier.svg")
+        chart(pages + solvers, folder / "frontier.svg")
         text = (options.write / "field.in.md").read_text()
-        not_taken = "\n".join(f"- {e['library']} (`{e.get('package', '-')}`): {e['reason']}" for e in engines if not e.get("taken", True))
-        (options.write / "field.md").write_text(text.replace("{table}", table(pages)).replace("{not taken}", not_taken))
+        not_taken = "\n".join(f"- {e['library']} (`{e.get('package', '-')}`)" + (f", `{e['function']}`" if e.get("function") else "") + f": {e['reason']}" for e in engines if not e.get("taken", True))
+        (options.write / "field.md").write_text(text.replace("{table}", table(pages)).replace("{solvers}", table(solvers)).replace("{not taken}", not_taken))
     sys.exit("\n".join(f"field: {line}" for line in failed) if failed else 0)
 
 

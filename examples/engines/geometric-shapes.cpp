@@ -2,8 +2,7 @@
 // order along the ray, of which one is asked for. Debian: libgeometric-shapes-dev;
 // -lgeometric_shapes.
 // Source: geometric_shapes/bodies.h: a unit direction is only faster (with UNIT defined it is read
-// as if it demanded them). Silent on tangents and on its epsilon, an absolute 1e-9: lengths stay
-// far above it.
+// as if it demanded them). Silent on tangents and on its epsilon, an absolute 1e-9.
 
 #include <geometric_shapes/bodies.h>
 #include <geometric_shapes/shapes.h>
@@ -30,5 +29,5 @@ constexpr Directions kDirections = Directions::unit;
 constexpr Directions kDirections = Directions::any;
 #endif
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
-                   .level = Level::ordinary, .smallest_length = 0x1p-10, .largest_length = kLargest,
-                   .directions = kDirections, .returns = Returns::point)
+                   .level = Level::ordinary, .smallest_length = kSmallest,
+                   .largest_length = kLargest, .directions = kDirections, .returns = Returns::point)

@@ -1,8 +1,7 @@
 // GLM's intersectRaySphere with a distance (in doubles; glm-float.cpp: in floats), which asks for
 // unit directions. Debian: libglm-dev.
 // Source: glm/gtx/intersect.hpp. Silent on tangents, on the root (it is the nearest), and on its
-// epsilon, an absolute ulp of 1: what is not farther than that is behind the origin, so that
-// lengths stay far above it.
+// epsilon, an absolute ulp of 1: what is not farther than that is behind the origin.
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/intersect.hpp>
@@ -24,6 +23,6 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
 }
 
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
-                   .level = Level::ordinary, .smallest_length = 0x1p-10, .largest_length = kLargest,
-                   .precision = kPrecision, .directions = Directions::unit,
-                   .returns = Returns::distance)
+                   .level = Level::ordinary, .smallest_length = kSmallest,
+                   .largest_length = kLargest, .precision = kPrecision,
+                   .directions = Directions::unit, .returns = Returns::distance)

@@ -1,7 +1,7 @@
 /* MuJoCo's mju_rayGeom of a sphere, in doubles: the x of pnt + x vec, x >= 0, at the nearest
    surface, or -1. Debian: libmujoco-dev; -lmujoco.
    Source: mujoco/mujoco.h, "Ray collisions". Any direction will do. Silent on tangents and on
-   what mjMINVAL, 1e-15, does: lengths stay far above it. */
+   what mjMINVAL, 1e-15, does. */
 
 #include <mujoco/mujoco.h>
 #include <raycheck/candidate.h>
@@ -26,8 +26,6 @@ const raycheck_candidate* raycheck_candidate_functions(void) {
   candidate.declared.tangent = RAYCHECK_TANGENT_EITHER;
   candidate.intersect = intersect;
   candidate.level = RAYCHECK_LEVEL_ORDINARY;
-  candidate.smallest_length = 0x1p-10;
-  candidate.largest_length = 0x1p200;
   candidate.returns = RAYCHECK_RETURNS_PARAMETER;
   return &candidate;
 }

@@ -25,8 +25,6 @@ const raycheck_candidate* raycheck_candidate_functions() {
   candidate.declared.tangent = RAYCHECK_TANGENT_EITHER;
   candidate.intersect = intersect;
   candidate.level = RAYCHECK_LEVEL_ORDINARY;
-  candidate.smallest_length = 0x1p-200;
-  candidate.largest_length = 0x1p200;
   candidate.returns = RAYCHECK_RETURNS_DISTANCE;
   return &candidate;
 }

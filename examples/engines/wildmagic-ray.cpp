@@ -21,5 +21,6 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
 }
 
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
-                   .level = Level::ordinary, .smallest_length = 0x1p-10, .largest_length = kLargest,
-                   .precision = kPrecision, .directions = Directions::unit)
+                   .level = Level::ordinary, .smallest_length = kSmallest,
+                   .largest_length = kLargest, .precision = kPrecision,
+                   .directions = Directions::unit)

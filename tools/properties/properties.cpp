@@ -61,6 +61,7 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
                            properties::Finding::kHolds};
   report.finding = report.result.finding();
   report.precision = candidate.precision;
+  report.domain = candidate;
   report.implementation = implementation;
   if (!implementation.methods && report.finding == properties::Finding::kBroken) {
     report.explanations =

@@ -39,7 +39,8 @@ struct CampaignReport {
   /// The mistakes that explain the errors of an external implementation that breaks the law.
   std::vector<properties::Explanation> explanations = {};
   Implementation implementation = {};
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in,
+  properties::Domain domain = {};                          ///< and where.
 };
 
 /// An external implementation, which documents no bounds.

@@ -37,6 +37,7 @@ Json campaign_json(const CampaignReport& campaign) {
   json["candidate"] = campaign.candidate;
   json["level"] = name(result.level);
   json["precision"] = name(campaign.precision);
+  json["lengths"] = hexfloats({campaign.domain.smallest_length, campaign.domain.largest_length});
   json["finding"] = name(campaign.finding);
   json["holds"] = campaign.finding == Finding::kHolds;
   json["too_few_judged"] = campaign.finding == Finding::kTooFewJudged
