@@ -54,7 +54,7 @@ constexpr double kSmallest = 0x1p-30, kLargest = 0x1p30;
 #else
 using Real = double;
 constexpr auto kPrecision = raycheck::Precision::double_;
-constexpr double kSmallest = 0, kLargest = 0;
+constexpr double kSmallest = 0, kLargest = std::numeric_limits<double>::max();
 #endif
 
 /// Lines, not rays: the smaller root counts wherever it is.

@@ -46,4 +46,4 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere,
 
 // It aborts on overflow, and its time grows with the exponents.
 RAYCHECK_CANDIDATE(.name = "core", .intersect = intersect, .level = Level::demanding,
-                   .smallest_length = kSmallest, .largest_length = kLargest)
+                   .smallest_length = 0x1p-200, .largest_length = 0x1p200)

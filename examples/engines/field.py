@@ -178,7 +178,8 @@ def right_as_printed(case, numbers, tolerance):
     point = lambda s: [o + s * d for o, d in zip(origin, direction)]
     ways = {1: [lambda s: [s], lambda s: [s * length]], 3: [point]}  # s, a distance, a point
     if len(got) == 3:
-        ways = {1: [lambda Q: [math.dist(Q, origin) / length], lambda Q: [math.dist(Q, origin)]], 3: [lambda Q: Q]}
+        along = lambda Q: sum((q - o) * (d / length) for q, o, d in zip(Q, origin, direction))
+        ways = {1: [lambda Q: [along(Q) / length], lambda Q: [along(Q)]], 3: [lambda Q: Q]}
     if words[:1] in (["miss"], ["hit"]) or not got:
         if (words[:1] == ["miss"]) != (not got):
             raise wrong
@@ -216,7 +217,7 @@ class Page:
                        for level in LEVELS}
         self.frontiers = {source: frontier(self.extreme, source) for source in DIALS}
         least, most = (float(decimal(x)) for x in self.ordinary[0]["lengths"])
-        self.lengths = f"lengths from {power_of_two(least)} to {power_of_two(most)}" if most < math.inf else ""
+        self.lengths = f"lengths from {power_of_two(least)} to {power_of_two(most)}" if least > 2**-959 or most < 2**1023 else ""
         refuted = engine.get("refuted", [])
         self.mistake = mistake_of(self.ordinary, refuted) or mistake_of(self.extreme, refuted)
         self.error = error_of(self.ordinary, "parameter") or error_of(self.ordinary, "hit point")

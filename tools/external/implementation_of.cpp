@@ -49,6 +49,7 @@ Implementation implementation_of(const External& external) {
   Implementation implementation{
       .name = external.name,
       .lasting_name = said.empty() ? without_folders(external.name) : said,
+      .own_name = said,
       .isolated_by = external.program.layers.text(),
       .bounds_of = candidate_of(external.bounds).name,
       .source_file = external.source_file,

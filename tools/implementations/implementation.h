@@ -77,6 +77,7 @@ ReadyCalls<Answer> ready(const Call& call, const AnswerOf& answer_of) {
 struct Implementation {
   std::string name;                 ///< As it is asked for: "cross", "library:PATH.so".
   std::string lasting_name = name;  ///< From run to run, wherever it lies.
+  std::string own_name = {};        ///< What it calls itself; empty: nothing.
   std::string isolated_by = {};     ///< "own user, seccomp"; empty: it is raycheck's own.
   std::string bounds_of = {};       ///< To whose bounds it is held; empty: its own.
   std::string source_file = {};     ///< That it is made of, where that is one file.

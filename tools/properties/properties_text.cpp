@@ -150,7 +150,10 @@ std::string first_sentences(const PropertiesReport& report) {
   }
   std::string text;
   for (const auto& [candidate, campaigns] : by_candidate) {
-    if (campaigns.size() > 1) text += fmt::format("{}: {}\n", candidate, first_sentence(campaigns));
+    if (campaigns.size() < 2) continue;
+    const std::string& own = campaigns.front()->implementation.own_name;
+    text += fmt::format("{}{}: {}\n", candidate, own.empty() ? "" : fmt::format(" ({})", own),
+                        first_sentence(campaigns));
   }
   return text;
 }

@@ -179,7 +179,7 @@ TEST(Contracts, are_told_first_what_matters_most) {
     return out.substr(0, out.find('\n'));
   };
   expect_parts(first(tracer("right.py", "s >= 0", "(s, point)", "tangent='hit'")),
-               {"right on ordinary cases"});
+               {"(mine): right on ordinary cases"});
   expect_parts(first(tracer("no_hit.py", "False", "(s, point)", "lengths=(1e-300, 1e-299)")),
                {"not all decided: class"});
   expect_parts(first(tracer("none.py", "False", "(s, point)", "tangent='hit'")),
@@ -190,6 +190,12 @@ def intersect(ray, sphere, by):
     return 1.0, [x + y for x, y in zip(*ray)]
 rc.run('one', intersect=intersect, root='nearest', tangent='hit'))");
   expect_parts(first(one), {"every ray is said to hit every sphere, at s = 1"});
+  const std::string unwritten =
+      "command:python3 " + temporary_file("unwritten.py", R"(import raycheck_candidate as rc
+def intersect(ray, sphere, by):
+    raise NotImplementedError("not yet")
+rc.run('unwritten', intersect=intersect, root='nearest', tangent='hit'))");
+  expect_parts(first(unwritten), {"answers nothing: ", "not yet"});
 }
 
 /// Nothing decides whether a missed root within a rounding of the declared end counts.
