@@ -95,7 +95,9 @@ TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
       ASSERT_EQ(its.parts.size(), alone.parts.size());
       for (std::size_t k = 0; k < its.parts.size(); ++k) expect_same(its.parts[k], alone.parts[k]);
       ASSERT_EQ(its.failure.has_value(), alone.failure.has_value());
-      if (its.failure) EXPECT_EQ(its.failure->replay, alone.failure->replay);
+      if (its.failure) {
+        EXPECT_EQ(its.failure->replay, alone.failure->replay);
+      }
       any_broken = any_broken || its.failure;
       EXPECT_EQ(its.counts.cases < some.cases, its.failure.has_value());
     }
@@ -162,7 +164,9 @@ TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
       // The highest severity of the level is always there.
       EXPECT_TRUE(parts.contains(ChosenSource{&source, source.dial->highest_of(level)}.name()));
     }
-    if (level == Level::kOrdinary) EXPECT_EQ(all, 2400);
+    if (level == Level::kOrdinary) {
+      EXPECT_EQ(all, 2400);
+    }
     for (const auto& [source_name, cases] : before) {
       ASSERT_TRUE(parts.contains(source_name)) << source_name;
       EXPECT_GE(parts.at(source_name), cases) << source_name;
