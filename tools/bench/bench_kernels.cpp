@@ -202,7 +202,7 @@ Kernel campaign(const char* subject, const char* law) {
 
 /// Every law in one pass, by one thread.
 Kernel campaigns() {
-  constexpr int kCases = 500;
+  constexpr int kCases = 50;
   properties::LawsOfCandidate asked;
   for (const properties::Law& law : properties::laws()) asked.laws.push_back(&law);
   asked.options.cases = kCases;
