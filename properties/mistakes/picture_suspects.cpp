@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <ranges>
 #include <set>
 #include <utility>
 
@@ -11,9 +10,15 @@
 namespace raycheck::properties {
 namespace {
 
-auto told_by_pictures() {
-  return mistakes() |
-         std::views::filter([](const Mistake& one) { return one.is_told_by_pictures; });
+const std::vector<const Mistake*>& told_by_pictures() {
+  static const std::vector<const Mistake*> kTold = [] {
+    std::vector<const Mistake*> told;
+    for (const Mistake& one : mistakes()) {
+      if (one.is_told_by_pictures) told.push_back(&one);
+    }
+    return told;
+  }();
+  return kTold;
 }
 
 /// The best suspects so far. One that leaves half as many pixels again is about as good.
@@ -119,8 +124,8 @@ std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures&
 
 std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t errors) {
   Suspects suspects(most_unexplained(errors));
-  for (const Mistake& mistake : told_by_pictures()) {
-    const Fault fault = {&mistake};
+  for (const Mistake* mistake : told_by_pictures()) {
+    const Fault fault = {mistake};
     if (const auto its = left(fault, pictures, suspects.most_left())) suspects.add({fault, *its});
   }
   return suspects.take();
@@ -138,8 +143,8 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
   };
   known.insert(made({}));
   std::vector<const Mistake*> shown;
-  for (const Mistake& mistake : told_by_pictures()) {
-    if (known.insert(made({&mistake})).second) shown.push_back(&mistake);
+  for (const Mistake* mistake : told_by_pictures()) {
+    if (known.insert(made({mistake})).second) shown.push_back(mistake);
   }
   return shown;
 }
@@ -149,12 +154,12 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
 std::vector<const Mistake*> alike_beside(const Mistake& other, const Mistake& mistake,
                                          const Pictures& pictures) {
   std::vector<const Mistake*> alike = {&mistake};
-  for (const Mistake& one : told_by_pictures()) {
+  for (const Mistake* one : told_by_pictures()) {
     const bool is_known =
-        &one == &mistake || &one == &other || (!one.family.empty() && one.family == mistake.family);
-    if (!is_known && can_be_together(one, other) &&
-        make_the_same({&mistake, &other}, {&one, &other}, pictures)) {
-      alike.push_back(&one);
+        one == &mistake || one == &other || (!one->family.empty() && one->family == mistake.family);
+    if (!is_known && can_be_together(*one, other) &&
+        make_the_same({&mistake, &other}, {one, &other}, pictures)) {
+      alike.push_back(one);
     }
   }
   if (alike.size() <= kMostAlternatives) return alike;
@@ -199,14 +204,14 @@ std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t e
 /// The mistakes that make exactly these pictures, whose wrong pixels are all borderline.
 std::vector<Suspect> exact_suspects(const Pictures& pictures) {
   std::vector<Suspect> suspects;
-  for (const Mistake& mistake : told_by_pictures()) {
-    if (!mistake.conventions) continue;
+  for (const Mistake* mistake : told_by_pictures()) {
+    if (!mistake->conventions) continue;
     const bool makes_all = std::all_of(pictures.begin(), pictures.end(), [&](const Evidence& one) {
-      const scene::Scene other = mistaken(mistake, one.picture().scene);
+      const scene::Scene other = mistaken(*mistake, one.picture().scene);
       return scene::defects(other).empty() &&
              count_otherwise(one.picture().image, exact_image(other, other.conventions)) == 0;
     });
-    if (makes_all) suspects.push_back({{&mistake}, 0});
+    if (makes_all) suspects.push_back({{mistake}, 0});
   }
   return suspects.size() <= kMostAlternatives ? suspects : std::vector<Suspect>();
 }

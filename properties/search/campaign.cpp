@@ -255,7 +255,9 @@ Campaigns::Unit Campaigns::unit(std::size_t number) const {
 
 std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Candidate> candidates,
                                          const RunControl& control) const {
-  const auto [series, in_series] = unit(number);
+  const Unit unit_asked = unit(number);
+  Series& series = unit_asked.series;
+  const int in_series = unit_asked.number;
   std::vector<LawSearch> searches;
   for (const auto& [candidate, law, cases] : series.tried) {
     const auto& [laws, options] = asked_[candidate];
