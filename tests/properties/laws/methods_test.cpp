@@ -63,7 +63,7 @@ void expect_holds(const Law& law, const Candidate& candidate, std::string_view s
   EXPECT_FALSE(result.failure.has_value()) << candidate.name << " breaks: " << law.sentence << "\n"
                                            << result.failure->replay << "\n"
                                            << scene_text(result.failure->shrunk);
-  EXPECT_EQ(result.counts.cases, kCases);
+  EXPECT_GE(result.counts.cases, kCases);
 }
 
 /// Near tangency most wrong classes are excused: a defect is one case in a thousand there.
@@ -93,7 +93,7 @@ TEST_P(EachLaw, HoldsForDirectCross) {
   const Law& law = *find_law(GetParam());
   const CampaignResult result = campaign(law.name, drawing_candidate());
   EXPECT_FALSE(result.failure.has_value()) << scene_text(result.failure->shrunk);
-  EXPECT_EQ(result.counts.cases, kCases);
+  EXPECT_GE(result.counts.cases, kCases);
   const auto least = kLeastCompared.find(law.name);
   EXPECT_GE(result.verdict.compared(), least == kLeastCompared.end() ? kLeastOfAny : least->second);
   // Excuses are for the few: a law that excuses most of what it compares says nothing.
@@ -228,7 +228,7 @@ TEST(FocalRays, LeaveOutWhatSpeaksOfPixelPoints) {
   for (const char* law : {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero",
                           "density", "square-pixels", "focal-and-pixel"}) {
     const CampaignResult result = campaign(law, focal);
-    EXPECT_EQ(result.counts.left_out + result.counts.not_judged, kCases) << law;
+    EXPECT_EQ(result.counts.left_out + result.counts.not_judged, result.counts.cases) << law;
     EXPECT_EQ(result.verdict.compared(), 0u) << law;
     EXPECT_FALSE(result.counts.reason.empty()) << law;
   }
