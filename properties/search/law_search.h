@@ -23,7 +23,6 @@ class LawSearch {
   CampaignPart part;
   std::optional<Failure> failure;
 
-  const Law& law() const { return *law_; }
   /// Judges the source's case of a seed, as rounded for the candidate; `trials` on it are null
   /// where it is no problem under the candidate's conventions.
   void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);

@@ -92,6 +92,10 @@ TEST(Validate, DecidesParallelUpExactly) {
                    {1, -2, std::nextafter(3.0, 4.0)}));
   expect_none(with({kSmallest, 0, 0}, {0, 0, 0}, {0, kSmallest, 0}));
   expect_none(with({1, 0, 0}, {0, 0, 0}, {1e300, kSmallest, 0}));
+  // Parallel, though the differences of coordinates round apart.
+  constexpr double kLittle = 0x1.4p-54;
+  expect_one(with({1, 3, 5}, {kLittle, 3 * kLittle, 5 * kLittle}, {1, 3, 5}), "camera.up",
+             "[1, 3, 5]");
   const std::vector<Vector3> axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const Vector3& a : axes) {
     for (const Vector3& b : axes) {

@@ -105,6 +105,28 @@ TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
   EXPECT_TRUE(any_broken);
 }
 
+/// Whoever only fails is asked no more after some units; who answers in one of these is.
+TEST(Campaign, AsksWhoAnswersNothingNoMore) {
+  CampaignOptions some = options(500);
+  for (const std::size_t answered_in : {std::size_t{1}, kUnitsToFail}) {
+    Campaigns campaigns({{{find_law("class"), find_law("scaling")}, some}});
+    std::size_t unit = 0, asked = 0;
+    Candidate fails = kGood;
+    fails.intersect = [&](auto... of) {
+      ++asked;
+      if (unit == answered_in) return kGood.intersect(of...);
+      throw std::runtime_error("it says nothing");
+    };
+    for (; unit < campaigns.unit_count(); ++unit) {
+      campaigns.take(unit, campaigns.run(unit, {&fails, 1}, {}));
+    }
+    EXPECT_EQ(asked >= unit, answered_in < kUnitsToFail) << asked;
+    const CampaignResult its = campaigns.finished(0, 0, fails);
+    EXPECT_EQ(its.finding(), Finding::kBroken);
+    EXPECT_EQ(its.parts.size() == kUnitsToFail, answered_in == kUnitsToFail);
+  }
+}
+
 TEST(Campaign, GoesOnAfterABreak) {
   CampaignOptions far = options(1600);
   far.sources = {chosen_source("distance")};

@@ -198,6 +198,28 @@ rc.run('unwritten', intersect=intersect, root='nearest', tangent='hit'))");
   expect_parts(first(unwritten), {"answers nothing: ", "not yet"});
 }
 
+/// The textbook's difference, on the unit directions that it demands.
+TEST(Contracts, of_unit_directions_are_not_named_as_a_mistake) {
+  const std::string source = temporary_file("unit.cpp", R"(#include <cmath>
+#include <raycheck/candidate.hpp>
+using namespace raycheck;
+static double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
+  const Vector c = sphere.centre, o = ray.origin, to = {c.x - o.x, c.y - o.y, c.z - o.z};
+  const double v = dot(to, ray.direction), rest = v * v - dot(to, to) + sphere.radius * sphere.radius;
+  if (rest < 0) return {};
+  const double near = v - std::sqrt(rest), far = v + std::sqrt(rest);
+  if (far < 0) return {};
+  return Hit{near >= 0 ? near : far, {}};
+}
+RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
+                   .directions = Directions::unit, .returns = Returns::distance))");
+  const Outcome outcome = run("properties --level demanding --candidate source:" + source);
+  EXPECT_EQ(outcome.exit_code, 1);
+  expect_parts(outcome.out, {"loses its digits from 10^"});
+  EXPECT_FALSE(has(outcome.out, "directions are taken for unit ones"));
+}
+
 /// Nothing decides whether a missed root within a rounding of the declared end counts.
 TEST(Contracts, show_the_case_that_is_left_undecided) {
   const std::string misses = tracer("misses.py", "s > 1.0000000000000002 ", "(s, point)",
