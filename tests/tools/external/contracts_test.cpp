@@ -209,10 +209,12 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   const double v = dot(to, ray.direction), rest = v * v - dot(to, to) + sphere.radius * sphere.radius;
   if (rest < 0) return {};
   const double near = v - std::sqrt(rest), far = v + std::sqrt(rest);
-  if (far < 0) return {};
-  return Hit{near >= 0 ? near : far, {}};
+  if (far <= 1e-4) return {};
+  return Hit{near > 1e-4 ? near : far, {}};
 }
 RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect = intersect,
+                   .roots = Roots::declared,
+                   .valid = {.t_min = 1e-4, .ends = Ends::open, .unit = TUnit::length},
                    .directions = Directions::unit, .returns = Returns::distance))");
   const Outcome outcome = run("properties --level demanding --candidate source:" + source);
   EXPECT_EQ(outcome.exit_code, 1);
