@@ -337,7 +337,9 @@ class Verdict {
   /// Adds a discrepancy under this verdict's law.
   void add(Discrepancy discrepancy);
   void merge(Verdict other);
-  /// Drops the errors, the condition numbers and the discrepancies, but keeps their counts.
+  /// Drops the discrepancies, but keeps their counts;
+  void drop_discrepancies() { kept_ = {}; }
+  /// and the errors and the condition numbers, too.
   void keep_counts();
   /// Adds to every ray index: this verdict's case was a part of a larger one, starting at that ray.
   void shift_rays(std::size_t first);

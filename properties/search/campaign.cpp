@@ -8,6 +8,7 @@
 #include <compare>
 #include <limits>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "properties/case.h"
@@ -90,10 +91,11 @@ void lower(std::atomic<std::size_t>& unit, std::size_t to) {
   }
 }
 
-/// The seed of a unit's streams: a function of the series' own and the unit's number alone.
-std::uint64_t stream_of(std::uint64_t seed, int unit) {
+/// The seed of the streams of kUnitCases cases: a function of the series' own and of how many there
+/// are before.
+std::uint64_t stream_of(std::uint64_t seed, int before) {
   const std::uint64_t first = Random(seed).bits();
-  return unit == 0 ? first : Random(first + static_cast<std::uint64_t>(unit)).bits();
+  return before == 0 ? first : Random(first + static_cast<std::uint64_t>(before)).bits();
 }
 
 /// A case of a source: made once, rounded once for each format, its truths worked out once for each
@@ -159,19 +161,27 @@ void CaseCounts::add(const CaseCounts& other) {
   if (!other.reason.empty()) reason = other.reason;
 }
 
+bool CampaignPart::is_new(const std::vector<DefectKind>& defects) const {
+  return std::none_of(breaks.begin(), breaks.end(),
+                      [&](const Break& known) { return known.defects == defects; });
+}
+
 void CampaignPart::merge(CampaignPart later) {
   counts.add(later.counts);
-  verdict.merge(later.verdict);
-  replay = std::move(later.replay);
-  defects = std::move(later.defects);
-  failed_at = std::move(later.failed_at);
+  verdict.merge(std::move(later.verdict));
+  for (Break& one : later.breaks) {
+    if (is_new(one.defects)) breaks.push_back(std::move(one));
+  }
   failed_at_once = false;
   if (!undecided_seed) undecided_seed = later.undecided_seed;
+  undecided.insert(undecided.end(), later.undecided.begin(), later.undecided.end());
+  std::sort(undecided.begin(), undecided.end());
+  undecided.erase(std::unique(undecided.begin(), undecided.end()), undecided.end());
 }
 
 void CampaignPart::close(bool strict) {
   if (!strict) undecided = verdict.undecided();
-  verdict.keep_counts();
+  verdict.drop_discrepancies();
 }
 
 Finding CampaignResult::finding() const {
@@ -195,7 +205,7 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) 
   }
   for (const CampaignPart& part : result.parts) {
     if (!part.is_broken() || part.source.level() > lowest) continue;
-    broken.emplace_back(part.source, parse_replay(part.replay).seed);
+    broken.emplace_back(part.source, parse_replay(part.breaks.front().replay).seed);
   }
   std::vector<Case> cases;
   while (!broken.empty() && cases.size() < most) {
@@ -214,8 +224,9 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) 
   return cases;
 }
 
-Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates)
+Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_kept)
     : asked_(std::move(of_candidates)),
+      units_are_kept_(units_are_kept),
       units_failed_(asked_.size()),
       answers_nothing_(asked_.size()) {
   std::map<SeriesKey, std::pair<ChosenSource, std::vector<Tried>>> all;
@@ -236,12 +247,24 @@ Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates)
   }
   for (auto& [key, one] : all) {
     auto& [source, tried] = one;
-    int most = 0;
-    for (const Tried& law : tried) most = std::max(most, law.cases);
     std::vector<std::atomic<std::size_t>> broken_in(tried.size());
     for (auto& unit : broken_in) unit = kNoUnit;
-    series_.push_back({source, std::move(tried), unit_count_, std::move(broken_in)});
-    unit_count_ += static_cast<std::size_t>((most + kUnitCases - 1) / kUnitCases);
+    series_.push_back({source, std::move(tried), 0, std::move(broken_in)});
+  }
+  number_units();
+  while (unit_count_ > kMostUnits + series_.size()) {
+    unit_cases_ *= 2;
+    number_units();
+  }
+}
+
+void Campaigns::number_units() {
+  unit_count_ = 0;
+  for (Series& series : series_) {
+    int most = 0;
+    for (const Tried& law : series.tried) most = std::max(most, law.cases);
+    series.first_unit = unit_count_;
+    unit_count_ += static_cast<std::size_t>((most - 1) / unit_cases_ + 1);
   }
 }
 
@@ -263,22 +286,27 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
     const auto& [laws, options] = asked_[candidate];
     searches.emplace_back(*laws[law], candidates[candidate], options, series.source);
   }
-  const auto goes_on = [&](std::size_t k, int at) {
-    return at < series.tried[k].cases && !searches[k].failure && series.broken_in[k] >= number &&
-           !answers_nothing_[series.tried[k].candidate];
+  const auto is_over = [&](std::size_t k) {
+    const std::size_t candidate = series.tried[k].candidate;
+    if (!units_are_kept_ && answers_nothing_[candidate]) return true;
+    if (asked_[candidate].options.keep_going > 1) return false;
+    return searches[k].part.is_broken() || (!units_are_kept_ && series.broken_in[k] < number);
   };
   const std::uint64_t seed = asked_.front().options.seed ^ series.source.hash();
-  rc::Random random(stream_of(seed, in_series));
-  const int first = in_series * kUnitCases;
+  const int first = in_series * unit_cases_;
+  rc::Random random;
   try {
-    for (int at = first; at < first + kUnitCases && !control.interrupted(); ++at) {
+    for (int k = 0; k < unit_cases_ && !control.interrupted(); ++k) {
+      const int at = first + k;
+      if (k % kUnitCases == 0) random = rc::Random(stream_of(seed, at / kUnitCases));
       rc::Random one = random.split();
       std::optional<AskedCase> asked;
-      for (std::size_t k = 0; k < searches.size(); ++k) {
-        if (!goes_on(k, at)) continue;
+      for (std::size_t law = 0; law < searches.size(); ++law) {
+        const Tried& tried = series.tried[law];
+        if (at >= tried.cases || is_over(law)) continue;
         if (!asked) asked.emplace(series.source, one.split().next());
-        const std::size_t candidate = series.tried[k].candidate;
-        asked->judge(searches[k], candidates[candidate], asked_[candidate].options.max_error);
+        asked->judge(searches[law], candidates[tried.candidate],
+                     asked_[tried.candidate].options.max_error);
       }
     }
   } catch (const scene::Interrupted&) {
@@ -286,8 +314,10 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
   }
   std::vector<CampaignPart> parts;
   for (std::size_t k = 0; k < searches.size(); ++k) {
-    if (searches[k].failure) lower(series.broken_in[k], number);
-    parts.push_back(std::move(searches[k].part));
+    CampaignPart& part = searches[k].part;
+    if (part.is_broken()) lower(series.broken_in[k], number);
+    part.close(asked_[series.tried[k].candidate].options.strict);
+    parts.push_back(std::move(part));
   }
   return parts;
 }
@@ -306,19 +336,21 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto& [candidate, law, cases] = series.tried[k];
     CampaignResult& result = results_[candidate][law];
-    if (answers_nothing_[candidate]) continue;
+    if (answers_nothing_[candidate] || parts[k].counts.cases == 0) continue;
     const bool goes_on =
         in_series > 0 && !result.parts.empty() && result.parts.back().source == series.source;
-    if (parts[k].counts.cases == 0 || (goes_on && result.parts.back().is_broken())) continue;
+    const bool is_over = goes_on && result.parts.back().is_broken();
+    if (is_over && asked_[candidate].options.keep_going <= 1) continue;
     result.counts.add(parts[k].counts);
     result.verdict.merge(parts[k].verdict);
+    parts[k].verdict.keep_counts();
     if (goes_on) {
       result.parts.back().merge(std::move(parts[k]));
       continue;
     }
-    if (!result.parts.empty()) result.parts.back().close(asked_[candidate].options.strict);
     result.level = std::max(result.level, series.source.level());
     result.parts.push_back(std::move(parts[k]));
+    result.parts.back().source = series.source;
   }
   for (std::size_t k = 0; k < asked_.size(); ++k) {
     if (units_failed_[k] == number && fails[k] && !answers[k]) ++units_failed_[k];
@@ -330,24 +362,38 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
                                    const Candidate& candidate) {
   const auto& [laws, options] = asked_[number];
   CampaignResult result = std::move(results_[number][law]);
-  if (!result.parts.empty()) result.parts.back().close(options.strict);
   const auto& declared = candidate.declared.valid;
   result.wants_hits = declared && !declared->is_usual();
-  const CampaignPart* first = nullptr;
-  for (const CampaignPart& part : result.parts) {
-    if (!part.is_broken()) continue;
-    if (first == nullptr || part.source.level() < first->source.level()) first = &part;
-  }
-  if (first != nullptr) {
-    const std::uint64_t seed = parse_replay(first->replay).seed;
-    LawSearch search(*laws[law], candidate, options, first->source);
+  const auto shrunk = [&](const CampaignPart& part, const Break& broken) {
+    const std::uint64_t seed = parse_replay(broken.replay).seed;
+    LawSearch search(*laws[law], candidate, options, part.source);
     search.replay(seed, !answers_nothing_[number]);
-    result.failure = std::move(search.failure);
-    if (!result.failure) {  // interrupted before it was judged again
-      result.failure = Failure{first->source.make(seed), first->verdict, first->replay};
-    }
-    return result;
+    if (search.failure) return *std::move(search.failure);
+    return Failure{part.source.make(seed), part.verdict, broken.replay};  // interrupted
+  };
+  std::vector<const CampaignPart*> broken;
+  for (const CampaignPart& part : result.parts) {
+    if (part.is_broken()) broken.push_back(&part);
   }
+  std::stable_sort(broken.begin(), broken.end(), [](const auto* a, const auto* b) {
+    return a->source.level() < b->source.level();
+  });
+  std::set<std::pair<const CaseSource*, std::vector<DefectKind>>> known;
+  for (const CampaignPart* part : broken) {
+    for (const Break& one : part->breaks) {
+      if (known.size() >= options.keep_going) break;
+      Failure failure = shrunk(*part, one);
+      if (!known.emplace(part->source.source, failure.verdict.defects(options.strict)).second) {
+        continue;
+      }
+      if (result.failure) {
+        result.others.push_back(std::move(failure));
+      } else {
+        result.failure = std::move(failure);
+      }
+    }
+  }
+  if (result.failure) return result;
   for (const CampaignPart& part : result.parts) {
     if (!part.undecided_seed || result.finding() != Finding::kUndecided) continue;
     LawSearch search(*laws[law], candidate, options, part.source);

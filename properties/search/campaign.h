@@ -34,6 +34,8 @@ struct CampaignOptions {
   /// Where cases come from; empty: every source of the level that suits the law. One without a
   /// severity stands for its severities of the level, one with a severity for that one.
   std::vector<ChosenSource> sources;
+  /// How many distinct failures are shrunk: with more than one, a law's cases go on after a break.
+  std::size_t keep_going = 1;
 };
 
 /// What became of cases, all of which are counted once.
@@ -48,26 +50,33 @@ struct CaseCounts {
   void add(const CaseCounts& other);
 };
 
+/// A case that breaks a law.
+struct Break {
+  /// Reproduces it: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be SOURCE@SEVERITY.
+  std::string replay;
+  std::vector<DefectKind> defects;         ///< What it shows,
+  std::optional<CodeLine> failed_at = {};  ///< and where the candidate died or threw.
+};
+
 /// A law's verdict on the cases of one source, at one severity where it has a dial. Ends at the
-/// first case that breaks it.
+/// first case that breaks it, unless it keeps going.
 struct CampaignPart {
   ChosenSource source;
   CaseCounts counts;
   Verdict verdict;  ///< Counts only: there are thousands of parts.
-  /// Reproduces the case that breaks it: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be
-  /// SOURCE@SEVERITY. Empty if the law is not broken.
-  std::string replay;
-  std::vector<DefectKind> defects;    ///< What that case shows,
-  std::optional<CodeLine> failed_at;  ///< and the line at which the candidate died or threw there.
+  /// The first, and later ones that show something else.
+  std::vector<Break> breaks;
   std::vector<DefectKind> undecided;  ///< What is undecided in all its cases,
   std::optional<std::uint64_t> undecided_seed;  ///< and the first of these.
 
   bool failed_at_once = false;  ///< The candidate failed before it answered anything.
 
-  bool is_broken() const { return !replay.empty(); }
-  /// Adds later cases of the same. Domain: it is not broken.
+  bool is_broken() const { return !breaks.empty(); }
+  /// Whether its break shows what those known do not.
+  bool is_new(const std::vector<DefectKind>& defects) const;
+  /// Adds later cases of the same.
   void merge(CampaignPart later);
-  /// After its last case: notes what is undecided, and keeps counts alone.
+  /// After its last case: notes what is undecided.
   void close(bool strict);
 };
 
@@ -100,6 +109,8 @@ struct CampaignResult {
   /// Of the first part that is broken, among those of the lowest level; where none is, of the first
   /// with an undecided case.
   std::optional<Failure> failure;
+  /// With keep_going, more that break the law, of another source or kind each.
+  std::vector<Failure> others = {};
 
   std::uint64_t fewest_right = kFewestRight;  ///< 0 for a replay: its one case is enough.
   /// A candidate that declares which roots count may exclude all: some hits must be asked for.
@@ -117,8 +128,10 @@ struct CampaignResult {
 /// wrong; then, unless all break it, as many from all, which rule out what would be wrong there.
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most);
 
-/// A unit of work is no larger, so that threads end together.
+/// A unit of work has so many cases of a series, so that threads end together,
 inline constexpr int kUnitCases = 64;
+/// or a multiple by a power of two, so that a campaign has hardly more units than this.
+inline constexpr std::size_t kMostUnits = 1 << 16;
 
 /// Who only fails in the first of so many is asked no more.
 inline constexpr std::size_t kUnitsToFail = 3;
@@ -131,16 +144,18 @@ struct LawsOfCandidate {
 
 /// The campaigns of several candidates and laws as one pass: a case is made once, its truth worked
 /// out once, and each candidate asked once, for all laws that are tried on it. The work falls into
-/// units, at most kUnitCases of one source at one severity, which know nothing of each other: any
-/// thread may run any of them.
+/// units, some cases of one source at one severity, which know nothing of each other: any thread,
+/// process or machine may run any of them.
 /// Domain: at least one candidate; `candidates` are those of the constructor, in its order.
 class Campaigns {
  public:
-  explicit Campaigns(std::vector<LawsOfCandidate> of_candidates);
+  /// `units_are_kept`: a unit's result depends on nothing but the unit; otherwise laws are left out
+  /// of it that are known to be broken in an earlier one.
+  explicit Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_kept = false);
 
   std::size_t unit_count() const { return unit_count_; }
   /// What became of the cases of a unit, for each law of each candidate that they are tried on; an
-  /// interrupt ends them early.
+  /// interrupt ends them early. Their discrepancies are counted, and not kept.
   std::vector<CampaignPart> run(std::size_t unit, std::span<const Candidate> candidates,
                                 const RunControl& control) const;
   /// Adds that; unit after unit.
@@ -167,10 +182,13 @@ class Campaigns {
     int number;  ///< In the series.
   };
   Unit unit(std::size_t number) const;
+  void number_units();
 
   std::vector<LawsOfCandidate> asked_;
   mutable std::vector<Series> series_;  ///< In the order of sources and severities.
   std::size_t unit_count_ = 0;
+  int unit_cases_ = kUnitCases;
+  bool units_are_kept_;
   /// By candidate, how many units it has done nothing but fail in, from the first on; after
   /// kUnitsToFail it is asked no more.
   std::vector<std::size_t> units_failed_;

@@ -43,6 +43,7 @@ bool fails_always(const Verdict& verdict) {
 
 void LawSearch::judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials) {
   const std::uint64_t undecided = part.verdict.count(Standing::kUndecided);
+  failure.reset();
   if (rounded.the_case) {
     auto [judged, given, verdict] = verdict_on(*law_, trials);
     take(*rounded.the_case, judged, given, std::move(verdict));
@@ -52,7 +53,10 @@ void LawSearch::judge(std::uint64_t seed, const RoundedCase& rounded, Trials* tr
   if (!part.undecided_seed && part.verdict.count(Standing::kUndecided) > undecided) {
     part.undecided_seed = seed;
   }
-  if (failure) part.replay = failure->replay = replay_of(seed);
+  if (!failure) return;
+  failure->replay = replay_of(seed);
+  std::string& replay = part.breaks.back().replay;
+  if (replay.empty()) replay = failure->replay;
 }
 
 void LawSearch::judge(std::uint64_t seed) {
@@ -131,12 +135,14 @@ bool LawSearch::take(const Case& the_case, bool judged, bool given, Verdict verd
   // Failing whatever is asked says nothing about a simpler case.
   if (is_shrinking && fails_always(verdict)) return false;
   if (!is_shrinking) {
-    part.defects = verdict.defects(strict_);
-    part.failed_at = verdict.failed_at(strict_);
     const bool is_first = part.verdict.compared() == verdict.compared();
-    part.failed_at_once = is_first && verdict.worst(1).front().wrong == Wrong::kFailed;
+    if (is_first) part.failed_at_once = verdict.worst(1).front().wrong == Wrong::kFailed;
+    std::vector<DefectKind> defects = verdict.defects(strict_);
+    if (part.is_new(defects)) {
+      part.breaks.push_back({{}, std::move(defects), verdict.failed_at(strict_)});
+    }
   }
-  failure = Failure{the_case, std::move(verdict), part.replay};
+  failure = Failure{the_case, std::move(verdict), is_shrinking ? failure->replay : ""};
   return true;
 }
 

@@ -42,8 +42,16 @@ Identity identity_of(const CampaignReport& campaign, const CampaignPart& part, s
 std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool is_held) {
   std::set<Identity> found;
   for (const CampaignPart& part : parts) {
-    for (const properties::DefectKind& kind : is_held ? part.defects : part.undecided) {
-      found.insert(identity_of(campaign, part, is_held ? kind_text(kind) : undecided_text(kind)));
+    if (!is_held) {
+      for (const properties::DefectKind& kind : part.undecided) {
+        found.insert(identity_of(campaign, part, undecided_text(kind)));
+      }
+      continue;
+    }
+    for (const properties::Break& one : part.breaks) {
+      for (const properties::DefectKind& kind : one.defects) {
+        found.insert(identity_of(campaign, part, kind_text(kind)));
+      }
     }
   }
   return {found.begin(), found.end()};
@@ -66,7 +74,7 @@ std::string text_of(const CampaignReport& campaign, Parts parts) {
   const auto& failure = campaign.result.failure;
   const bool has_failure =
       failure && std::any_of(parts.begin(), parts.end(), [&](const CampaignPart& part) {
-        return part.replay == failure->replay;
+        return part.is_broken() && part.breaks.front().replay == failure->replay;
       });
   if (has_failure) return failure_text(campaign, false);
   std::string text = fmt::format("the law: {}\n", campaign.law->sentence);
@@ -76,7 +84,7 @@ std::string text_of(const CampaignReport& campaign, Parts parts) {
     if (!part.is_broken()) continue;
     severities += fmt::format("{}{}", severities.empty() ? "" : ", ", part.source.name());
     if (replays++ >= kMostReplays) continue;
-    text += fmt::format("replay: {}\n", replay_text(campaign, part.replay));
+    text += fmt::format("replay: {}\n", replay_text(campaign, part.breaks.front().replay));
   }
   return text + fmt::format("broken on {}\n", severities);
 }
@@ -89,7 +97,9 @@ void add_check_of(const CampaignReport& campaign, Parts parts, Gate& gate) {
                  .defects = found_of(campaign, parts, true)},
                 {count(parts, Standing::kUndecided), found_of(campaign, parts, false)});
   for (const CampaignPart& part : parts) {
-    if (!check.line) check.line = part.failed_at;
+    for (const properties::Break& one : part.breaks) {
+      if (!check.line) check.line = one.failed_at;
+    }
   }
   const auto& shown = campaign.result.failure;
   const bool is_shown_undecided =

@@ -24,8 +24,9 @@ Json part_json(const properties::CampaignPart& part) {
   json["source"] = part.source.source->name;
   json["severity"] = or_null(part.source.severity);
   json["level"] = name(part.source.level());
-  json["replay"] = text_or_null(part.replay);
-  json["defects"] = list_json(part.defects, kind_text);
+  const properties::Break first = part.is_broken() ? part.breaks.front() : properties::Break{};
+  json["replay"] = text_or_null(first.replay);
+  json["defects"] = list_json(first.defects, kind_text);
   return json;
 }
 
