@@ -20,6 +20,10 @@ struct CodeLine {
   std::string file;       ///< Relative to the working folder where it lies below that.
   std::int64_t line = 1;  ///< From 1 on.
   std::string text = {};  ///< What stands there, without the space around it.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(file, line, text);
+  }
 };
 
 /// It failed at a known line.

@@ -40,6 +40,16 @@ class QuantileSketch {
   bool operator==(const QuantileSketch& other) const;
   /// How many entries are held.
   std::size_t size() const { return bins_.size() + waiting_.size(); }
+  template <class Archive>
+  void save(Archive& archive) const {
+    archive(counted(), count_, max_);
+  }
+  template <class Archive>
+  void load(Archive& archive) {
+    std::map<double, std::uint64_t> bins;
+    archive(bins, count_, max_);
+    bins_ = {bins.begin(), bins.end()};
+  }
 
  private:
   void wait(double upper_end);

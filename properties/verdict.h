@@ -74,6 +74,10 @@ struct Excuse {
 
   Standing standing() const { return info(kind).standing; }
   bool operator==(const Excuse&) const = default;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(kind, amount, witness);
+  }
 };
 
 /// The quality of an answer, given the conditioning of its question.
@@ -168,6 +172,10 @@ constexpr std::string_view name(Expected expected) {
 struct Answered {
   std::uint64_t asked = 0;
   std::uint64_t right = 0;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(asked, right);
+  }
 };
 
 /// What in a case an answer is about: a ray (a camera's pixel, or a given ray by its index), and a
@@ -176,6 +184,10 @@ struct Place {
   std::size_t ray = 0;
   std::optional<scene::Pixel> pixel;
   std::optional<std::size_t> sphere;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(ray, pixel, sphere);
+  }
 };
 
 /// An answer that is right or wrong: what was expected where, and how the answer differs.
@@ -230,6 +242,12 @@ struct Tally {
   }
   Answered& answers_to(Expected expected) { return answered[static_cast<std::size_t>(expected)]; }
   std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(cases, right, wrong, wrong_by_standing, answered, errors, least_bound, greatest_bound,
+            ill_conditioned, worst, worst_place, conditions, worst_condition, worst_ratio, outcomes,
+            max_over_growth);
+  }
   /// Whether every error counted was weighed by its condition number.
   bool is_weighed() const { return errors.count() == conditions.count(); }
   /// Empty when no error was measured. The quantile is the least error that is at least as large as
@@ -264,11 +282,15 @@ struct FailureSite {
   /// The single question as a scene; empty if there is none, or several.
   std::optional<scene::Scene> scene;
   std::optional<CodeLine> line = {};  ///< In the candidate's source, if known.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(blame, count, scene, line);
+  }
 };
 
 /// An answer that differs from the truth by more than allowed.
 struct Discrepancy {
-  std::string_view law;
+  std::string law;
   Quantity quantity = Quantity::kFrame;
   Place place;
   std::string what;  ///< Which part: "U", "corner (0, 0)", "scaled by 2^40".
@@ -285,6 +307,11 @@ struct Discrepancy {
   /// The interval that the answered s is judged by, if s lies outside it.
   std::optional<scene::ValidRoots> excluded_by;
   FailureSite failed;  ///< Where it failed.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(law, quantity, place, what, symbol, got, exact, got_some_sphere, error, precision, wrong,
+            condition, excuse, excluded_by, failed);
+  }
 };
 
 /// Which answers are wrong, and how, wherever they are.
@@ -292,6 +319,10 @@ struct DefectKind {
   Quantity quantity = Quantity::kFrame;
   Wrong wrong = Wrong::kNot;  ///< kNot for an error above its bound.
   auto operator<=>(const DefectKind&) const = default;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(quantity, wrong);
+  }
 };
 
 /// Whether a discrepancy breaks a law; if `strictly`, excused and undecided ones do, too.
@@ -370,6 +401,11 @@ class Verdict {
   /// Of those kept that break the law, the first known line at which the candidate failed.
   std::optional<CodeLine> failed_at(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
+  /// Without the law that it belongs to.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(left_out_, tallies_, kept_, by_standing_);
+  }
 
  private:
   void prune();

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -187,6 +188,18 @@ void add_certificates(CLI::App& command, std::optional<std::string>& path) {
                   "takes proofs of the discrepancies found; tools/verify_certificates.py confirms "
                   "them without raycheck")
       ->type_name("FILE");
+}
+
+std::vector<std::string> files_of(const CLI::Option& option) {
+  std::vector<std::string> files;
+  for (const std::string& value : option.results()) {
+    for (const std::size_t begin : {std::size_t{0}, value.find(':') + 1, value.find('=') + 1}) {
+      files.push_back(value.substr(begin));
+      std::istringstream words(files.back());
+      for (std::string word; words >> word;) files.push_back(word);
+    }
+  }
+  return files;
 }
 
 void add_threads(CLI::App& command, int& threads, std::string_view same) {

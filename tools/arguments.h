@@ -143,6 +143,9 @@ void add_format(CLI::App& command, std::string& format, const View<Report> (&vie
 }
 /// --method, of either kind; several.
 void add_methods(CLI::App& command, std::vector<std::string>& methods);
+/// Every text of an option that may name a file: the value, what follows "source:" or "name=", and
+/// the words of a command.
+std::vector<std::string> files_of(const CLI::Option& option);
 /// The file that an option names, opened before the work that it is to take; empty where it is not
 /// given. Errors: std::invalid_argument as OutputFile.
 std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);

@@ -66,20 +66,6 @@ std::vector<Written> written_by(const CLI::App& command) {
   return all;
 }
 
-/// Every text of an option that may name a file: the value, what follows "source:" or "name=", and
-/// the words of a command.
-std::vector<std::string> files_of(const CLI::Option& option) {
-  std::vector<std::string> files;
-  for (const std::string& value : option.results()) {
-    for (const std::size_t begin : {std::size_t{0}, value.find(':') + 1, value.find('=') + 1}) {
-      files.push_back(value.substr(begin));
-      std::istringstream words(files.back());
-      for (std::string word; words >> word;) files.push_back(word);
-    }
-  }
-  return files;
-}
-
 bool is_same(const std::string& a, const std::string& b) {
   std::error_code error;
   const fs::path one = fs::weakly_canonical(a, error), other = fs::weakly_canonical(b, error);

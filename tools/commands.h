@@ -42,6 +42,7 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
   ROW(stress, study, "Judge methods, each stage alone, on families of cases of growing severity")   \
   ROW(tradeoff, study, "Compare methods by certified error and measured time on the same inputs")   \
   ROW(worst, study, "Search for the input on which a method's certified error is worst")            \
+  ROW(merge, study, "Report on a campaign whose shards were done one by one, on any machines")      \
   ROW(image, study, "Write the picture of a scene, every pixel of it decided exactly")              \
   ROW(view, study, "Show a scene, its rays and where methods go wrong, in a page for a browser")    \
   ROW(plan, study, "Show what a scene needs and what can be left out, and measure what that saves") \

@@ -48,6 +48,10 @@ struct CaseCounts {
   std::string reason;  ///< Why the last of those left out was.
 
   void add(const CaseCounts& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(cases, left_out, not_judged, given_rays, reason);
+  }
 };
 
 /// A case that breaks a law.
@@ -56,6 +60,10 @@ struct Break {
   std::string replay;
   std::vector<DefectKind> defects;         ///< What it shows,
   std::optional<CodeLine> failed_at = {};  ///< and where the candidate died or threw.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(replay, defects, failed_at);
+  }
 };
 
 /// A law's verdict on the cases of one source, at one severity where it has a dial. Ends at the
@@ -78,6 +86,11 @@ struct CampaignPart {
   void merge(CampaignPart later);
   /// After its last case: notes what is undecided.
   void close(bool strict);
+  /// Without its source.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(counts, verdict, breaks, undecided, undecided_seed, failed_at_once);
+  }
 };
 
 /// A case that breaks a law, or leaves it undecided, shrunk as far as it still does.

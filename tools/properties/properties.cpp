@@ -10,7 +10,7 @@
 #include "properties/mistakes/causes.h"
 #include "scene/interruption.h"
 #include "tools/implementations/built_in.h"
-#include "tools/run/in_order.h"
+#include "tools/shards/run_units.h"
 
 namespace raycheck::tools {
 namespace {
@@ -114,7 +114,7 @@ bool PropertiesReport::is_conclusive() const {
 }
 
 PropertiesReport run_properties(const PropertiesOptions& options,
-                                const properties::RunControl& control) {
+                                const properties::RunControl& control, Units* units) {
   const scene::Interruptible interruptible(control.interrupted);
   if (!options.replay.empty()) {
     PropertiesReport report = replay(options);
@@ -131,6 +131,7 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   campaign.max_error = options.max_error;
   campaign.strict = options.strict;
   campaign.sources = options.sources;
+  campaign.keep_going = options.keep_going;
   const bool chosen = !options.implementations.empty();
   const auto judged = chosen ? options.implementations : built_in(each_method_once());
   for (const Implementation& one : judged) {
@@ -161,12 +162,12 @@ PropertiesReport run_properties(const PropertiesOptions& options,
       asked[k].laws.push_back(law);
     }
   }
-  properties::Campaigns campaigns(std::move(asked));
+  properties::Campaigns campaigns(std::move(asked), units != nullptr);
   using Parts = std::vector<properties::CampaignPart>;
   const auto count = static_cast<std::int64_t>(campaigns.unit_count());
   std::int64_t next = 0;
-  in_order<Parts>(
-      count, control,
+  run_units<Parts>(
+      count, units, control,
       [&](std::int64_t unit) {
         return campaigns.run(static_cast<std::size_t>(unit), candidates.local(), control);
       },
@@ -174,6 +175,8 @@ PropertiesReport run_properties(const PropertiesOptions& options,
         campaigns.take(static_cast<std::size_t>(next++), std::move(parts));
         control.progress(fmt::format("{} of {} severities of sources", next, count));
       });
+  report.interrupted = control.interrupted();
+  if (units != nullptr && !units->are_all()) return report;
   for (const auto& [law, candidate, number] : in_reports_order) {
     const Candidate& own = candidates.local()[candidate];
     properties::CampaignResult result = campaigns.finished(candidate, number, own);

@@ -13,6 +13,7 @@
 #include "tools/gates/gate.h"
 #include "tools/implementations/implementation.h"
 #include "tools/report/view.h"
+#include "tools/shards/units.h"
 #include "tools/view/document.h"
 
 namespace raycheck::tools {
@@ -27,6 +28,7 @@ struct PropertiesOptions {
   std::optional<properties::Level> level;         ///< Empty: each candidate's own.
   std::optional<double> max_error;
   bool strict = false;  ///< Excused or undecided answers break a law, too.
+  std::size_t keep_going = 1;  ///< Distinct failures of a law that are shown.
 };
 
 /// One law on one candidate.
@@ -65,9 +67,11 @@ struct PropertiesReport {
   bool is_conclusive() const;
 };
 
-/// Runs the campaigns, or replays one failure. Throws std::invalid_argument naming the field.
+/// Runs the campaigns, or replays one failure. With `units`, only what is missing of their shard;
+/// if they are not all, the report is empty. Throws std::invalid_argument naming the field.
 PropertiesReport run_properties(const PropertiesOptions& options,
-                                const properties::RunControl& control = {});
+                                const properties::RunControl& control = {},
+                                Units* units = nullptr);
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_json(const PropertiesReport& report, const ViewOptions& options);

@@ -7,6 +7,7 @@
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
 #include "tools/properties/properties.h"
+#include "tools/shard_arguments.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
@@ -21,6 +22,7 @@ struct PropertiesArguments {
   std::optional<std::string> view;
   GateArguments gate;
   int threads = tbb::info::default_concurrency();
+  ShardArguments shards;
 };
 
 /// Domain: one of kLevelNames.
@@ -39,7 +41,10 @@ int run_properties_command(PropertiesArguments& arguments) {
   options.implementations = find_judged(arguments.judged);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
-  PropertiesReport report = run_properties(options, run_control("laws", arguments.threads));
+  const std::unique_ptr<Units> units = units_of(arguments.shards);
+  PropertiesReport report =
+      run_properties(options, run_control("laws", arguments.threads), units.get());
+  if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   Gate gate = properties_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
   if (report.ratchet) gate = properties_gate(report);  // which the baseline is part of
@@ -81,9 +86,16 @@ CommandRun add_properties(CLI::App& command) {
       ->check(CLI::IsMember(std::vector<std::string>(properties::kLevelNames.begin(),
                                                      properties::kLevelNames.end())));
   // Its string names law, methods and source.
-  for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect"}) {
+  add_shards(command, given->shards);
+  for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect", "--out"}) {
     replay->excludes(command.get_option(other));
   }
+  command
+      .add_option("--keep-going", options.keep_going,
+                  "do not stop at a law's first failure: shrink up to so many that differ in "
+                  "source or kind")
+      ->check(whole_number(1, 1000))
+      ->type_name("N");
   add_strict(command, options.strict);
   add_threads(command, given->threads, "the report");
   add_view(command, given->view, "the shrunk case of every broken law");

@@ -20,6 +20,7 @@
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"
+#include "tools/report/digest.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

@@ -17,6 +17,7 @@
 #include "tools/grade/intake/handed_in.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/rubric.h"
+#include "tools/report/digest.h"
 
 namespace raycheck::tools {
 namespace {

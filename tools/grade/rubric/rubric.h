@@ -157,9 +157,6 @@ std::optional<std::filesystem::path> shipped_rubric(const std::filesystem::path&
 /// The path of a scene that one of them names; empty: there is none.
 std::optional<std::filesystem::path> shipped_scene(const std::filesystem::path& name);
 
-/// SHA-256 of texts, in hexadecimal; different lists never hash the same bytes.
-std::string digest(const std::vector<std::string>& texts);
-
 /// The seed of a submission: the first 64 bits of HMAC-SHA-256 of its name under a secret,
 /// unpredictable without the secret.
 std::uint64_t secret_seed(std::string_view secret, std::string_view name);

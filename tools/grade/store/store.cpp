@@ -16,6 +16,7 @@
 
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/rubric/rubric.h"
+#include "tools/report/digest.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
 #include "tools/report/version.h"

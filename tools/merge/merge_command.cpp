@@ -1,0 +1,76 @@
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/shard_arguments.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct MergeArguments {
+  std::vector<std::string> folders;
+  std::map<std::string, std::vector<std::string>> passed;  ///< Values of options of reports,
+  std::map<std::string, bool> flags;                       ///< and those without a value.
+};
+
+/// Becomes the campaign's own command, which takes its units from the folders.
+int run_merge(const MergeArguments& arguments) {
+  const CampaignIdentity campaign = campaign_in(arguments.folders.front());
+  const CommandRow* const row = find_command(campaign.command);
+  if (row == nullptr) {
+    throw std::invalid_argument(
+        fmt::format("{}: is of the command {}, which this version does not have",
+                    arguments.folders.front(), campaign.command));
+  }
+  std::vector<std::string> words = {"raycheck", campaign.command};
+  words.insert(words.end(), campaign.arguments.begin(), campaign.arguments.end());
+  for (const std::string& folder : arguments.folders) words.push_back("--merged=" + folder);
+  for (const auto& [option, values] : arguments.passed) {
+    for (const std::string& value : values) words.push_back(option + "=" + value);
+  }
+  for (const auto& [option, is_given] : arguments.flags) {
+    if (is_given) words.push_back(option);
+  }
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  const fs::path program =
+      fs::read_symlink("/proc/self/exe").parent_path() / std::string(row->program);
+  execv(program.c_str(), pointers.data());
+  throw std::runtime_error(fmt::format("{}: {}", program.string(), std::strerror(errno)));
+}
+
+}  // namespace
+
+CommandRun add_merge(CLI::App& command) {
+  const auto given = std::make_shared<MergeArguments>();
+  command.add_option("folders", given->folders, "what shards kept by --out")
+      ->required()
+      ->type_name("FOLDER");
+  for (const ReportOption& option : kReportOptions) {
+    const std::string meaning = "as the command takes it that the folders are of";
+    if (option.has_value) {
+      command.add_option(option.name, given->passed[option.name], meaning)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+          ->expected(1)
+          ->take_all();
+    } else {
+      command.add_flag(option.name, given->flags[option.name], meaning);
+    }
+  }
+  return [given] { return run_merge(*given); };
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,40 @@
+#pragma once
+
+// The arguments of commands whose work is done in units, which may be kept, shared and merged.
+// Internal to the commands.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/shards/units.h"
+
+namespace raycheck::tools {
+
+/// The values of --out, --shard and, given by `merge`, --merged.
+struct ShardArguments {
+  const CLI::App* command = nullptr;
+  std::string out, shard;
+  std::vector<std::string> merged;
+};
+void add_shards(CLI::App& command, ShardArguments& arguments);
+
+/// An option that a report depends on, but no unit: how it is shown, and how fast.
+struct ReportOption {
+  const char* name;
+  bool has_value;
+};
+inline constexpr ReportOption kReportOptions[] = {
+    {"--format", true},        {"--report", true},           {"--view", true},
+    {"--certificates", true},  {"--save", true},             {"--top", true},
+    {"--threads", true},       {"--corpus", true},           {"--baseline", true},
+    {"--update-baseline", false}, {"--strict-baseline", false}};
+
+/// The units asked for, told on standard error; null: nothing is kept.
+/// Domain: arguments of add_shards() that are parsed.
+std::unique_ptr<Units> units_of(const ShardArguments& arguments);
+/// The exit code of a shard that is not all, told on standard error.
+int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted);
+
+}  // namespace raycheck::tools

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <cereal/archives/portable_binary.hpp>
+#include <cereal/types/array.hpp>
+#include <cereal/types/map.hpp>
+#include <cereal/types/optional.hpp>
+#include <cereal/types/string.hpp>
+#include <cereal/types/utility.hpp>
+#include <cereal/types/vector.hpp>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "properties/archive.h"
+#include "properties/run_control.h"
+#include "tools/run/in_order.h"
+#include "tools/shards/units.h"
+
+namespace raycheck::tools {
+
+/// The same on every machine; doubles keep every bit.
+template <class Result>
+std::string to_bytes(const Result& result) {
+  std::ostringstream bytes;
+  cereal::PortableBinaryOutputArchive archive(bytes);
+  archive(result);
+  return std::move(bytes).str();
+}
+/// Domain: what to_bytes() made.
+template <class Result>
+Result from_bytes(const std::string& bytes) {
+  std::istringstream in(bytes);
+  Result result;
+  cereal::PortableBinaryInputArchive archive(in);
+  archive(result);
+  return result;
+}
+
+/// in_order() of a campaign's units; with `units`, of those alone that are missing of its shard,
+/// whose results it keeps, and take() sees all or, where others have some, none.
+/// Domain: a result depends on its unit alone.
+template <class Result, class Make, class Take>
+void run_units(std::int64_t count, Units* units, const properties::RunControl& control,
+               const Make& make, const Take& take) {
+  if (units == nullptr) return in_order<Result>(count, control, make, take);
+  const std::vector<std::int64_t> mine = units->open(count);
+  std::int64_t done = 0;
+  in_order<Result>(
+      static_cast<std::int64_t>(mine.size()), control,
+      [&](std::int64_t k) {
+        const std::int64_t unit = mine[static_cast<std::size_t>(k)];
+        if (const auto bytes = units->read(unit)) return from_bytes<Result>(*bytes);
+        Result result = make(unit);
+        if (!control.interrupted()) units->write(unit, to_bytes(result));
+        return result;
+      },
+      [&](Result& result) {
+        if (units->are_all()) return take(result);
+        control.progress(fmt::format("{} of {} units of shard {} of {}", ++done, mine.size(),
+                                     units->shard().number, units->shard().of));
+      });
+}
+
+}  // namespace raycheck::tools

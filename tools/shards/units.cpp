@@ -1,0 +1,173 @@
+#include "tools/shards/units.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "tools/report/digest.h"
+#include "tools/report/json.h"
+#include "tools/report/output_file.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kUnitEnding = ".unit";
+constexpr std::size_t kDigestDigits = 64;
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw std::invalid_argument(fmt::format("{}: cannot be read", file.string()));
+  return bytes;
+}
+
+/// Of what a unit's file holds.
+std::string digest_of(const CampaignIdentity& campaign, std::int64_t unit, std::string_view result) {
+  return digest({campaign.digest, std::to_string(unit), std::string(result)});
+}
+
+void require_same(const CampaignIdentity& campaign, const fs::path& folder) {
+  const CampaignIdentity other = campaign_in(folder);
+  if (other.digest == campaign.digest) return;
+  const std::string what =
+      other.text() == campaign.text()
+          ? "units of another version of raycheck, or of files that have changed since"
+          : fmt::format("units of {}, not of {}", other.text(), campaign.text());
+  throw std::invalid_argument(fmt::format("{}: holds {}", folder.string(), what));
+}
+
+}  // namespace
+
+std::string CampaignIdentity::text() const {
+  std::string all = "raycheck " + command;
+  for (const std::string& argument : arguments) {
+    const bool is_plain = argument.find_first_of(" '\"$*?\\;&|<>()") == std::string::npos;
+    all += " " + (is_plain && !argument.empty() ? argument : single_quoted(argument));
+  }
+  return all;
+}
+
+CampaignIdentity campaign_in(const fs::path& folder) {
+  const fs::path file = folder / kCampaignFile;
+  if (!fs::is_directory(folder)) {
+    throw std::invalid_argument(fmt::format("{}: there is no such folder", folder.string()));
+  }
+  if (!fs::exists(file)) {
+    throw std::invalid_argument(
+        fmt::format("{}: holds no campaign: there is no {}", folder.string(), kCampaignFile));
+  }
+  try {
+    const Json json = Json::parse(bytes_of(file));
+    return {json.at("command"), json.at("arguments"), json.at("digest")};
+  } catch (const Json::exception&) {
+    throw std::invalid_argument(fmt::format("{}: is truncated or was changed", file.string()));
+  }
+}
+
+Units::Units(CampaignIdentity campaign, fs::path folder, Shard shard)
+    : campaign_(std::move(campaign)), folders_({folder}), shard_(std::move(shard)),
+      is_merged_(false) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw std::invalid_argument(
+        fmt::format("--out {}: cannot be made: {}", folder.string(), error.message()));
+  }
+  if (!fs::exists(folder / kCampaignFile)) {
+    OutputFile("--out", (folder / kCampaignFile).string())
+        .write(json_text({{"command", campaign_.command},
+                          {"arguments", campaign_.arguments},
+                          {"digest", campaign_.digest}}));
+  }
+  require_same(campaign_, folder);
+}
+
+Units::Units(CampaignIdentity campaign, std::vector<fs::path> folders)
+    : campaign_(std::move(campaign)), folders_(std::move(folders)), is_merged_(true) {
+  for (const fs::path& folder : folders_) require_same(campaign_, folder);
+}
+
+std::vector<std::int64_t> Units::open(std::int64_t count) {
+  files_.clear();
+  for (const fs::path& folder : folders_) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      if (entry.path().extension() != kUnitEnding) continue;
+      std::int64_t unit = -1;
+      std::from_chars(name.data(), name.data() + name.size(), unit);
+      if (unit < 0 || unit >= count || name != name_of(unit)) {
+        throw std::invalid_argument(
+            fmt::format("{}: is no unit of {}", entry.path().string(), campaign_.text()));
+      }
+      files_[unit].push_back(entry.path());
+    }
+  }
+  if (is_merged_ && found() < count) refuse_missing(count);
+  std::vector<std::int64_t> mine;
+  for (std::int64_t unit = 0; unit < count; ++unit) {
+    if (is_merged_ || shard_.has(unit)) mine.push_back(unit);
+  }
+  return mine;
+}
+
+void Units::refuse_missing(std::int64_t count) const {
+  std::int64_t first = 0;
+  while (files_.count(first) > 0) ++first;
+  const std::int64_t others = count - found() - 1;
+  throw std::invalid_argument(
+      fmt::format("{}: unit {} of {} is missing{}; what is missing is done by: {} --out {}",
+                  folders_.front().string(), first + 1, count,
+                  others > 0 ? fmt::format(", and {} more", others) : "", campaign_.text(),
+                  folders_.front().string()));
+}
+
+std::string Units::name_of(std::int64_t unit) const {
+  return fmt::format("{:06}-{:.16}{}", unit, digest({campaign_.digest, std::to_string(unit)}),
+                     kUnitEnding);
+}
+
+std::string Units::contents(const fs::path& file, std::int64_t unit) const {
+  std::string bytes = bytes_of(file);
+  const std::string stated = bytes.substr(0, kDigestDigits);
+  bytes.erase(0, kDigestDigits + 1);
+  if (stated == digest_of(campaign_, unit, bytes)) return bytes;
+  throw std::invalid_argument(fmt::format(
+      "{}: is truncated or was changed: remove it, and do it again", file.string()));
+}
+
+std::optional<std::string> Units::read(std::int64_t unit) const {
+  const auto found = files_.find(unit);
+  if (found == files_.end()) return std::nullopt;
+  const std::vector<fs::path>& copies = found->second;
+  try {
+    std::string first = contents(copies.front(), unit);
+    for (const fs::path& copy : copies) {
+      if (contents(copy, unit) == first) continue;
+      throw std::invalid_argument(fmt::format("{} and {}: contradict each other",
+                                              copies.front().string(), copy.string()));
+    }
+    return first;
+  } catch (const std::invalid_argument&) {
+    if (is_merged_) throw;
+    return std::nullopt;
+  }
+}
+
+void Units::write(std::int64_t unit, std::string_view result) const {
+  OutputFile file("--out", (folders_.front() / name_of(unit)).string());
+  file.append(digest_of(campaign_, unit, result) + "\n");
+  file.append(result);
+  file.place();
+}
+
+}  // namespace raycheck::tools
