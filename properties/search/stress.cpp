@@ -11,17 +11,14 @@
 namespace raycheck::properties {
 namespace {
 
-void keep_first_of_each(StressResult& result, const Case& the_case, const Verdict& verdict) {
-  for (Discrepancy& discrepancy : verdict.worst(kKeptDiscrepancies)) {
-    const bool known =
-        std::any_of(result.found.begin(), result.found.end(), [&](const Example& other) {
-          return other.discrepancy.law == discrepancy.law &&
-                 other.discrepancy.quantity == discrepancy.quantity &&
-                 other.discrepancy.wrong == discrepancy.wrong &&
-                 other.discrepancy.excuse.kind == discrepancy.excuse.kind;
-        });
-    if (!known) result.found.push_back({the_case, std::move(discrepancy)});
-  }
+void keep_first_of_each(std::vector<Example>& found, Example one) {
+  const Discrepancy& its = one.discrepancy;
+  const bool is_known = std::any_of(found.begin(), found.end(), [&](const Example& other) {
+    const Discrepancy& known = other.discrepancy;
+    return known.law == its.law && known.quantity == its.quantity && known.wrong == its.wrong &&
+           known.excuse.kind == its.excuse.kind;
+  });
+  if (!is_known) found.push_back(std::move(one));
 }
 
 }  // namespace
@@ -54,7 +51,7 @@ RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, Inpu
 void StressResult::merge(StressResult other) {
   inside.merge(std::move(other.inside));
   outside.merge(std::move(other.outside));
-  std::move(other.found.begin(), other.found.end(), std::back_inserter(found));
+  for (Example& one : other.found) keep_first_of_each(found, std::move(one));
   left_out += other.left_out;
 }
 
@@ -89,7 +86,9 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
     for (const Law* law : laws) {
       if (!what_is_missing(law->needs, trial).empty()) continue;
       Verdict verdict = apply(*law, trial);
-      if (verdict.discrepancies() > 0) keep_first_of_each(results[k], *asked, verdict);
+      for (Discrepancy& one : verdict.worst(kKeptDiscrepancies)) {
+        keep_first_of_each(results[k].found, {*asked, std::move(one)});
+      }
       (trial.inside_domain() ? results[k].inside : results[k].outside).merge(std::move(verdict));
     }
   }
@@ -108,6 +107,7 @@ std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
                                  const StressOptions& options, const RunControl& control) {
   std::vector<StressResult> results(candidates.size());
   Random seeds(options.seed);
+  seeds.skip(static_cast<std::uint64_t>(options.first));
   const scene::Interruptible interruptible(control.interrupted);
   try {
     for (int k = 0; k < options.cases; ++k) {
@@ -116,6 +116,10 @@ std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
     }
   } catch (const scene::Interrupted&) {
     // The answer is what was judged so far.
+  }
+  for (StressResult& result : results) {
+    result.inside.drop_discrepancies();
+    result.outside.drop_discrepancies();
   }
   return results;
 }

@@ -23,6 +23,10 @@ RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, Inpu
 struct Example {
   Case the_case;
   Discrepancy discrepancy;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(the_case, discrepancy);
+  }
 };
 
 /// What the same cases showed about one candidate, inside and outside its stated domain.
@@ -33,9 +37,14 @@ struct StressResult {
   std::uint64_t left_out = 0;  ///< Cases that its format cannot hold (rounded_case).
 
   void merge(StressResult other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(inside, outside, found, left_out);
+  }
 };
 
 struct StressOptions {
+  int first = 0;  ///< So many cases of the seed are left to others.
   int cases = 1000;
   std::uint64_t seed = 1;
 };

@@ -76,7 +76,15 @@ CampaignIdentity campaign_in(const fs::path& folder) {
 
 Units::Units(CampaignIdentity campaign, fs::path folder, Shard shard)
     : campaign_(std::move(campaign)), folders_({folder}), shard_(std::move(shard)),
-      is_merged_(false) {
+      is_merged_(false) {}
+
+Units::Units(CampaignIdentity campaign, std::vector<fs::path> folders)
+    : campaign_(std::move(campaign)), folders_(std::move(folders)), is_merged_(true) {
+  for (const fs::path& folder : folders_) require_same(campaign_, folder);
+}
+
+void Units::make_folder() const {
+  const fs::path& folder = folders_.front();
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
@@ -92,12 +100,8 @@ Units::Units(CampaignIdentity campaign, fs::path folder, Shard shard)
   require_same(campaign_, folder);
 }
 
-Units::Units(CampaignIdentity campaign, std::vector<fs::path> folders)
-    : campaign_(std::move(campaign)), folders_(std::move(folders)), is_merged_(true) {
-  for (const fs::path& folder : folders_) require_same(campaign_, folder);
-}
-
 std::vector<std::int64_t> Units::open(std::int64_t count) {
+  if (!is_merged_) make_folder();
   files_.clear();
   for (const fs::path& folder : folders_) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {

@@ -32,14 +32,14 @@ CampaignIdentity campaign_in(const std::filesystem::path& folder);
 /// and states the digest of what is in it. Thread-safe but for open().
 class Units {
  public:
-  /// Does what is missing of a shard, and keeps it in a folder, which it makes. Errors:
-  /// std::invalid_argument, also where the folder holds another campaign.
+  /// Does what is missing of a shard, and keeps it in a folder, which open() makes.
   Units(CampaignIdentity campaign, std::filesystem::path folder, Shard shard);
   /// Merges what folders hold. Errors: std::invalid_argument naming the one of another campaign.
   Units(CampaignIdentity campaign, std::vector<std::filesystem::path> folders);
 
   /// The units that this shard does, or all, in order. `count`: how many the campaign has. Errors:
-  /// std::invalid_argument naming a file of another campaign, or, to be merged, a missing unit.
+  /// std::invalid_argument naming a folder or a file of another campaign, or a missing unit, if to
+  /// be merged.
   std::vector<std::int64_t> open(std::int64_t count);
   /// Whether all units are seen, so that there is something to report.
   bool are_all() const { return is_merged_ || shard_.of == 1; }
@@ -54,6 +54,7 @@ class Units {
   void write(std::int64_t unit, std::string_view result) const;
 
  private:
+  void make_folder() const;
   std::string name_of(std::int64_t unit) const;
   std::string contents(const std::filesystem::path& file, std::int64_t unit) const;
   [[noreturn]] void refuse_missing(std::int64_t count) const;

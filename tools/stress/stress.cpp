@@ -1,10 +1,16 @@
 #include "tools/stress/stress.h"
 
 #include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+
+#include "properties/search/campaign.h"
+#include "tools/shards/run_units.h"
 
 namespace raycheck::tools {
 namespace {
@@ -69,32 +75,60 @@ std::vector<Stage> stages_of(const CaseSource& family) {
   return {Stage::kIntersection};
 }
 
-std::vector<StressCurve> run_stage(const CaseSource& family, Stage stage,
-                                   const StressOptions& options,
-                                   const properties::RunControl& control) {
+/// A family at a stage: its curves, and the same methods' candidates.
+struct Series {
+  const CaseSource* family;
+  Stage stage;
+  std::vector<int> severities;
   std::vector<StressCurve> curves;
-  std::vector<properties::Candidate> candidates;
-  const std::vector<int> severities = severities_of(family, options);
-  for (const Implementation& method : options.implementations) {
-    if (!method.offers(stage)) continue;
-    curves.push_back({stage, method, severities, {}});
-    candidates.push_back(method.make());
+
+  std::vector<properties::Candidate> candidates() const {
+    std::vector<properties::Candidate> all;
+    for (const StressCurve& curve : curves) all.push_back(curve.method.make());
+    return all;
   }
-  if (curves.empty()) return curves;
-  properties::StressOptions each;
-  each.cases = options.cases;
-  for (const int severity : severities) {
-    if (control.interrupted()) break;
-    control.progress(
-        fmt::format("{} at severity {} of {}", family.name, severity, severities.back()));
-    each.seed = options.seed + static_cast<std::uint64_t>(severity);
-    std::vector<StressResult> results =
-        stress({&family, severity}, stage, candidates, each, control);
-    for (std::size_t k = 0; k < curves.size(); ++k) {
-      curves[k].results.push_back(std::move(results[k]));
+};
+
+std::vector<Series> all_series(const StressOptions& options) {
+  const std::vector<const CaseSource*> families = chosen_families(options.families);
+  require_severities(families, options);
+  std::vector<Series> all;
+  for (const CaseSource* family : families) {
+    for (const Stage stage : stages_of(*family)) {
+      Series one = {family, stage, severities_of(*family, options), {}};
+      for (const Implementation& method : options.implementations) {
+        if (method.offers(stage)) one.curves.push_back({stage, method, one.severities, {}});
+      }
+      all.push_back(std::move(one));
     }
   }
-  return curves;
+  return all;
+}
+
+/// Some cases of a series at a severity.
+struct StressUnit {
+  std::size_t series, severity;
+  int first, cases;
+};
+
+std::vector<StressUnit> units_of(const std::vector<Series>& all, int cases) {
+  std::int64_t severities = 0;
+  for (const Series& one : all) {
+    if (!one.curves.empty()) severities += static_cast<std::int64_t>(one.severities.size());
+  }
+  std::int64_t most = properties::kUnitCases;
+  while (severities * (cases / most) > static_cast<std::int64_t>(properties::kMostUnits)) most *= 2;
+  std::vector<StressUnit> units;
+  for (std::size_t series = 0; series < all.size(); ++series) {
+    if (all[series].curves.empty()) continue;
+    for (std::size_t at = 0; at < all[series].severities.size(); ++at) {
+      for (std::int64_t first = 0; first < cases; first += most) {
+        units.push_back({series, at, static_cast<int>(first),
+                         static_cast<int>(std::min<std::int64_t>(most, cases - first))});
+      }
+    }
+  }
+  return units;
 }
 
 }  // namespace
@@ -154,21 +188,48 @@ std::uint64_t StressReport::compared() const {
   return sum;
 }
 
-StressReport run_stress(const StressOptions& options, const properties::RunControl& control) {
+StressReport run_stress(const StressOptions& options, const properties::RunControl& control,
+                        Units* kept) {
   StressReport report;
   report.cases = options.cases;
   report.seed = options.seed;
-  const std::vector<const CaseSource*> families = chosen_families(options.families);
-  require_severities(families, options);
-  for (const CaseSource* family : families) {
-    FamilyReport one{family, {}};
-    for (const Stage stage : stages_of(*family)) {
-      auto curves = run_stage(*family, stage, options, control);
-      std::move(curves.begin(), curves.end(), std::back_inserter(one.curves));
-    }
-    report.families.push_back(std::move(one));
-  }
+  std::vector<Series> all = all_series(options);
+  const std::vector<StressUnit> units = units_of(all, options.cases);
+  using Candidates = std::vector<std::vector<properties::Candidate>>;
+  tbb::enumerable_thread_specific<Candidates> candidates([&] { return Candidates(all.size()); });
+  using Results = std::vector<StressResult>;
+  std::size_t next = 0;
+  run_units<Results>(
+      static_cast<std::int64_t>(units.size()), kept, control,
+      [&](std::int64_t k) {
+        const auto& [series, at, first, cases] = units[static_cast<std::size_t>(k)];
+        const Series& its = all[series];
+        auto& own = candidates.local()[series];
+        if (own.empty()) own = its.candidates();
+        const int severity = its.severities[at];
+        return stress({its.family, severity}, its.stage, own,
+                      {first, cases, options.seed + static_cast<std::uint64_t>(severity)},
+                      control);
+      },
+      [&](Results& results) {
+        const StressUnit& unit = units[next++];
+        Series& series = all[unit.series];
+        for (std::size_t k = 0; k < results.size(); ++k) {
+          series.curves[k].results.resize(unit.severity + 1);
+          series.curves[k].results.back().merge(std::move(results[k]));
+        }
+        control.progress(fmt::format("{} at severity {} of {}", series.family->name,
+                                     series.severities[unit.severity], series.severities.back()));
+      });
   report.interrupted = control.interrupted();
+  if (kept != nullptr && !kept->are_all()) return report;
+  for (Series& series : all) {
+    if (report.families.empty() || report.families.back().family != series.family) {
+      report.families.push_back({series.family, {}});
+    }
+    std::move(series.curves.begin(), series.curves.end(),
+              std::back_inserter(report.families.back().curves));
+  }
   return report;
 }
 

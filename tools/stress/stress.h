@@ -10,6 +10,7 @@
 #include "properties/search/stress.h"
 #include "tools/implementations/implementation.h"
 #include "tools/report/view.h"
+#include "tools/shards/units.h"
 #include "tools/view/document.h"
 
 namespace raycheck::tools {
@@ -63,8 +64,10 @@ struct StressReport {
 
 /// Judges methods on families of cases of growing severity, each stage alone; of more than
 /// properties::kMostSeverities severities only some are judged. Throws std::invalid_argument naming
-/// the field.
-StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {});
+/// the field. With `units`, only what is missing of their shard; if they are not all, the report is
+/// empty.
+StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {},
+                        Units* units = nullptr);
 
 std::string stress_text(const StressReport& report, const ViewOptions& options);
 std::string stress_json(const StressReport& report, const ViewOptions& options);

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <tbb/info.h>
 
 #include <limits>
 #include <memory>
@@ -6,6 +7,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/shard_arguments.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
@@ -21,6 +23,8 @@ struct StressArguments {
   std::optional<std::string> certificates;
   std::string format;
   ExternalArguments external;
+  int threads = tbb::info::default_concurrency();
+  ShardArguments shards;
 };
 
 /// "3" or "2..7"
@@ -42,7 +46,10 @@ int run_stress(StressArguments& arguments) {
   arguments.options.implementations = find_by_stages(arguments.methods, arguments.external);
   std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
   std::optional<OutputFile> view = opened("--view", arguments.view);
-  const StressReport report = run_stress(arguments.options, run_control("stress"));
+  const std::unique_ptr<Units> units = units_of(arguments.shards);
+  const StressReport report =
+      run_stress(arguments.options, run_control("stress", arguments.threads), units.get());
+  if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   if (certificates) certificates->write(stress_certificates(report));
   print_view(kStressViews, arguments.format, report);
   if (view) view->write(page(stress_document(report)));
@@ -62,6 +69,8 @@ CommandRun add_stress(CLI::App& command) {
   add_cases(command, options.cases, "cases at each severity");
   add_seed(command, options.seed);
   add_external(command, given->external);
+  add_threads(command, given->threads, "the report");
+  add_shards(command, given->shards);
   add_view(command, given->view, "error against severity, every family and quantile");
   add_certificates(command, given->certificates);
   add_format(command, given->format, kStressViews);
