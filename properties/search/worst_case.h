@@ -33,6 +33,11 @@ struct WorstCase {
   double height_random = 0;   ///< That of the worst random case.
   double height_climbed = 0;  ///< That before shrinking.
   Discrepancy shown;          ///< The place, the candidate's answer and the exact one.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(the_case, error, stability.condition, stability.ratio, stability.outcome, height,
+            height_random, height_climbed, shown);
+  }
 };
 
 /// Searches for the input on which a stage's certified error is worst, within the candidate's

@@ -129,7 +129,7 @@ bool CheckReport::is_enough_judged() const {
          });
 }
 
-CheckReport check(const CheckOptions& options, const RunControl& control) {
+CheckReport check(const CheckOptions& options, const RunControl& control, Units* units) {
   const scene::Interruptible interruptible(control.interrupted);
   std::vector<Implementation> implementations = options.implementations;
   scene::LoadedScene loaded = load(options, implementations);
@@ -158,13 +158,15 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
       drafts.push_back(prepare(judged[k], scenes));
       drafts.back().report.lasting_name = names[k];
     }
-    Judgement(options.max_error, scenes, drafts).run(control, report.rays_judged, [&] {
+    Judgement(options.max_error, scenes, drafts).run(control, units, report.rays_judged, [&] {
       control.progress(
           fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
     });
   } catch (const scene::Interrupted&) {
     // The answer is what was judged so far.
   }
+  report.interrupted = control.interrupted();
+  if (units != nullptr && !units->are_all()) return report;
   for (Draft& draft : drafts) report.candidates.push_back(finish(std::move(draft), report.scene));
   report.interrupted = control.interrupted();
   return report;

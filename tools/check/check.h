@@ -16,6 +16,7 @@
 #include "tools/gates/gate.h"
 #include "tools/implementations/implementation.h"
 #include "tools/report/view.h"
+#include "tools/shards/units.h"
 #include "tools/view/document.h"
 
 namespace raycheck::tools {
@@ -25,6 +26,10 @@ struct ExcludedHit {
   properties::Place place;
   double s = 0;         ///< Of the root that counts if all >= 0 do; correctly rounded.
   double in_radii = 0;  ///< s over the sphere's radius, roughly; infinite for radius 0.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(place, s, in_radii);
+  }
 };
 
 /// What happens to the hits of a sphere.
@@ -32,6 +37,10 @@ struct ExcludedOfSphere {
   std::uint64_t hits = 0;      ///< If every root >= 0 counts.
   std::uint64_t excluded = 0;  ///< Those that become misses.
   std::uint64_t moved = 0;     ///< Those that remain hits, but at the other root.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(hits, excluded, moved);
+  }
 };
 
 /// What an interval or culling costs: the exact hits of a scene without it, and with it.
@@ -41,6 +50,10 @@ struct ExcludedHits {
 
   ExcludedOfSphere all() const;
   void merge(const ExcludedHits& other);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(spheres, worst);
+  }
 };
 
 /// How many of the worst are kept.
@@ -142,9 +155,11 @@ struct CheckReport {
   bool is_enough_judged() const;
 };
 
-/// Judges the candidates on a scene file; the report does not depend on the number of threads.
+/// Judges the candidates on a scene file; the report does not depend on the number of threads. With
+/// `units`, only what is missing of their shard; if they are not all, nothing is reported.
 /// Throws what the reader throws.
-CheckReport check(const CheckOptions& options, const properties::RunControl& control = {});
+CheckReport check(const CheckOptions& options, const properties::RunControl& control = {},
+                  Units* units = nullptr);
 
 std::string check_text(const CheckReport& report, const ViewOptions& options);
 std::string check_json(const CheckReport& report, const ViewOptions& options);

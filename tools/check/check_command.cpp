@@ -8,6 +8,7 @@
 #include "tools/check/check.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
+#include "tools/shard_arguments.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
@@ -23,6 +24,7 @@ struct CheckArguments {
   std::optional<std::string> view;
   int threads = tbb::info::default_concurrency();
   GateArguments gate;
+  ShardArguments shards;
 };
 
 int run_check(CheckArguments& arguments) {
@@ -35,7 +37,9 @@ int run_check(CheckArguments& arguments) {
   std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
-  CheckReport report = check(options, run_control(options.path, arguments.threads));
+  const std::unique_ptr<Units> units = units_of(arguments.shards);
+  CheckReport report = check(options, run_control(options.path, arguments.threads), units.get());
+  if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   Gate gate = check_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
   if (report.ratchet) gate = check_gate(report);  // which the baseline is part of
@@ -81,6 +85,7 @@ CommandRun add_check(CLI::App& command) {
               "errors above are discrepancies (default: the method's documented bound)");
   add_strict(command, arguments.options.strict);
   add_threads(command, arguments.threads, "the report");
+  add_shards(command, arguments.shards);
   add_certificates(command, arguments.certificates);
   add_view(command, arguments.view, "the scene and its worst discrepancies");
   add_gate(command, arguments.gate, kCheckViews);

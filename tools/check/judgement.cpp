@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "properties/laws/law.h"
+#include "properties/search/campaign.h"
 #include "scene/interruption.h"
 #include "tools/check/check.h"
-#include "tools/run/in_order.h"
+#include "tools/shards/run_units.h"
 
 namespace raycheck::tools {
 
@@ -27,6 +28,10 @@ struct ChunkVerdict {
   ReasonsLeftOut left_out;
   bool given_rays = false;
   ExcludedHits excluded;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(verdict, left_out, given_rays, excluded);
+  }
 
   bool has_failed() const {
     return verdict.tally(properties::Quantity::kRefusal).count(properties::Wrong::kFailed) > 0;
@@ -80,7 +85,7 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, const Candidate
     // That others than renderers make no images goes without saying.
     if (law.per == Per::kImage && !candidate.image) continue;
     Verdict verdict = trials.apply(law);
-    if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
+    if (!verdict.reason_left_out().empty()) found.left_out[std::string(law.name)] = verdict.reason_left_out();
     if (!chunk.scene.camera) verdict.shift_rays(first);
     found.verdict.merge(std::move(verdict));
   }
@@ -133,23 +138,35 @@ Judgement::Judgement(std::optional<double> max_error, const ScenesOfFormats& sce
   }
 }
 
-void Judgement::run(const RunControl& control, std::uint64_t& rays_judged,
+void Judgement::run(const RunControl& control, Units* units, std::uint64_t& rays_judged,
                     const std::function<void()>& tell) {
   const std::uint64_t rays = scenes_.given().rays_judged();
-  const auto chunks = static_cast<std::int64_t>((rays + kChunk - 1) / kChunk);
-  in_order<std::vector<ChunkVerdict>>(
-      chunks, control,
-      [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
-      [&](std::vector<ChunkVerdict>& verdicts) {
+  const std::uint64_t chunks = (rays + kChunk - 1) / kChunk;
+  std::uint64_t at_once = 1;  // chunks of a unit
+  while (chunks / at_once > properties::kMostUnits) at_once *= 2;
+  using Unit = std::vector<ChunkVerdicts>;
+  run_units<Unit>(
+      static_cast<std::int64_t>((chunks + at_once - 1) / at_once), units, control,
+      [&](std::int64_t k) {
+        Unit unit;
+        const std::uint64_t first = static_cast<std::uint64_t>(k) * at_once;
+        for (std::uint64_t chunk = first; chunk < std::min(first + at_once, chunks); ++chunk) {
+          unit.push_back(judge(chunk * kChunk));
+        }
+        return unit;
+      },
+      [&](Unit& unit) {
         const scene::Interruptible interruptible(control.interrupted);
-        merge(verdicts, rays_judged);
-        rays_judged = std::min(rays_judged + kChunk, rays);
+        for (ChunkVerdicts& chunk : unit) {
+          merge(chunk, rays_judged);
+          rays_judged = std::min(rays_judged + kChunk, rays);
+        }
         tell();
       });
 }
 
 /// Adds a chunk's verdict on each draft; `first` is its first ray.
-void Judgement::merge(std::vector<ChunkVerdict>& verdicts, std::uint64_t first) {
+void Judgement::merge(ChunkVerdicts& verdicts, std::uint64_t first) {
   for (std::size_t k = 0; k < drafts_.size(); ++k) {
     if (verdicts[k].has_failed()) seek_failures(k, first, verdicts[k]);
     Draft& draft = drafts_[k];
@@ -182,14 +199,14 @@ void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& 
   if (found.has_failed()) failed = std::move(found);
 }
 
-std::vector<ChunkVerdict> Judgement::judge(std::uint64_t first) {
+ChunkVerdicts Judgement::judge(std::uint64_t first) {
   std::vector<Candidate>& candidates = candidates_.local();
   if (candidates.empty()) {
     for (const Draft& draft : drafts_) {
       candidates.push_back(draft.report.implementation.make());
     }
   }
-  std::vector<ChunkVerdict> found(drafts_.size());
+  ChunkVerdicts found(drafts_.size());
   for (const properties::InputFormat format : properties::kInputFormats) {
     const auto& cases = scenes_.in(format).cases;
     const auto is_asked = [&](const Draft& draft) {

@@ -20,6 +20,7 @@
 #include "scene/plan/plan.h"
 #include "scene/scene.h"
 #include "tools/check/check.h"
+#include "tools/shards/units.h"
 
 namespace raycheck::tools {
 
@@ -28,7 +29,7 @@ namespace raycheck::tools {
 inline constexpr std::size_t kChunk = 512;
 
 /// Reasons by law.
-using ReasonsLeftOut = std::map<std::string_view, std::string>;
+using ReasonsLeftOut = std::map<std::string, std::string, std::less<>>;
 
 /// A candidate's report while it is being made.
 struct Draft {
@@ -65,6 +66,7 @@ class ScenesOfFormats {
 
 /// The verdict on one candidate on a chunk of the rays.
 struct ChunkVerdict;
+using ChunkVerdicts = std::vector<ChunkVerdict>;  ///< On each.
 
 /// Judges the rays of drafts chunk by chunk. Every thread has its own candidates; chunks share only
 /// the plans, and their verdicts are merged in the order of the rays.
@@ -74,13 +76,14 @@ class Judgement {
   Judgement(std::optional<double> max_error, const ScenesOfFormats& scenes,
             std::vector<Draft>& drafts);
 
-  /// Counts the rays judged, and reports progress after each chunk.
-  void run(const properties::RunControl& control, std::uint64_t& rays_judged,
+  /// Counts the rays judged, and reports progress after each chunk. `units`: null, or where some
+  /// chunks each are kept.
+  void run(const properties::RunControl& control, Units* units, std::uint64_t& rays_judged,
            const std::function<void()>& tell);
 
  private:
-  std::vector<ChunkVerdict> judge(std::uint64_t first);
-  void merge(std::vector<ChunkVerdict>& verdicts, std::uint64_t first);
+  ChunkVerdicts judge(std::uint64_t first);
+  void merge(ChunkVerdicts& verdicts, std::uint64_t first);
   void seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& failed);
 
   std::optional<double> max_error_;

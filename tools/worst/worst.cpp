@@ -8,10 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "properties/cases/random.h"
+#include "tools/shards/run_units.h"
+
 namespace raycheck::tools {
 namespace {
 
 using properties::Quantity;
+using properties::Random;
 using properties::Stage;
 
 /// The quantities that a stage measures, by their names with hyphens for spaces.
@@ -58,24 +62,24 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
 
 /// Counts how many times a function fails.
 template <class Answer, class... Arguments>
-void count_failures(std::function<Answer(Arguments...)>& function, WorstReport& report) {
+void count_failures(std::function<Answer(Arguments...)>& function, WorstFound& found) {
   if (!function) return;
-  function = [asked = function, &report](Arguments... arguments) -> Answer {
+  function = [asked = function, &found](Arguments... arguments) -> Answer {
     try {
       return asked(arguments...);
     } catch (const std::runtime_error& error) {
-      if (report.failures++ == 0) report.first_failure = error.what();
+      if (found.failures++ == 0) found.first_failure = error.what();
       throw;
     }
   };
 }
 
-properties::Candidate counted(properties::Candidate candidate, WorstReport& report) {
-  count_failures(candidate.frame, report);
-  count_failures(candidate.pixel_points, report);
-  count_failures(candidate.pixel_rays, report);
-  count_failures(candidate.focal_rays, report);
-  count_failures(candidate.intersect, report);
+properties::Candidate counted(properties::Candidate candidate, WorstFound& found) {
+  count_failures(candidate.frame, found);
+  count_failures(candidate.pixel_points, found);
+  count_failures(candidate.pixel_rays, found);
+  count_failures(candidate.focal_rays, found);
+  count_failures(candidate.intersect, found);
   return candidate;
 }
 
@@ -85,7 +89,15 @@ bool WorstReport::is_unstable() const {
   return worst && worst->stability.outcome == properties::Outcome::kUnstable;
 }
 
-WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control) {
+void WorstFound::merge(WorstFound later) {
+  if (failures == 0) first_failure = std::move(later.first_failure);
+  failures += later.failures;
+  if (!later.worst || (worst && worst->height >= later.worst->height)) return;
+  worst = std::move(later.worst);
+}
+
+WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control,
+                       Units* units) {
   WorstReport report;
   report.method = options.method;
   report.stage = chosen_stage(options);
@@ -97,8 +109,22 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
                                             options.family, report.method.name));
   }
   search.quantity = chosen_quantity(options.quantity, report.stage);
-  report.worst = properties::find_worst_case(counted(report.method.make(), report), report.stage,
-                                             search, control);
+  report.searches = options.searches;
+  std::int64_t done = 0;
+  run_units<WorstFound>(
+      options.searches, units, control,
+      [&](std::int64_t k) {
+        properties::SearchOptions its = search;
+        if (k > 0) its.seed = Random(search.seed + static_cast<std::uint64_t>(k)).bits();
+        WorstFound found;
+        found.worst = properties::find_worst_case(counted(report.method.make(), found),
+                                                  report.stage, its, control);
+        return found;
+      },
+      [&](WorstFound& found) {
+        report.merge(std::move(found));
+        control.progress(fmt::format("{} of {} searches", ++done, options.searches));
+      });
   report.interrupted = control.interrupted();
   return report;
 }

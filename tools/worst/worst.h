@@ -9,6 +9,7 @@
 #include "properties/search/worst_case.h"
 #include "tools/implementations/implementation.h"
 #include "tools/report/view.h"
+#include "tools/shards/units.h"
 #include "tools/view/document.h"
 
 namespace raycheck::tools {
@@ -19,23 +20,38 @@ struct WorstOptions {
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
   properties::SearchOptions search;  ///< Its source and its quantity follow from these.
+  std::int64_t searches = 1;         ///< With seeds of their own; the worst of all is told.
 };
 
-struct WorstReport {
+/// What searches found.
+struct WorstFound {
+  std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
+  std::uint64_t failures = 0;  ///< How many times the method gave no answer,
+  std::string first_failure;   ///< and how it first failed.
+
+  /// Adds later searches: the worst of all, the earliest of those.
+  void merge(WorstFound later);
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(worst, failures, first_failure);
+  }
+};
+
+struct WorstReport : WorstFound {
   properties::Stage stage = properties::Stage::kRays;
   Implementation method;
   properties::SearchOptions search;
-  std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
+  std::int64_t searches = 1;
   bool interrupted = false;
-  std::uint64_t failures = 0;  ///< How many times it gave no answer,
-  std::string first_failure;   ///< and how it first failed.
 
   bool is_unstable() const;
 };
 
-/// Searches for the input on which a method's certified error is worst.
+/// Searches for the input on which a method's certified error is worst. With `units`, only what is
+/// missing of their shard; if they are not all, the report is empty.
 /// Throws std::invalid_argument naming the field.
-WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control = {});
+WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control = {},
+                       Units* units = nullptr);
 
 std::string worst_text(const WorstReport& report, const ViewOptions& options);
 std::string worst_json(const WorstReport& report, const ViewOptions& options);

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <tbb/info.h>
 
 #include <memory>
 #include <optional>
@@ -6,6 +7,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/shard_arguments.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 #include "tools/worst/worst.h"
@@ -20,6 +22,8 @@ struct WorstArguments {
   std::optional<std::string> view;
   std::string format;
   ExternalArguments external;
+  int threads = tbb::info::default_concurrency();
+  ShardArguments shards;
 };
 
 Implementation chosen_method(const WorstArguments& arguments) {
@@ -42,7 +46,10 @@ int run_worst(WorstArguments& arguments) {
   arguments.options.method = chosen_method(arguments);
   std::optional<OutputFile> scene = opened("--save", arguments.save);
   std::optional<OutputFile> view = opened("--view", arguments.view);
-  const WorstReport report = find_worst(arguments.options, run_control("worst"));
+  const std::unique_ptr<Units> units = units_of(arguments.shards);
+  const WorstReport report =
+      find_worst(arguments.options, run_control("worst", arguments.threads), units.get());
+  if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   if (scene && report.worst) scene->write(worst_scene(report));
   print_view(kWorstViews, arguments.format, report);
   if (view && report.worst) {
@@ -77,6 +84,11 @@ CommandRun add_worst(CLI::App& command) {
       ->check(whole_number(0, kMostCases))
       ->capture_default_str();
   add_seed(command, options.search.seed);
+  command.add_option("--searches", options.searches, "how many, from other random cases each")
+      ->check(whole_number(1, kMostCases))
+      ->capture_default_str();
+  add_threads(command, given->threads, "the report");
+  add_shards(command, given->shards);
   command.add_option("--save", given->save, "write the input to a TOML scene");
   add_view(command, given->view, "the input");
   add_external(command, given->external);

@@ -28,6 +28,7 @@ std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/
   json["bounds_of"] = text_or_null(report.method.bounds_of);
   json["family"] = search.source.name();
   json["seed"] = search.seed;
+  json["searches"] = report.searches;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(search.climb)];
   json["precision"] = name(report.method.precision);
   json["unit"] = unit_name(search.quantity, report.method.precision);
