@@ -53,12 +53,16 @@ CampaignIdentity identity_of(const CLI::App& command) {
 }  // namespace
 
 void add_shards(CLI::App& command, ShardArguments& arguments) {
+  command
+      .add_option("--out", arguments.out,
+                  "keep each unit of the work in this folder, and do only what is missing there")
+      ->type_name("FOLDER");
+  add_shards_inside(command, arguments);
+}
+
+void add_shards_inside(CLI::App& command, ShardArguments& arguments) {
   arguments.command = &command;
-  CLI::Option* const out =
-      command
-          .add_option("--out", arguments.out,
-                      "keep each unit of the work in this folder, and do only what is missing there")
-          ->type_name("FOLDER");
+  CLI::Option* const out = command.get_option("--out");
   command
       .add_option("--shard", arguments.shard,
                   "of N workers the K-th: K/N, or auto/N; default: what SLURM_ARRAY_TASK_ID, "

@@ -19,6 +19,8 @@ struct ShardArguments {
   std::vector<std::string> merged;
 };
 void add_shards(CLI::App& command, ShardArguments& arguments);
+/// The same for a command whose --out also takes the results.
+void add_shards_inside(CLI::App& command, ShardArguments& arguments);
 
 /// An option that a report depends on, but no unit: how it is shown, and how fast.
 struct ReportOption {
@@ -28,7 +30,7 @@ struct ReportOption {
 inline constexpr ReportOption kReportOptions[] = {
     {"--format", true},        {"--report", true},           {"--view", true},
     {"--certificates", true},  {"--save", true},             {"--top", true},
-    {"--threads", true},       {"--corpus", true},           {"--baseline", true},
+    {"--threads", true},       {"--jobs", true},           {"--baseline", true},
     {"--update-baseline", false}, {"--strict-baseline", false}};
 
 /// The units asked for, told on standard error; null: nothing is kept.

@@ -140,8 +140,13 @@ class ClassRun {
     test_environment(rubric_, layers_);
   }
 
-  ClassGrade grade(const RunControl& control) {
+  ClassGrade grade(const RunControl& control, Units* units) {
     ClassGrade result;
+    if (units != nullptr) grade_shard(control, *units);
+    if (units != nullptr && !units->are_all()) {
+      result.interrupted = control.interrupted();
+      return result;
+    }
     std::vector<Graded> all = done_for_each<Graded>(
         submissions_, control, "graded",
         [&](const Submission& one, bool alone) { return graded(one, control, alone); });
@@ -160,6 +165,23 @@ class ClassRun {
   }
 
  private:
+  /// Grades and notes those of a shard that are not noted.
+  void grade_shard(const RunControl& control, Units& units) {
+    std::vector<std::int64_t> open;
+    std::vector<Submission> mine;
+    for (const std::int64_t unit : units.open(static_cast<std::int64_t>(submissions_.size()))) {
+      if (units.read(unit)) continue;
+      open.push_back(unit);
+      mine.push_back(submissions_[static_cast<std::size_t>(unit)]);
+    }
+    const auto all = done_for_each<Graded>(
+        mine, control, "graded",
+        [&](const Submission& one, bool alone) { return graded(one, control, alone); });
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k].grade.finished && all[k].outside.empty()) units.write(open[k], all[k].grade.name);
+    }
+  }
+
   /// Checks before grading that no foreign file is where results may be written.
   void require_place() const {
     std::vector<std::string> names = names_for_student(rubric_);
@@ -267,8 +289,8 @@ class ClassRun {
 
 }  // namespace
 
-ClassGrade grade(const GradeOptions& options, const RunControl& control) {
-  return ClassRun(options).grade(control);
+ClassGrade grade(const GradeOptions& options, const RunControl& control, Units* units) {
+  return ClassRun(options).grade(control, units);
 }
 
 std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,

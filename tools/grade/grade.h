@@ -18,6 +18,7 @@
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/run/in_order.h"
+#include "tools/shards/units.h"
 
 namespace raycheck::tools {
 
@@ -39,8 +40,10 @@ struct GradeOptions {
 /// the end. What an earlier run into the same folder built and asked is neither built nor asked
 /// again (store.h). Files that raycheck did not write are neither replaced nor removed. Errors,
 /// before anything is written: what load_rubric(), find_submissions(), chosen_layers(),
-/// require_disjoint() and OwnFiles::require_own() throw.
-ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {});
+/// require_disjoint() and OwnFiles::require_own() throw. With `units`, which only note who is
+/// graded, those of their shard that are not; if they are not all, OUT gets no class pages.
+ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {},
+                 Units* units = nullptr);
 
 /// Does something for every submission, in their order; what fails for a cause outside it
 /// (`outside` of a result says which) is done again at the end, when nothing runs beside it.

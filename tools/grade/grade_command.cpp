@@ -14,6 +14,7 @@
 #include "tools/grade/grade.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/probe.h"
+#include "tools/shard_arguments.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -28,6 +29,7 @@ struct GradeArguments {
   /// Grading with less isolation than there should be takes an explicit choice.
   SandboxArguments sandbox = {.sandbox = Sandbox::kRequire};
   std::string format = "text";
+  ShardArguments shards;
 };
 
 std::string secret_of(const std::string& path) {
@@ -93,13 +95,26 @@ int run_grade(const GradeArguments& arguments) {
     return kExitNothingFound;
   }
   if (options.submissions.empty()) return try_own_methods(arguments);
+  if (arguments.shards.merged.size() > 1) {
+    throw std::invalid_argument("merge: the shards of a class grade it into one folder");
+  }
+  for (const std::string& folder : arguments.shards.merged) options.out = folder;
   if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
   if (!arguments.secret_file.empty()) options.secret = secret_of(arguments.secret_file);
   options.sandbox = sandbox_of(arguments.sandbox);
   for (const ResultsFormat& format : kResultsFormats) {
     if (format.name == arguments.format) options.results = &format;
   }
-  const ClassGrade graded = grade(options, run_control("submissions", arguments.jobs));
+  ShardArguments shards = arguments.shards;
+  if (!shards.shard.empty()) shards.out = options.out + "/" + kUnitsInside;
+  for (std::string& folder : shards.merged) folder += std::string("/") + kUnitsInside;
+  const std::unique_ptr<Units> units = units_of(shards);
+  const ClassGrade graded =
+      grade(options, run_control("submissions", arguments.jobs), units.get());
+  if (units && !units->are_all()) {
+    shards.out = options.out;
+    return shard_done(shards, *units, graded.interrupted);
+  }
   print_report(printed(graded, arguments.format));
   return exit_code(graded.interrupted, false, graded.not_graded == 0);
 }
@@ -117,6 +132,7 @@ CommandRun add_grade(CLI::App& command) {
       command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
   command.add_option("--out", arguments.options.out, "the folder that takes the results")
       ->needs(submissions);
+  add_shards_inside(command, arguments.shards);
   command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
       ->check(whole_number(1, 1024));
   // With --out, too: the command is the later grading's, tried beforehand.

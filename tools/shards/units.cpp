@@ -36,6 +36,12 @@ std::string digest_of(const CampaignIdentity& campaign, std::int64_t unit, std::
   return digest({campaign.digest, std::to_string(unit), std::string(result)});
 }
 
+/// As users know it.
+std::string shown(const fs::path& folder) {
+  const std::string path = folder.string(), inside = std::string("/") + kUnitsInside;
+  return path.ends_with(inside) ? path.substr(0, path.size() - inside.size()) : path;
+}
+
 void require_same(const CampaignIdentity& campaign, const fs::path& folder) {
   const CampaignIdentity other = campaign_in(folder);
   if (other.digest == campaign.digest) return;
@@ -43,7 +49,7 @@ void require_same(const CampaignIdentity& campaign, const fs::path& folder) {
       other.text() == campaign.text()
           ? "units of another version of raycheck, or of files that have changed since"
           : fmt::format("units of {}, not of {}", other.text(), campaign.text());
-  throw std::invalid_argument(fmt::format("{}: holds {}", folder.string(), what));
+  throw std::invalid_argument(fmt::format("{}: holds {}", shown(folder), what));
 }
 
 }  // namespace
@@ -61,6 +67,9 @@ CampaignIdentity campaign_in(const fs::path& folder) {
   const fs::path file = folder / kCampaignFile;
   if (!fs::is_directory(folder)) {
     throw std::invalid_argument(fmt::format("{}: there is no such folder", folder.string()));
+  }
+  if (!fs::exists(file) && fs::exists(folder / kUnitsInside)) {
+    return campaign_in(folder / kUnitsInside);
   }
   if (!fs::exists(file)) {
     throw std::invalid_argument(
@@ -130,9 +139,9 @@ void Units::refuse_missing(std::int64_t count) const {
   const std::int64_t others = count - found() - 1;
   throw std::invalid_argument(
       fmt::format("{}: unit {} of {} is missing{}; what is missing is done by: {} --out {}",
-                  folders_.front().string(), first + 1, count,
+                  shown(folders_.front()), first + 1, count,
                   others > 0 ? fmt::format(", and {} more", others) : "", campaign_.text(),
-                  folders_.front().string()));
+                  shown(folders_.front())));
 }
 
 std::string Units::name_of(std::int64_t unit) const {

@@ -24,7 +24,9 @@ struct CampaignIdentity {
 
 /// The file of a folder of units that tells whose they are.
 inline constexpr const char* kCampaignFile = "campaign.json";
-/// The campaign of a folder.
+/// Where the units are in a folder that has other things.
+inline constexpr const char* kUnitsInside = ".raycheck/units";
+/// The campaign of a folder, or of that inside.
 /// Errors: std::invalid_argument naming the folder or the file.
 CampaignIdentity campaign_in(const std::filesystem::path& folder);
 
