@@ -30,7 +30,7 @@ struct ReportOption {
 inline constexpr ReportOption kReportOptions[] = {
     {"--format", true},        {"--report", true},           {"--view", true},
     {"--certificates", true},  {"--save", true},             {"--top", true},
-    {"--threads", true},       {"--jobs", true},           {"--baseline", true},
+    {"--threads", true},       {"--jobs", true},          {"--corpus", true},           {"--baseline", true},
     {"--update-baseline", false}, {"--strict-baseline", false}};
 
 /// The units asked for, told on standard error; null: nothing is kept.

@@ -224,6 +224,12 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) 
   return cases;
 }
 
+std::vector<ChosenSource> sources_of(const Law& law, const CampaignOptions& options) {
+  std::vector<ChosenSource> sources;
+  for (const auto& [key, its] : cases_of(law, options)) sources.push_back(its.source);
+  return sources;
+}
+
 Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_kept)
     : asked_(std::move(of_candidates)),
       units_are_kept_(units_are_kept),

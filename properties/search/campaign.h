@@ -155,6 +155,9 @@ struct LawsOfCandidate {
   CampaignOptions options;  ///< With one seed and the same sources for all candidates.
 };
 
+/// The sources that a law is tried on, each at its severities.
+std::vector<ChosenSource> sources_of(const Law& law, const CampaignOptions& options);
+
 /// The campaigns of several candidates and laws as one pass: a case is made once, its truth worked
 /// out once, and each candidate asked once, for all laws that are tried on it. The work falls into
 /// units, some cases of one source at one severity, which know nothing of each other: any thread,

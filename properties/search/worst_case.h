@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "properties/cases/case_source.h"
 #include "properties/search/stress.h"
@@ -16,7 +17,7 @@ enum class Climb { kError, kOverGrowth, kRatio };
 inline constexpr std::array<std::string_view, 3> kClimbNames = {"error", "bound", "rho"};
 
 struct SearchOptions {
-  ChosenSource source;  ///< Where the search starts.
+  std::vector<ChosenSource> sources;  ///< Where the search starts, in turn.
   Quantity quantity = Quantity::kParameter;
   Climb climb = Climb::kError;
   int cases = 2000;  ///< Random ones; the search climbs from the worst few.

@@ -4,12 +4,15 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <chrono>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "properties/mistakes/causes.h"
 #include "scene/interruption.h"
 #include "tools/implementations/built_in.h"
+#include "tools/properties/corpus.h"
 #include "tools/shards/run_units.h"
 
 namespace raycheck::tools {
@@ -70,6 +73,51 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   return report;
 }
 
+/// A search for the worst case of a law's quantity.
+struct Target {
+  std::size_t campaign, candidate;
+  properties::Stage stage;
+  properties::SearchOptions search;
+};
+/// As many steps as `worst` makes for each random case.
+constexpr int kStepsOfACase = 2;
+
+/// Of a unit of campaigns, or of a target.
+struct UnitResult {
+  std::vector<properties::CampaignPart> parts;
+  std::optional<properties::WorstCase> worst;
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(parts, worst);
+  }
+};
+
+/// Tells how far a campaign is: "12000 cases judged, 3 broken, 4 min left".
+class Progress {
+ public:
+  Progress(std::int64_t units, const properties::RunControl& control)
+      : units_(units), control_(control) {}
+
+  void add(const std::vector<properties::CampaignPart>& parts) {
+    ++done_;
+    for (const properties::CampaignPart& part : parts) {
+      cases_ += part.counts.cases;
+      broken_ += part.is_broken() ? 1 : 0;
+    }
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    const double left = passed.count() * static_cast<double>(units_ - done_) /
+                        static_cast<double>(done_);
+    control_.progress(fmt::format("{} cases judged, {} broken, {}", cases_, broken_,
+                                  left < 90 ? fmt::format("{:.0f} s left", left)
+                                            : fmt::format("{:.0f} min left", left / 60)));
+  }
+
+ private:
+  std::int64_t units_, done_ = 0, cases_ = 0, broken_ = 0;
+  const properties::RunControl& control_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 properties::Replay parsed_replay(const std::string& text) {
   try {
     return properties::parse_replay(text);
@@ -105,6 +153,13 @@ std::uint64_t PropertiesReport::count(properties::Finding finding) const {
                     [&](const CampaignReport& campaign) { return campaign.finding == finding; }));
 }
 
+bool PropertiesReport::holds() const {
+  return failures() == 0 &&
+         std::none_of(corpus.begin(), corpus.end(), [](const CorpusFinding& one) {
+           return one.finding == properties::Finding::kBroken;
+         });
+}
+
 bool PropertiesReport::is_conclusive() const {
   using properties::Finding;
   const std::uint64_t undecided = count(Finding::kUndecided);
@@ -125,6 +180,7 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   report.seed = options.seed;
   report.cases = options.cases;
   report.strict = options.strict;
+  report.target = options.target;
   CampaignOptions campaign;
   campaign.cases = options.cases;
   campaign.seed = options.seed;
@@ -162,30 +218,89 @@ PropertiesReport run_properties(const PropertiesOptions& options,
       asked[k].laws.push_back(law);
     }
   }
+  std::vector<Target> targets;
+  for (std::size_t k = 0; options.target && k < in_reports_order.size(); ++k) {
+    const auto& [law, candidate, number] = in_reports_order[k];
+    if (!law->stage || properties::law_of(*law->stage, law->quantity) != law) continue;
+    targets.push_back({k, candidate, *law->stage, {}});
+    properties::SearchOptions& search = targets.back().search;
+    search = {.sources = sources_of(*law, asked[candidate].options),
+              .quantity = law->quantity,
+              .climb = *options.target,
+              .cases = options.cases,
+              .steps = kStepsOfACase * options.cases,
+              .seed = options.seed};
+    if (search.sources.empty()) targets.pop_back();
+  }
   properties::Campaigns campaigns(std::move(asked), units != nullptr);
-  using Parts = std::vector<properties::CampaignPart>;
   const auto count = static_cast<std::int64_t>(campaigns.unit_count());
+  Progress progress(count + std::ssize(targets), control);
+  std::vector<std::optional<properties::WorstCase>> worst(in_reports_order.size());
   std::int64_t next = 0;
-  run_units<Parts>(
-      count, units, control,
-      [&](std::int64_t unit) {
-        return campaigns.run(static_cast<std::size_t>(unit), candidates.local(), control);
+  run_units<UnitResult>(
+      count + std::ssize(targets), units, control,
+      [&](std::int64_t unit) -> UnitResult {
+        if (unit < count) {
+          return {campaigns.run(static_cast<std::size_t>(unit), candidates.local(), control), {}};
+        }
+        const Target& target = targets[static_cast<std::size_t>(unit - count)];
+        return {{}, find_worst_case(candidates.local()[target.candidate], target.stage,
+                                    target.search, control)};
       },
-      [&](Parts& parts) {
-        campaigns.take(static_cast<std::size_t>(next++), std::move(parts));
-        control.progress(fmt::format("{} of {} severities of sources", next, count));
+      [&](UnitResult& result) {
+        const std::int64_t unit = next++;
+        progress.add(result.parts);
+        if (unit < count) {
+          campaigns.take(static_cast<std::size_t>(unit), std::move(result.parts));
+        } else {
+          worst[targets[static_cast<std::size_t>(unit - count)].campaign] =
+              std::move(result.worst);
+        }
       });
   report.interrupted = control.interrupted();
   if (units != nullptr && !units->are_all()) return report;
-  for (const auto& [law, candidate, number] : in_reports_order) {
+  if (!options.corpus.empty()) {
+    report.corpus = try_corpus(options, laws, judged, candidates.local());
+  }
+  for (std::size_t k = 0; k < in_reports_order.size(); ++k) {
+    const auto& [law, candidate, number] = in_reports_order[k];
     const Candidate& own = candidates.local()[candidate];
     properties::CampaignResult result = campaigns.finished(candidate, number, own);
     if (control.interrupted() && result.parts.empty()) continue;  // not reached
+    if (worst[k] && !result.failure) {
+      result.failure =
+          run_case(*law, own, worst[k]->the_case, options.max_error, options.strict).failure;
+    }
     report.campaigns.push_back(
         report_of(*law, judged[candidate], own, names[candidate], std::move(result)));
+    report.campaigns.back().worst = std::move(worst[k]);
   }
+  if (!options.corpus.empty() && !control.interrupted()) keep_in_corpus(report, options.corpus);
   report.interrupted = control.interrupted();
   return report;
+}
+
+int cases_for(const PropertiesOptions& options, double seconds,
+              const properties::RunControl& control) {
+  // A campaign that takes this share of what is left tells how long a larger one takes.
+  constexpr double kShare = 0.1;
+  constexpr double kMargin = 0.95;
+  constexpr double kMostCases = 1e9;
+  const auto start = std::chrono::steady_clock::now();
+  const auto passed = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  PropertiesOptions tried = options;
+  tried.corpus.clear();
+  for (tried.cases = 1;; tried.cases *= 4) {
+    const double before = passed();
+    run_properties(tried, control);
+    const double took = passed() - before;
+    const double left = seconds - passed();
+    if (took < kShare * left && !control.interrupted()) continue;
+    const double times = std::max(1.0, kMargin * left / took);
+    return static_cast<int>(std::min(tried.cases * times, kMostCases));
+  }
 }
 
 }  // namespace raycheck::tools

@@ -9,6 +9,7 @@
 #include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
 #include "properties/search/campaign.h"
+#include "properties/search/worst_case.h"
 #include "tools/gates/baseline.h"
 #include "tools/gates/gate.h"
 #include "tools/implementations/implementation.h"
@@ -29,6 +30,16 @@ struct PropertiesOptions {
   std::optional<double> max_error;
   bool strict = false;  ///< Excused or undecided answers break a law, too.
   std::size_t keep_going = 1;  ///< Distinct failures of a law that are shown.
+  /// After the random cases, climb on this measure of each law that has one.
+  std::optional<properties::Climb> target;
+  std::string corpus;  ///< A folder of cases that once broke a law; empty: none.
+};
+
+/// What became of a case of the corpus.
+struct CorpusFinding {
+  std::string file, law, candidate;
+  std::string found_with;  ///< The candidate that it broke the law with when it was kept.
+  properties::Finding finding = properties::Finding::kHolds;
 };
 
 /// One law on one candidate.
@@ -43,6 +54,7 @@ struct CampaignReport {
   Implementation implementation = {};
   scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in,
   properties::Domain domain = {};                          ///< and where.
+  std::optional<properties::WorstCase> worst = {};         ///< What a target led to.
 };
 
 /// An external implementation, which documents no bounds.
@@ -52,16 +64,19 @@ struct BorrowedBounds {
 };
 
 struct PropertiesReport {
+  std::vector<CorpusFinding> corpus;
   std::vector<CampaignReport> campaigns;
   std::vector<BorrowedBounds> borrowed;
   std::optional<std::uint64_t> seed;  ///< Empty for a replay.
   int cases = 0;
   bool interrupted = false;
   bool strict = false;
+  std::optional<properties::Climb> target;
   std::optional<Ratchet> ratchet;  ///< If it is compared with a baseline.
 
   std::uint64_t count(properties::Finding finding) const;
   std::uint64_t failures() const { return count(properties::Finding::kBroken); }
+  bool holds() const;
   /// Whether something was judged, nothing too rarely, and everything undecided is known to the
   /// baseline.
   bool is_conclusive() const;
@@ -72,6 +87,10 @@ struct PropertiesReport {
 PropertiesReport run_properties(const PropertiesOptions& options,
                                 const properties::RunControl& control = {},
                                 Units* units = nullptr);
+
+/// How many cases fill a time on this machine: found by smaller campaigns of growing size.
+int cases_for(const PropertiesOptions& options, double seconds,
+              const properties::RunControl& control);
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_json(const PropertiesReport& report, const ViewOptions& options);
@@ -95,6 +114,9 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
 /// Why a law is broken, in lines, with the shrunk case.
 /// Domain: a campaign with a failure.
 std::string failure_text(const CampaignReport& campaign, bool colours);
+/// Another failure of it.
+std::string failure_text(const CampaignReport& campaign, const properties::Failure& failure,
+                         bool colours);
 
 /// The shrunk case of every broken law, as a page with a scene for each.
 ViewDocument properties_document(const PropertiesReport& report,

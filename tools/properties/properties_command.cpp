@@ -1,7 +1,9 @@
+#include <fmt/core.h>
 #include <tbb/info.h>
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
@@ -23,6 +25,7 @@ struct PropertiesArguments {
   GateArguments gate;
   int threads = tbb::info::default_concurrency();
   ShardArguments shards;
+  std::string target, budget;
 };
 
 /// Domain: one of kLevelNames.
@@ -30,6 +33,18 @@ properties::Level level_called(const std::string& name) {
   const auto& names = properties::kLevelNames;
   return static_cast<properties::Level>(std::find(names.begin(), names.end(), name) -
                                         names.begin());
+}
+
+/// "90s", "10m" or "2h"
+double seconds_of(const std::string& text) {
+  const std::string number = text.substr(0, text.empty() ? 0 : text.size() - 1);
+  const char unit = text.empty() ? ' ' : text.back();
+  const double seconds = unit == 's' ? 1 : unit == 'm' ? 60 : unit == 'h' ? 3600 : 0;
+  constexpr std::int64_t kMost = 10'000;
+  if (seconds == 0) {
+    throw std::invalid_argument("--for " + text + ": give a whole number of s, m or h: 90s, 10m");
+  }
+  return seconds * static_cast<double>(parse_index("--for", number, 1, kMost));
 }
 
 int run_properties_command(PropertiesArguments& arguments) {
@@ -41,6 +56,16 @@ int run_properties_command(PropertiesArguments& arguments) {
   options.implementations = find_judged(arguments.judged);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
+  if (!arguments.target.empty()) {
+    const auto& names = properties::kClimbNames;
+    options.target = static_cast<properties::Climb>(
+        std::find(names.begin(), names.end(), arguments.target) - names.begin());
+  }
+  if (!arguments.budget.empty()) {
+    options.cases = cases_for(options, seconds_of(arguments.budget),
+                              run_control("how many cases", arguments.threads));
+    print_error(fmt::format("raycheck: {} is --cases {}\n", arguments.budget, options.cases));
+  }
   const std::unique_ptr<Units> units = units_of(arguments.shards);
   PropertiesReport report =
       run_properties(options, run_control("laws", arguments.threads), units.get());
@@ -51,7 +76,7 @@ int run_properties_command(PropertiesArguments& arguments) {
   files.write(kPropertiesViews, report, gate);
   print_view(kPropertiesViews, arguments.gate.format, report, gate);
   if (view) view->write(page(properties_document(report, run_control("page"))));
-  const bool fails = report.ratchet ? report.ratchet->fails() : report.failures() > 0;
+  const bool fails = report.ratchet ? report.ratchet->fails() : !report.holds();
   return exit_code(report.interrupted, fails, report.is_conclusive());
 }
 
@@ -90,6 +115,26 @@ CommandRun add_properties(CLI::App& command) {
   for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect", "--out"}) {
     replay->excludes(command.get_option(other));
   }
+  command
+      .add_option("--for", given->budget,
+                  "as many cases as fill this time on this machine, 90s, 10m or 2h; the report "
+                  "says how many that is")
+      ->type_name("TIME")
+      ->excludes(replay, command.get_option("--cases"), command.get_option("--out"));
+  command
+      .add_option("--target", given->target,
+                  "after the random cases, climb from the worst of them on what each law measures: "
+                  "its error, its error over what the documented bound grows by, or the stability "
+                  "ratio rho")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(properties::kClimbNames.begin(), properties::kClimbNames.end())))
+      ->excludes(replay);
+  command
+      .add_option("--corpus", options.corpus,
+                  "first try the cases that this folder keeps, and keep there what breaks a law, "
+                  "shrunk: a folder to commit")
+      ->type_name("FOLDER")
+      ->excludes(replay);
   command
       .add_option("--keep-going", options.keep_going,
                   "do not stop at a law's first failure: shrink up to so many that differ in "

@@ -30,6 +30,12 @@ Json part_json(const properties::CampaignPart& part) {
   return json;
 }
 
+void add_failure(Json& json, const properties::Failure& failure) {
+  json["replay"] = text_or_null(failure.replay);
+  json["scene"] = properties::scene_text(failure.shrunk);
+  json["discrepancies"] = list_json(failure.verdict.worst(10), discrepancy_json);
+}
+
 Json campaign_json(const CampaignReport& campaign) {
   const properties::CampaignResult& result = campaign.result;
   Json json = counts_json(result.counts, result.verdict);
@@ -47,10 +53,18 @@ Json campaign_json(const CampaignReport& campaign) {
   json["explanations"] = explanations_json(campaign.explanations);
   json["quantities"] = tallies_json(result.verdict, campaign.precision);
   json["parts"] = list_json(result.parts, part_json);
-  if (result.failure) {
-    json["replay"] = result.failure->replay;
-    json["scene"] = properties::scene_text(result.failure->shrunk);
-    json["discrepancies"] = list_json(result.failure->verdict.worst(10), discrepancy_json);
+  if (campaign.worst) {
+    json["worst"] = {{"random", campaign.worst->height_random},
+                     {"climbed", campaign.worst->height_climbed},
+                     {"scene", properties::scene_text(campaign.worst->the_case)}};
+  }
+  if (result.failure) add_failure(json, *result.failure);
+  if (!result.others.empty()) {
+    json["others"] = list_json(result.others, [](const properties::Failure& failure) {
+      Json other;
+      add_failure(other, failure);
+      return other;
+    });
   }
   return json;
 }
@@ -65,6 +79,16 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
   json["borrowed_bounds"] = list_json(report.borrowed, [](const BorrowedBounds& bounds) {
     return Json{{"candidate", bounds.candidate}, {"methods", bounds.methods}};
   });
+  if (report.target) json["target"] = properties::kClimbNames[static_cast<std::size_t>(*report.target)];
+  if (!report.corpus.empty()) {
+    json["corpus"] = list_json(report.corpus, [](const CorpusFinding& one) {
+      return Json{{"file", one.file},
+                  {"law", one.law},
+                  {"candidate", one.candidate},
+                  {"found_with", one.found_with},
+                  {"finding", name(one.finding)}};
+    });
+  }
   json["campaigns"] = list_json(report.campaigns, campaign_json);
   json["strict"] = report.strict;
   json["fewest_right"] = properties::kFewestRight;

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 
 #include "properties/cases/case_text.h"
@@ -142,6 +143,27 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
                      cause->errors);
 }
 
+/// What became of the cases kept: those that still break their law, or a candidate's that no longer
+/// do, and how many there are.
+std::string corpus_text(const PropertiesReport& report) {
+  std::string text;
+  std::set<std::string> files;
+  std::size_t broken = 0, mended = 0;
+  for (const CorpusFinding& one : report.corpus) {
+    files.insert(one.file);
+    const bool breaks = one.finding == Finding::kBroken;
+    const bool is_mended = one.finding == Finding::kHolds && one.candidate == one.found_with;
+    broken += breaks ? 1 : 0;
+    mended += is_mended ? 1 : 0;
+    if (!breaks && !is_mended) continue;
+    text += fmt::format("{} {} {} {}\n", one.file, breaks ? "breaks" : "no longer breaks", one.law,
+                        breaks ? "with " + one.candidate : "with " + one.candidate + ": mended");
+  }
+  if (files.empty()) return "";
+  return text + fmt::format("corpus: {}, {} broken, {} mended\n",
+                            count_text(files.size(), "case"), broken, mended);
+}
+
 /// A line about each of them, where several laws were tried.
 std::string first_sentences(const PropertiesReport& report) {
   std::map<std::string, std::vector<const CampaignReport*>> by_candidate;
@@ -179,15 +201,8 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
                      single_quoted(replay));
 }
 
-std::string failure_text(const CampaignReport& campaign, bool colours) {
-  const CampaignResult& result = campaign.result;
-  const properties::Failure& failure = *result.failure;
-  std::string text;
-  if (result.parts.size() > 1 && !failure.is_undecided) {
-    text += fmt::format("broken on {}\n", broken_text(result));
-    const std::string holding = holding_text(result);
-    if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
-  }
+std::string failure_text(const CampaignReport& campaign, const properties::Failure& failure,
+                         bool colours) {
   std::string discrepancies;
   for (const auto& discrepancy : failure.verdict.worst(1)) {
     discrepancies += discrepancy_text(discrepancy, colours);
@@ -196,11 +211,24 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   const std::string reason =
       fmt::format("{} the law {} with {}", failure.is_undecided ? "leaves undecided" : "breaks",
                   campaign.law->name, campaign.candidate);
-  text += broken_law_text(campaign.law->sentence, discrepancies,
-                          explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
-                          replay_text(campaign, failure.replay),
-                          properties::scene_text(failure.shrunk, reason));
-  return text;
+  return broken_law_text(
+      campaign.law->sentence, discrepancies,
+      explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
+      failure.replay.empty() ? "none: climbed to" : replay_text(campaign, failure.replay),
+      properties::scene_text(failure.shrunk, reason));
+}
+
+std::string failure_text(const CampaignReport& campaign, bool colours) {
+  const CampaignResult& result = campaign.result;
+  const properties::Failure& failure = *result.failure;
+  std::string text;
+  if (result.parts.size() > 1 && !failure.is_undecided) {
+    const std::string broken = broken_text(result);
+    if (!broken.empty()) text += fmt::format("broken on {}\n", broken);
+    const std::string holding = holding_text(result);
+    if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
+  }
+  return text + failure_text(campaign, failure, colours);
 }
 
 std::string too_few_text(const CampaignResult& result) {
@@ -210,15 +238,24 @@ std::string too_few_text(const CampaignResult& result) {
 }
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {
-  std::string text = first_sentences(report);
+  std::string text = first_sentences(report) + corpus_text(report);
   for (const BorrowedBounds& bounds : report.borrowed) {
     text += fmt::format("{} documents no bounds: judged by those of {} (--bounds)\n",
                         bounds.candidate, bounds.methods);
   }
   for (const CampaignReport& campaign : report.campaigns) {
     text += campaign_text(campaign, options.colours);
+    if (campaign.worst) {
+      text += fmt::format("    {}: {} by random cases, {} by climbing\n",
+                          properties::kClimbNames[static_cast<std::size_t>(*report.target)],
+                          error_text(campaign.worst->height_random),
+                          error_text(campaign.worst->height_climbed));
+    }
     if (campaign.result.failure) {
       text += indented(failure_text(campaign, options.colours), "    ");
+    }
+    for (const properties::Failure& other : campaign.result.others) {
+      text += indented("\n" + failure_text(campaign, other, options.colours), "    ");
     }
   }
   if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";

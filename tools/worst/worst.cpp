@@ -103,8 +103,8 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
   report.stage = chosen_stage(options);
   report.search = options.search;
   properties::SearchOptions& search = report.search;
-  search.source = chosen_family(options.family);
-  if (report.stage == Stage::kRays && !search.source.source->has_camera) {
+  search.sources = {chosen_family(options.family)};
+  if (report.stage == Stage::kRays && !report.source().source->has_camera) {
     throw std::invalid_argument(fmt::format("family {}: has no camera, and {} makes rays",
                                             options.family, report.method.name));
   }

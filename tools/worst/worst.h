@@ -19,7 +19,7 @@ struct WorstOptions {
   Implementation method;
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
-  properties::SearchOptions search;  ///< Its source and its quantity follow from these.
+  properties::SearchOptions search;  ///< Its sources and its quantity follow from these.
   std::int64_t searches = 1;         ///< With seeds of their own; the worst of all is told.
 };
 
@@ -44,6 +44,7 @@ struct WorstReport : WorstFound {
   std::int64_t searches = 1;
   bool interrupted = false;
 
+  const properties::ChosenSource& source() const { return search.sources.front(); }
   bool is_unstable() const;
 };
 

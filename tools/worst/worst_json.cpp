@@ -26,7 +26,7 @@ std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/
   json["method"] = report.method.name;
   json["isolated_by"] = text_or_null(report.method.isolated_by);
   json["bounds_of"] = text_or_null(report.method.bounds_of);
-  json["family"] = search.source.name();
+  json["family"] = report.source().name();
   json["seed"] = search.seed;
   json["searches"] = report.searches;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(search.climb)];

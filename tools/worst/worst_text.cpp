@@ -12,7 +12,7 @@ std::string headline(const WorstReport& report) {
   const properties::WorstCase& worst = *report.worst;
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",
                      report.method.name, info(report.search.quantity).name,
-                     report.search.source.name(), error_text(worst.error),
+                     report.source().name(), error_text(worst.error),
                      unit_name(report.search.quantity, report.method.precision),
                      error_text(worst.stability.condition), error_text(worst.stability.ratio),
                      name(worst.stability.outcome));
@@ -31,7 +31,7 @@ std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/
   const std::string others = isolation_text({report.method}) + failures_text(report);
   if (!report.worst) {
     return others + fmt::format("{} on {}: nothing was measured in its stated domain\n",
-                                report.method.name, report.search.source.name());
+                                report.method.name, report.source().name());
   }
   const properties::WorstCase& worst = *report.worst;
   std::string text = others + headline(report) + "\n";

@@ -121,7 +121,7 @@ TEST(ErrorSlope, FitsALineThroughLogarithms) {
 
 TEST(WorstCase, ClimbsAboveTheRandomCasesAndShrinks) {
   SearchOptions options;
-  options.source = {find_case_source("rays")};
+  options.sources = {{find_case_source("rays")}};
   options.climb = Climb::kRatio;
   options.cases = 200;
   options.steps = 2000;

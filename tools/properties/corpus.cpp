@@ -1,0 +1,125 @@
+#include "tools/properties/corpus.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+#include <stdexcept>
+#include <system_error>
+
+#include "properties/cases/case_text.h"
+#include "scene/files/file_text.h"
+#include "scene/files/scene_file.h"
+#include "tools/report/digest.h"
+#include "tools/report/output_file.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using properties::Case;
+
+constexpr std::string_view kLaw = "law: ";
+constexpr std::string_view kFoundWith = "found with: ";
+constexpr std::string_view kReplay = "replay: ";
+constexpr std::string_view kPixels = "pixels:";
+
+/// What follows a word in the comments of a file; empty: nothing does.
+std::string said(const std::string& text, std::string_view word) {
+  std::istringstream lines(text);
+  const std::string begins = "# " + std::string(word);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(begins)) return line.substr(begins.size());
+  }
+  return "";
+}
+
+/// " (3, 4) (5, 6)"
+std::vector<scene::Pixel> pixels_of(std::string text) {
+  for (char& c : text) {
+    if (c == '(' || c == ')' || c == ',') c = ' ';
+  }
+  std::istringstream numbers(text);
+  std::vector<scene::Pixel> pixels;
+  for (scene::Pixel one; numbers >> one.i >> one.j;) pixels.push_back(one);
+  return pixels;
+}
+
+std::vector<fs::path> files_in(const std::string& folder) {
+  std::vector<fs::path> files;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string name_of(const CampaignReport& campaign, const properties::Failure& failure) {
+  std::string name = fmt::format("{}-{}", campaign.law->name, campaign.lasting_name);
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  }
+  return fmt::format("{}-{:.8}.toml", name, digest({scene_text(failure.shrunk)}));
+}
+
+}  // namespace
+
+std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
+                                      std::span<const properties::Law* const> laws,
+                                      std::span<const Implementation> implementations,
+                                      std::span<const properties::Candidate> candidates) {
+  std::vector<CorpusFinding> findings;
+  const std::vector<std::string> names =
+      lasting_names({implementations.begin(), implementations.end()});
+  for (const fs::path& file : files_in(options.corpus)) {
+    const std::string text = scene::file_text(file);
+    const std::string law_name = said(text, kLaw);
+    const auto law = std::find_if(laws.begin(), laws.end(),
+                                  [&](const auto* one) { return one->name == law_name; });
+    if (properties::find_law(law_name) == nullptr) {
+      throw std::invalid_argument(
+          fmt::format("corpus {}: names no law; a line '# law: NAME' does", file.string()));
+    }
+    if (law == laws.end()) continue;
+    Case the_case{scene::load_scene(file.string()).scene, pixels_of(said(text, kPixels))};
+    if (the_case.scene.camera && the_case.pixels.empty()) {
+      throw std::invalid_argument(
+          fmt::format("corpus {}: has a camera and names no pixels; a line '# pixels: (I, J)' does",
+                      file.string()));
+    }
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      const auto result =
+          run_case(**law, candidates[k], the_case, options.max_error, options.strict);
+      findings.push_back({file.filename().string(), law_name, names[k], said(text, kFoundWith),
+                          result.finding()});
+    }
+  }
+  return findings;
+}
+
+void keep_in_corpus(const PropertiesReport& report, const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw std::invalid_argument(
+        fmt::format("corpus {}: cannot be made: {}", folder, error.message()));
+  }
+  const auto keep = [&](const CampaignReport& campaign, const properties::Failure& failure) {
+    if (failure.is_undecided) return;
+    const fs::path file = fs::path(folder) / name_of(campaign, failure);
+    if (fs::exists(file)) return;
+    std::string comment =
+        fmt::format("{}{}\n{}{}", kLaw, campaign.law->name, kFoundWith, campaign.lasting_name);
+    if (!failure.replay.empty()) comment += fmt::format("\n{}{}", kReplay, failure.replay);
+    OutputFile("corpus", file.string()).write(scene_text(failure.shrunk, comment));
+  };
+  for (const CampaignReport& campaign : report.campaigns) {
+    if (campaign.result.failure) keep(campaign, *campaign.result.failure);
+    for (const properties::Failure& other : campaign.result.others) keep(campaign, other);
+  }
+}
+
+}  // namespace raycheck::tools
