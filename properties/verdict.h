@@ -309,8 +309,8 @@ struct Discrepancy {
   FailureSite failed;  ///< Where it failed.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(law, quantity, place, what, symbol, got, exact, got_some_sphere, error, precision, wrong,
-            condition, excuse, excluded_by, failed);
+    archive(law, quantity, place, what, symbol, got, exact, got_some_sphere, error, precision,
+            wrong, condition, excuse, excluded_by, failed);
   }
 };
 

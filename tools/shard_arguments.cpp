@@ -91,9 +91,8 @@ std::unique_ptr<Units> units_of(const ShardArguments& arguments) {
 int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted) {
   const Shard& shard = units.shard();
   if (!was_interrupted) {
-    print_error(fmt::format(
-        "raycheck: shard {} of {} is done; once all are: raycheck merge {}\n", shard.number,
-        shard.of, arguments.out));
+    print_error(fmt::format("raycheck: shard {} of {} is done; once all are: raycheck merge {}\n",
+                            shard.number, shard.of, arguments.out));
   }
   return exit_code(was_interrupted, false, true);
 }

@@ -27,11 +27,18 @@ struct ReportOption {
   const char* name;
   bool has_value;
 };
-inline constexpr ReportOption kReportOptions[] = {
-    {"--format", true},        {"--report", true},           {"--view", true},
-    {"--certificates", true},  {"--save", true},             {"--top", true},
-    {"--threads", true},       {"--jobs", true},          {"--corpus", true},           {"--baseline", true},
-    {"--update-baseline", false}, {"--strict-baseline", false}};
+inline constexpr ReportOption kReportOptions[] = {{"--format", true},
+                                                  {"--report", true},
+                                                  {"--view", true},
+                                                  {"--certificates", true},
+                                                  {"--save", true},
+                                                  {"--top", true},
+                                                  {"--threads", true},
+                                                  {"--jobs", true},
+                                                  {"--corpus", true},
+                                                  {"--baseline", true},
+                                                  {"--update-baseline", false},
+                                                  {"--strict-baseline", false}};
 
 /// The units asked for, told on standard error; null: nothing is kept.
 /// Domain: arguments of add_shards() that are parsed.

@@ -74,7 +74,7 @@ struct CampaignPart {
   Verdict verdict;  ///< Counts only: there are thousands of parts.
   /// The first, and later ones that show something else.
   std::vector<Break> breaks;
-  std::vector<DefectKind> undecided;  ///< What is undecided in all its cases,
+  std::vector<DefectKind> undecided;            ///< What is undecided in all its cases,
   std::optional<std::uint64_t> undecided_seed;  ///< and the first of these.
 
   bool failed_at_once = false;  ///< The candidate failed before it answered anything.

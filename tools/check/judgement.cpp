@@ -85,7 +85,8 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, const Candidate
     // That others than renderers make no images goes without saying.
     if (law.per == Per::kImage && !candidate.image) continue;
     Verdict verdict = trials.apply(law);
-    if (!verdict.reason_left_out().empty()) found.left_out[std::string(law.name)] = verdict.reason_left_out();
+    if (!verdict.reason_left_out().empty())
+      found.left_out[std::string(law.name)] = verdict.reason_left_out();
     if (!chunk.scene.camera) verdict.shift_rays(first);
     found.verdict.merge(std::move(verdict));
   }

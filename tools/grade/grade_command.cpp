@@ -109,8 +109,7 @@ int run_grade(const GradeArguments& arguments) {
   if (!shards.shard.empty()) shards.out = options.out + "/" + kUnitsInside;
   for (std::string& folder : shards.merged) folder += std::string("/") + kUnitsInside;
   const std::unique_ptr<Units> units = units_of(shards);
-  const ClassGrade graded =
-      grade(options, run_control("submissions", arguments.jobs), units.get());
+  const ClassGrade graded = grade(options, run_control("submissions", arguments.jobs), units.get());
   if (units && !units->are_all()) {
     shards.out = options.out;
     return shard_done(shards, *units, graded.interrupted);

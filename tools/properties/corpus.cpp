@@ -93,8 +93,8 @@ std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       const auto result =
           run_case(**law, candidates[k], the_case, options.max_error, options.strict);
-      findings.push_back({file.filename().string(), law_name, names[k], said(text, kFoundWith),
-                          result.finding()});
+      findings.push_back(
+          {file.filename().string(), law_name, names[k], said(text, kFoundWith), result.finding()});
     }
   }
   return findings;

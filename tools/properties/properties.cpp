@@ -73,15 +73,6 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   return report;
 }
 
-/// A search for the worst case of a law's quantity.
-struct Target {
-  std::size_t campaign, candidate;
-  properties::Stage stage;
-  properties::SearchOptions search;
-};
-/// As many steps as `worst` makes for each random case.
-constexpr int kStepsOfACase = 2;
-
 /// Of a unit of campaigns, or of a target.
 struct UnitResult {
   std::vector<properties::CampaignPart> parts;
@@ -105,8 +96,8 @@ class Progress {
       broken_ += part.is_broken() ? 1 : 0;
     }
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-    const double left = passed.count() * static_cast<double>(units_ - done_) /
-                        static_cast<double>(done_);
+    const double left =
+        passed.count() * static_cast<double>(units_ - done_) / static_cast<double>(done_);
     control_.progress(fmt::format("{} cases judged, {} broken, {}", cases_, broken_,
                                   left < 90 ? fmt::format("{:.0f} s left", left)
                                             : fmt::format("{:.0f} min left", left / 60)));
@@ -145,6 +136,149 @@ PropertiesReport replay(const PropertiesOptions& options) {
   throw std::invalid_argument("replay: no candidate is called '" + parsed.candidate + "'");
 }
 
+/// The campaigns of laws and candidates, as one pass.
+class Study {
+ public:
+  /// The options must outlive it.
+  Study(const PropertiesOptions& options, bool units_are_kept)
+      : options_(options),
+        is_chosen_(!options.implementations.empty()),
+        judged_(is_chosen_ ? options.implementations : built_in(each_method_once())),
+        names_(lasting_names(judged_)),
+        laws_(filtered_laws(options.filter)),
+        candidates_([this] {
+          std::vector<Candidate> own;
+          for (const Implementation& one : judged_) own.push_back(campaigner(one));
+          return own;
+        }) {
+    std::vector<properties::LawsOfCandidate> asked = ask();
+    if (options.target) set_targets(asked);
+    campaigns_.emplace(std::move(asked), units_are_kept);
+  }
+
+  std::vector<BorrowedBounds> borrowed() const {
+    std::vector<BorrowedBounds> all;
+    for (const Implementation& one : judged_) {
+      if (!one.bounds_of.empty() && !options_.max_error) all.push_back({one.name, one.bounds_of});
+    }
+    return all;
+  }
+
+  std::vector<CorpusFinding> corpus() {
+    return try_corpus(options_, laws_, judged_, candidates_.local());
+  }
+
+  void run(const properties::RunControl& control, Units* units) {
+    const auto count = static_cast<std::int64_t>(campaigns_->unit_count());
+    const std::int64_t all = count + std::ssize(targets_);
+    Progress progress(all, control);
+    std::int64_t next = 0;
+    run_units<UnitResult>(
+        all, units, control,
+        [&](std::int64_t unit) -> UnitResult {
+          const std::vector<Candidate>& own = candidates_.local();
+          if (unit < count)
+            return {campaigns_->run(static_cast<std::size_t>(unit), own, control), {}};
+          const Target& target = targets_[static_cast<std::size_t>(unit - count)];
+          return {{}, find_worst_case(own[target.candidate], target.stage, target.search, control)};
+        },
+        [&](UnitResult& result) {
+          const std::int64_t unit = next++;
+          progress.add(result.parts);
+          if (unit < count) {
+            campaigns_->take(static_cast<std::size_t>(unit), std::move(result.parts));
+          } else {
+            worst_[targets_[static_cast<std::size_t>(unit - count)].campaign] =
+                std::move(result.worst);
+          }
+        });
+  }
+
+  /// What they came to, in the order of laws.
+  std::vector<CampaignReport> finished(const properties::RunControl& control) {
+    std::vector<CampaignReport> reports;
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      const auto& [law, candidate, number] = order_[k];
+      const Candidate& own = candidates_.local()[candidate];
+      properties::CampaignResult result = campaigns_->finished(candidate, number, own);
+      if (control.interrupted() && result.parts.empty()) continue;  // not reached
+      if (worst_[k] && !result.failure) {
+        result.failure =
+            run_case(*law, own, worst_[k]->the_case, options_.max_error, options_.strict).failure;
+      }
+      reports.push_back(
+          report_of(*law, judged_[candidate], own, names_[candidate], std::move(result)));
+      reports.back().worst = std::move(worst_[k]);
+    }
+    return reports;
+  }
+
+ private:
+  /// One campaign, by its candidate and its number among that one's.
+  struct Campaign {
+    const Law* law;
+    std::size_t candidate, number;
+  };
+  /// A search for the worst case of a campaign's law.
+  struct Target {
+    std::size_t campaign, candidate;
+    properties::Stage stage;
+    properties::SearchOptions search;
+  };
+
+  std::vector<properties::LawsOfCandidate> ask() {
+    std::vector<properties::LawsOfCandidate> asked;
+    CampaignOptions campaign;
+    campaign.cases = options_.cases;
+    campaign.seed = options_.seed;
+    campaign.max_error = options_.max_error;
+    campaign.strict = options_.strict;
+    campaign.sources = options_.sources;
+    campaign.keep_going = options_.keep_going;
+    for (const Candidate& one : candidates_.local()) {
+      campaign.level = options_.level.value_or(one.level);
+      asked.push_back({{}, campaign});
+    }
+    for (const Law* law : laws_) {
+      for (std::size_t k = 0; k < judged_.size(); ++k) {
+        if (!is_worth_asking(*law, judged_[k], is_chosen_)) continue;
+        order_.push_back({law, k, asked[k].laws.size()});
+        asked[k].laws.push_back(law);
+      }
+    }
+    worst_.resize(order_.size());
+    return asked;
+  }
+
+  /// Each law's quantity, where it is the law that measures it. A search has no more cases than one
+  /// of `worst` has, and as many steps for each.
+  void set_targets(const std::vector<properties::LawsOfCandidate>& asked) {
+    for (std::size_t k = 0; k < order_.size(); ++k) {
+      const auto& [law, candidate, number] = order_[k];
+      if (!law->stage || properties::law_of(*law->stage, law->quantity) != law) continue;
+      properties::SearchOptions search;
+      search.sources = sources_of(*law, asked[candidate].options);
+      search.quantity = law->quantity;
+      search.climb = *options_.target;
+      search.steps = search.steps / search.cases * std::min(options_.cases, search.cases);
+      search.cases = std::min(options_.cases, search.cases);
+      search.seed = options_.seed;
+      if (!search.sources.empty()) targets_.push_back({k, candidate, *law->stage, search});
+    }
+  }
+
+  const PropertiesOptions& options_;
+  bool is_chosen_;  ///< Who is judged.
+  std::vector<Implementation> judged_;
+  std::vector<std::string> names_;
+  std::vector<const Law*> laws_;
+  tbb::enumerable_thread_specific<std::vector<Candidate>> candidates_;
+  std::vector<Campaign> order_;
+  std::vector<Target> targets_;
+  std::optional<properties::Campaigns> campaigns_;
+  std::vector<std::optional<properties::WorstCase>> worst_;  ///< Of each campaign.
+};
+
 }  // namespace
 
 std::uint64_t PropertiesReport::count(properties::Finding finding) const {
@@ -181,102 +315,16 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   report.cases = options.cases;
   report.strict = options.strict;
   report.target = options.target;
-  CampaignOptions campaign;
-  campaign.cases = options.cases;
-  campaign.seed = options.seed;
-  campaign.max_error = options.max_error;
-  campaign.strict = options.strict;
-  campaign.sources = options.sources;
-  campaign.keep_going = options.keep_going;
-  const bool chosen = !options.implementations.empty();
-  const auto judged = chosen ? options.implementations : built_in(each_method_once());
-  for (const Implementation& one : judged) {
-    if (one.bounds_of.empty() || options.max_error) continue;
-    report.borrowed.push_back({one.name, one.bounds_of});
-  }
-  const auto laws = filtered_laws(options.filter);
-  const std::vector<std::string> names = lasting_names(judged);
-  tbb::enumerable_thread_specific<std::vector<Candidate>> candidates([&] {
-    std::vector<Candidate> own;
-    for (const Implementation& one : judged) own.push_back(campaigner(one));
-    return own;
-  });
-  std::vector<properties::LawsOfCandidate> asked;
-  struct Finished {
-    const Law* law;
-    std::size_t candidate, number;
-  };
-  std::vector<Finished> in_reports_order;
-  for (std::size_t k = 0; k < judged.size(); ++k) {
-    campaign.level = options.level.value_or(candidates.local()[k].level);
-    asked.push_back({{}, campaign});
-  }
-  for (const Law* law : laws) {
-    for (std::size_t k = 0; k < judged.size(); ++k) {
-      if (!is_worth_asking(*law, judged[k], chosen)) continue;
-      in_reports_order.push_back({law, k, asked[k].laws.size()});
-      asked[k].laws.push_back(law);
-    }
-  }
-  std::vector<Target> targets;
-  for (std::size_t k = 0; options.target && k < in_reports_order.size(); ++k) {
-    const auto& [law, candidate, number] = in_reports_order[k];
-    if (!law->stage || properties::law_of(*law->stage, law->quantity) != law) continue;
-    targets.push_back({k, candidate, *law->stage, {}});
-    properties::SearchOptions& search = targets.back().search;
-    search = {.sources = sources_of(*law, asked[candidate].options),
-              .quantity = law->quantity,
-              .climb = *options.target,
-              .cases = options.cases,
-              .steps = kStepsOfACase * options.cases,
-              .seed = options.seed};
-    if (search.sources.empty()) targets.pop_back();
-  }
-  properties::Campaigns campaigns(std::move(asked), units != nullptr);
-  const auto count = static_cast<std::int64_t>(campaigns.unit_count());
-  Progress progress(count + std::ssize(targets), control);
-  std::vector<std::optional<properties::WorstCase>> worst(in_reports_order.size());
-  std::int64_t next = 0;
-  run_units<UnitResult>(
-      count + std::ssize(targets), units, control,
-      [&](std::int64_t unit) -> UnitResult {
-        if (unit < count) {
-          return {campaigns.run(static_cast<std::size_t>(unit), candidates.local(), control), {}};
-        }
-        const Target& target = targets[static_cast<std::size_t>(unit - count)];
-        return {{}, find_worst_case(candidates.local()[target.candidate], target.stage,
-                                    target.search, control)};
-      },
-      [&](UnitResult& result) {
-        const std::int64_t unit = next++;
-        progress.add(result.parts);
-        if (unit < count) {
-          campaigns.take(static_cast<std::size_t>(unit), std::move(result.parts));
-        } else {
-          worst[targets[static_cast<std::size_t>(unit - count)].campaign] =
-              std::move(result.worst);
-        }
-      });
+  Study study(options, units != nullptr);
+  report.borrowed = study.borrowed();
+  const bool reports = units == nullptr || units->are_all();
+  if (reports && !options.corpus.empty()) report.corpus = study.corpus();
+  study.run(control, units);
+  if (reports) report.campaigns = study.finished(control);
   report.interrupted = control.interrupted();
-  if (units != nullptr && !units->are_all()) return report;
-  if (!options.corpus.empty()) {
-    report.corpus = try_corpus(options, laws, judged, candidates.local());
+  if (reports && !options.corpus.empty() && !report.interrupted) {
+    keep_in_corpus(report, options.corpus);
   }
-  for (std::size_t k = 0; k < in_reports_order.size(); ++k) {
-    const auto& [law, candidate, number] = in_reports_order[k];
-    const Candidate& own = candidates.local()[candidate];
-    properties::CampaignResult result = campaigns.finished(candidate, number, own);
-    if (control.interrupted() && result.parts.empty()) continue;  // not reached
-    if (worst[k] && !result.failure) {
-      result.failure =
-          run_case(*law, own, worst[k]->the_case, options.max_error, options.strict).failure;
-    }
-    report.campaigns.push_back(
-        report_of(*law, judged[candidate], own, names[candidate], std::move(result)));
-    report.campaigns.back().worst = std::move(worst[k]);
-  }
-  if (!options.corpus.empty() && !control.interrupted()) keep_in_corpus(report, options.corpus);
-  report.interrupted = control.interrupted();
   return report;
 }
 

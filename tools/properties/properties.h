@@ -28,7 +28,7 @@ struct PropertiesOptions {
   std::vector<properties::ChosenSource> sources;  ///< Empty: every source that suits the law.
   std::optional<properties::Level> level;         ///< Empty: each candidate's own.
   std::optional<double> max_error;
-  bool strict = false;  ///< Excused or undecided answers break a law, too.
+  bool strict = false;         ///< Excused or undecided answers break a law, too.
   std::size_t keep_going = 1;  ///< Distinct failures of a law that are shown.
   /// After the random cases, climb on this measure of each law that has one.
   std::optional<properties::Climb> target;
@@ -85,8 +85,7 @@ struct PropertiesReport {
 /// Runs the campaigns, or replays one failure. With `units`, only what is missing of their shard;
 /// if they are not all, the report is empty. Throws std::invalid_argument naming the field.
 PropertiesReport run_properties(const PropertiesOptions& options,
-                                const properties::RunControl& control = {},
-                                Units* units = nullptr);
+                                const properties::RunControl& control = {}, Units* units = nullptr);
 
 /// How many cases fill a time on this machine: found by smaller campaigns of growing size.
 int cases_for(const PropertiesOptions& options, double seconds,

@@ -79,7 +79,8 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
   json["borrowed_bounds"] = list_json(report.borrowed, [](const BorrowedBounds& bounds) {
     return Json{{"candidate", bounds.candidate}, {"methods", bounds.methods}};
   });
-  if (report.target) json["target"] = properties::kClimbNames[static_cast<std::size_t>(*report.target)];
+  if (report.target)
+    json["target"] = properties::kClimbNames[static_cast<std::size_t>(*report.target)];
   if (!report.corpus.empty()) {
     json["corpus"] = list_json(report.corpus, [](const CorpusFinding& one) {
       return Json{{"file", one.file},

@@ -160,8 +160,8 @@ std::string corpus_text(const PropertiesReport& report) {
                         breaks ? "with " + one.candidate : "with " + one.candidate + ": mended");
   }
   if (files.empty()) return "";
-  return text + fmt::format("corpus: {}, {} broken, {} mended\n",
-                            count_text(files.size(), "case"), broken, mended);
+  return text + fmt::format("corpus: {}, {} broken, {} mended\n", count_text(files.size(), "case"),
+                            broken, mended);
 }
 
 /// A line about each of them, where several laws were tried.

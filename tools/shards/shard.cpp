@@ -14,9 +14,9 @@ namespace {
 /// The variables by which a scheduler says who this worker is.
 struct Scheduler {
   const char* index;
-  const char* first;   ///< The variable that has the least index; null: it is `least`.
+  const char* first;  ///< The variable that has the least index; null: it is `least`.
   std::int64_t least;
-  const char* count;   ///< Null where it does not say.
+  const char* count;  ///< Null where it does not say.
 };
 constexpr Scheduler kSchedulers[] = {
     {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", 0, "SLURM_ARRAY_TASK_COUNT"},

@@ -32,7 +32,8 @@ std::string bytes_of(const fs::path& file) {
 }
 
 /// Of what a unit's file holds.
-std::string digest_of(const CampaignIdentity& campaign, std::int64_t unit, std::string_view result) {
+std::string digest_of(const CampaignIdentity& campaign, std::int64_t unit,
+                      std::string_view result) {
   return digest({campaign.digest, std::to_string(unit), std::string(result)});
 }
 
@@ -84,7 +85,9 @@ CampaignIdentity campaign_in(const fs::path& folder) {
 }
 
 Units::Units(CampaignIdentity campaign, fs::path folder, Shard shard)
-    : campaign_(std::move(campaign)), folders_({folder}), shard_(std::move(shard)),
+    : campaign_(std::move(campaign)),
+      folders_({folder}),
+      shard_(std::move(shard)),
       is_merged_(false) {}
 
 Units::Units(CampaignIdentity campaign, std::vector<fs::path> folders)
@@ -154,8 +157,8 @@ std::string Units::contents(const fs::path& file, std::int64_t unit) const {
   const std::string stated = bytes.substr(0, kDigestDigits);
   bytes.erase(0, kDigestDigits + 1);
   if (stated == digest_of(campaign_, unit, bytes)) return bytes;
-  throw std::invalid_argument(fmt::format(
-      "{}: is truncated or was changed: remove it, and do it again", file.string()));
+  throw std::invalid_argument(
+      fmt::format("{}: is truncated or was changed: remove it, and do it again", file.string()));
 }
 
 std::optional<std::string> Units::read(std::int64_t unit) const {
@@ -166,8 +169,8 @@ std::optional<std::string> Units::read(std::int64_t unit) const {
     std::string first = contents(copies.front(), unit);
     for (const fs::path& copy : copies) {
       if (contents(copy, unit) == first) continue;
-      throw std::invalid_argument(fmt::format("{} and {}: contradict each other",
-                                              copies.front().string(), copy.string()));
+      throw std::invalid_argument(
+          fmt::format("{} and {}: contradict each other", copies.front().string(), copy.string()));
     }
     return first;
   } catch (const std::invalid_argument&) {

@@ -208,8 +208,7 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
         if (own.empty()) own = its.candidates();
         const int severity = its.severities[at];
         return stress({its.family, severity}, its.stage, own,
-                      {first, cases, options.seed + static_cast<std::uint64_t>(severity)},
-                      control);
+                      {first, cases, options.seed + static_cast<std::uint64_t>(severity)}, control);
       },
       [&](Results& results) {
         const StressUnit& unit = units[next++];

@@ -11,8 +11,8 @@ namespace {
 std::string headline(const WorstReport& report) {
   const properties::WorstCase& worst = *report.worst;
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",
-                     report.method.name, info(report.search.quantity).name,
-                     report.source().name(), error_text(worst.error),
+                     report.method.name, info(report.search.quantity).name, report.source().name(),
+                     error_text(worst.error),
                      unit_name(report.search.quantity, report.method.precision),
                      error_text(worst.stability.condition), error_text(worst.stability.ratio),
                      name(worst.stability.outcome));
