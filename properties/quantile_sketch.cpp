@@ -26,6 +26,23 @@ double upper_end(double number) {
                       : std::min(end, std::numeric_limits<double>::max());
 }
 
+/// What upper_end() drops are zeros, but of subnormals: rotated they lead.
+constexpr int kZeros = std::numeric_limits<double>::digits - kSketchBits;
+
+/// In bytes of seven bits, the lowest first; the last has no eighth bit.
+void put(std::string& bytes, std::uint64_t number) {
+  for (; number >= 0x80; number >>= 7) bytes += static_cast<char>(number | 0x80);
+  bytes += static_cast<char>(number);
+}
+std::uint64_t take(std::string::const_iterator& at) {
+  std::uint64_t number = 0;
+  for (int shift = 0;; shift += 7) {
+    const auto byte = static_cast<unsigned char>(*at++);
+    number |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
+    if (byte < 0x80) return number;
+  }
+}
+
 }  // namespace
 
 void QuantileSketch::add(double number) {
@@ -55,6 +72,28 @@ std::map<double, std::uint64_t> QuantileSketch::counted() const {
   std::map all(bins_.begin(), bins_.end());
   for (const double end : waiting_) ++all[end];
   return all;
+}
+
+std::string QuantileSketch::packed() const {
+  std::string bytes;
+  std::uint64_t last = 0;
+  for (const auto& [end, count] : counted()) {
+    const std::uint64_t key = std::rotr(std::bit_cast<std::uint64_t>(end), kZeros);
+    put(bytes, key - last);
+    put(bytes, count);
+    last = key;
+  }
+  return bytes;
+}
+
+void QuantileSketch::unpack(const std::string& bins) {
+  bins_.clear();
+  waiting_.clear();
+  std::uint64_t key = 0;
+  for (auto at = bins.begin(); at != bins.end();) {
+    key += take(at);
+    bins_[std::bit_cast<double>(std::rotl(key, kZeros))] = take(at);
+  }
 }
 
 bool QuantileSketch::operator==(const QuantileSketch& other) const {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -42,19 +43,23 @@ class QuantileSketch {
   std::size_t size() const { return bins_.size() + waiting_.size(); }
   template <class Archive>
   void save(Archive& archive) const {
-    archive(counted(), count_, max_);
+    archive(packed(), count_, max_);
   }
   template <class Archive>
   void load(Archive& archive) {
-    std::map<double, std::uint64_t> bins;
+    std::string bins;
     archive(bins, count_, max_);
-    bins_ = {bins.begin(), bins.end()};
+    unpack(bins);
   }
 
  private:
   void wait(double upper_end);
   /// The bins that were hit, and how often.
   std::map<double, std::uint64_t> counted() const;
+  /// The same in two or three bytes a bin.
+  std::string packed() const;
+  /// Domain: what packed() made.
+  void unpack(const std::string& bins);
 
   std::unordered_map<double, std::uint64_t> bins_;  ///< By their upper ends.
   std::vector<double> waiting_;                     ///< Upper ends that are not yet counted there.

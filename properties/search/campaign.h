@@ -144,7 +144,7 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most);
 /// A unit of work has so many cases of a series, so that threads end together,
 inline constexpr int kUnitCases = 64;
 /// or a multiple by a power of two, so that a campaign has hardly more units than this.
-inline constexpr std::size_t kMostUnits = 1 << 16;
+inline constexpr std::size_t kMostUnits = 1 << 14;
 
 /// Who only fails in the first of so many is asked no more.
 inline constexpr std::size_t kUnitsToFail = 3;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "tools/report/digest.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
+#include "tools/report/packed.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -22,7 +24,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kUnitEnding = ".unit";
-constexpr std::size_t kDigestDigits = 64;
 
 std::string bytes_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -31,10 +32,10 @@ std::string bytes_of(const fs::path& file) {
   return bytes;
 }
 
-/// Of what a unit's file holds.
-std::string digest_of(const CampaignIdentity& campaign, std::int64_t unit,
-                      std::string_view result) {
-  return digest({campaign.digest, std::to_string(unit), std::string(result)});
+/// Of what a unit's file holds: a packed result, and its size.
+std::string digest_of(const CampaignIdentity& campaign, std::int64_t unit, std::size_t size,
+                      const std::string& result) {
+  return digest({campaign.digest, std::to_string(unit), std::to_string(size), result});
 }
 
 /// As users know it.
@@ -153,10 +154,16 @@ std::string Units::name_of(std::int64_t unit) const {
 }
 
 std::string Units::contents(const fs::path& file, std::int64_t unit) const {
-  std::string bytes = bytes_of(file);
-  const std::string stated = bytes.substr(0, kDigestDigits);
-  bytes.erase(0, kDigestDigits + 1);
-  if (stated == digest_of(campaign_, unit, bytes)) return bytes;
+  std::istringstream bytes(bytes_of(file));
+  std::string stated;
+  std::size_t size = 0;
+  bytes >> stated >> size;
+  bytes.get();
+  // Checked before it is unpacked: a size that was changed is not believed.
+  const std::string packed_result{std::istreambuf_iterator<char>(bytes), {}};
+  if (stated == digest_of(campaign_, unit, size, packed_result)) {
+    return unpacked(packed_result, size);
+  }
   throw std::invalid_argument(
       fmt::format("{}: is truncated or was changed: remove it, and do it again", file.string()));
 }
@@ -179,10 +186,12 @@ std::optional<std::string> Units::read(std::int64_t unit) const {
   }
 }
 
-void Units::write(std::int64_t unit, std::string_view result) const {
+void Units::write(std::int64_t unit, const std::string& result) const {
   OutputFile file("--out", (folders_.front() / name_of(unit)).string());
-  file.append(digest_of(campaign_, unit, result) + "\n");
-  file.append(result);
+  const std::string bytes = packed(result);
+  file.append(
+      fmt::format("{} {}\n", digest_of(campaign_, unit, result.size(), bytes), result.size()));
+  file.append(bytes);
   file.place();
 }
 

@@ -5,7 +5,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "tools/shards/shard.h"
@@ -53,7 +52,7 @@ class Units {
   /// contradict each other.
   std::optional<std::string> read(std::int64_t unit) const;
   /// Errors: std::runtime_error.
-  void write(std::int64_t unit, std::string_view result) const;
+  void write(std::int64_t unit, const std::string& result) const;
 
  private:
   void make_folder() const;

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include <exception>
 #include <filesystem>
@@ -19,6 +18,7 @@
 #include "tools/report/digest.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
+#include "tools/report/packed.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
@@ -45,29 +45,9 @@ std::map<std::string, std::string> copy_files(const fs::path& from, const fs::pa
 }
 
 constexpr std::string_view kFirstLine = "raycheck answers 4";
-constexpr int kQuickly = 1;  ///< zlib's level
 /// The most bytes of one program's answers, and with their headers.
 constexpr std::size_t kMostKept = std::size_t{64} << 20;
 constexpr std::size_t kMostUnpacked = 2 * kMostKept;
-
-std::string packed(const std::string& text) {
-  uLongf size = compressBound(text.size());
-  std::string bytes(size, '\0');
-  const int result = compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                               reinterpret_cast<const Bytef*>(text.data()), text.size(), kQuickly);
-  if (result != Z_OK) throw std::runtime_error("zlib: no memory");
-  bytes.resize(size);
-  return bytes;
-}
-
-/// Empty if these are not such bytes, by zlib's own check.
-std::string unpacked(const std::string& bytes, std::size_t size) {
-  std::string text(size, '\0');
-  uLongf made = size;
-  const int result = uncompress(reinterpret_cast<Bytef*>(text.data()), &made,
-                                reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
-  return result == Z_OK && made == size ? text : "";
-}
 
 /// The answers of one program in one compressed file, read by the constructor and written by the
 /// destructor, if there are new ones. A damaged file counts as missing. Thread-safe.

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace raycheck::tools {
+
+/// Compressed by zlib, quickly.
+std::string packed(const std::string& text);
+/// The text of that size; empty if these are not such bytes, by zlib's own check.
+std::string unpacked(const std::string& bytes, std::size_t size);
+
+}  // namespace raycheck::tools
