@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "properties/candidates/fast_candidate.h"
 
@@ -109,6 +112,80 @@ TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
   EXPECT_TRUE(any_broken);
 }
 
+/// Units that are kept depend on nothing that was run before; others end where a law is known to be
+/// broken.
+TEST(Campaign, KeepsUnitsThatDependOnThemselvesAlone) {
+  CampaignOptions some = options(3 * kUnitCases);
+  some.sources = {chosen_source("distance@12")};
+  for (const bool are_kept : {true, false}) {
+    Campaigns after({{{find_law("class")}, some}}, are_kept),
+        alone({{{find_law("class")}, some}}, are_kept);
+    ASSERT_TRUE(after.run(0, {&kBad, 1}, {}).front().is_broken());
+    const CampaignPart part = after.run(2, {&kBad, 1}, {}).front();
+    EXPECT_EQ(part.counts.cases > 0, are_kept);
+    if (are_kept) expect_same(part, alone.run(2, {&kBad, 1}, {}).front());
+  }
+}
+
+/// A case of a source depends on its number alone, however many there are: so units of a large
+/// campaign are larger, and there are never many more than kMostUnits.
+TEST(Campaign, HasUnitsOfMoreCasesWhereItIsLarger) {
+  CampaignOptions few = options(200), many = options(1'000'000'000);
+  few.sources = many.sources = {chosen_source("rays")};
+  Campaigns small({{{find_law("class")}, few}});
+  const Campaigns large({{{find_law("class")}, many}});
+  EXPECT_EQ(small.unit_count(), 4u);
+  EXPECT_GT(large.unit_count(), kMostUnits / 2);
+  EXPECT_LE(large.unit_count(), kMostUnits + 1);
+  // Its first unit has more cases than all of the small one: they begin alike.
+  std::vector<scene::Scene> asked[2];
+  for (const bool is_large : {false, true}) {
+    Candidate seen = kGood;
+    seen.intersect = [&](Candidate::Rays rays, Candidate::Spheres spheres,
+                         const scene::Conventions& conventions) {
+      asked[is_large ? 1 : 0].push_back(
+          {{}, {rays.begin(), rays.end()}, {spheres.begin(), spheres.end()}, conventions});
+      return kGood.intersect(rays, spheres, conventions);
+    };
+    if (is_large) {
+      large.run(0, {&seen, 1}, {.interrupted = [&] { return asked[1].size() >= 250; }});
+    } else {
+      for (std::size_t k = 0; k < 4; ++k) small.run(k, {&seen, 1}, {});
+    }
+  }
+  ASSERT_GE(asked[1].size(), 250u);
+  ASSERT_EQ(asked[0].size(), 200u);
+  asked[1].resize(200);
+  EXPECT_TRUE(asked[0] == asked[1]);
+}
+
+/// Each of another source or kind; all cases are judged.
+TEST(Campaign, KeepsGoingUntilSoManyFailuresDiffer) {
+  CampaignOptions some = options(2000);
+  some.sources = {chosen_source("distance"), chosen_source("tangency"),
+                  chosen_source("tangent-ulps")};
+  const CampaignResult first = run_campaign(*find_law("class"), kBad, some);
+  some.keep_going = 2;
+  const CampaignResult two = run_campaign(*find_law("class"), kBad, some);
+  some.keep_going = 100;
+  const CampaignResult all = run_campaign(*find_law("class"), kBad, some);
+  EXPECT_TRUE(first.others.empty());
+  EXPECT_EQ(two.others.size(), 1u);
+  ASSERT_GT(all.others.size(), 1u);
+  ASSERT_LT(all.others.size(), 99u);
+  EXPECT_EQ(all.failure->replay, first.failure->replay);
+  EXPECT_EQ(all.others[0].replay, two.others[0].replay);
+  EXPECT_LT(first.counts.cases, all.counts.cases);
+  std::set<std::pair<std::string, std::vector<DefectKind>>> known;
+  std::vector<const Failure*> failures = {&*all.failure};
+  for (const Failure& other : all.others) failures.push_back(&other);
+  for (const Failure* failure : failures) {
+    EXPECT_TRUE(run_replay(parse_replay(failure->replay), kBad).failure);
+    const auto source = parse_replay(failure->replay).source.source->name;
+    EXPECT_TRUE(known.emplace(source, failure->verdict.defects()).second) << failure->replay;
+  }
+}
+
 /// Whoever only fails is asked no more after some units; who answers in one of these is.
 TEST(Campaign, AsksWhoAnswersNothingNoMore) {
   CampaignOptions some = options(500);
@@ -151,9 +228,10 @@ TEST(Campaign, GoesOnAfterABreak) {
   EXPECT_EQ(result.finding(), Finding::kBroken);
   ASSERT_TRUE(result.failure);
   EXPECT_EQ(result.failure->replay,
-            std::find_if(result.parts.begin(), result.parts.end(), [](const CampaignPart& part) {
-              return part.is_broken();
-            })->replay);
+            std::find_if(result.parts.begin(), result.parts.end(),
+                         [](const CampaignPart& part) { return part.is_broken(); })
+                ->breaks.front()
+                .replay);
 }
 
 /// How many cases each part of a campaign has, by its name.

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
@@ -32,6 +35,64 @@ TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {
   ASSERT_TRUE(has(by_one, "broken"));
   EXPECT_EQ(run(asked + "2").out, by_one);
   EXPECT_EQ(run(asked + "7").out, by_one);
+}
+
+const std::string kBreaks =
+    "properties --filter class --intersect quadratic --level extreme --cases 150 ";
+
+/// What it keeps is tried first, breaks the law again, and is mended once another is right there.
+TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
+  const std::string folder = testing::TempDir() + "corpus";
+  std::filesystem::remove_all(folder);
+  EXPECT_FALSE(has(run(kBreaks + "--keep-going 3 --corpus " + folder, 1).out, "corpus:"));
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    files.push_back(entry.path().string());
+    EXPECT_EQ(run("check " + files.back() + " --intersect quadratic").exit_code, 1);
+  }
+  ASSERT_GT(files.size(), 1u);
+  // Without one case of its own that breaks the law.
+  const std::string again = "properties --filter class --source rays --cases 20 --corpus " + folder;
+  const Outcome broken = run(again + " --intersect quadratic", 1);
+  EXPECT_TRUE(has(broken.out, " breaks class with direct/quadratic"));
+  EXPECT_TRUE(has(broken.out, "corpus: " + std::to_string(files.size()) + " cases, " +
+                                  std::to_string(files.size()) + " broken, 0 mended"));
+  EXPECT_TRUE(has(run(again + " --intersect cross", 0).out, " 0 broken, 0 mended"));
+  std::string text = contents(files[0]);
+  text.replace(text.find("found with: direct/quadratic"), 28, "found with: direct/cross");
+  std::ofstream(files[0]) << text;
+  const Outcome mended = run(again + " --intersect cross", 0);
+  EXPECT_TRUE(has(mended.out, "no longer breaks class with direct/cross: mended"));
+  EXPECT_TRUE(has(mended.out, " 0 broken, 1 mended"));
+  text.replace(text.find("# law:"), 6, "# low:");
+  std::ofstream(files[0]) << text;
+  expect_refused(again, files[0] + ": names no law");
+}
+
+TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
+  const json report = printed_json(
+      "properties --filter parameter --intersect cross --source distance --cases 60 --target rho");
+  EXPECT_EQ(report["target"], "rho");
+  const json& worst = report["campaigns"][0]["worst"];
+  EXPECT_GT(worst["climbed"].get<double>(), worst["random"].get<double>());
+  const std::string floats =
+      "properties --candidate source:tests/candidates/float_quadratic.cpp --filter parameter "
+      "--source rays --cases 40 --level extreme ";
+  EXPECT_EQ(run(floats).exit_code, 0);
+  EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: climbed to"));
+}
+
+/// However fast the machine is, the cases that it says can be asked for again.
+TEST(PropertiesCommand, takes_a_time_and_says_how_many_cases_fill_it) {
+  const std::string asked =
+      "properties --filter class --source rays --intersect cross --format json ";
+  const Outcome timed = run(asked + "--for 1s", 0);
+  const std::string says = "raycheck: 1s is --cases ";
+  ASSERT_TRUE(has(timed.err, says));
+  const std::string cases = timed.err.substr(timed.err.find(says) + says.size());
+  EXPECT_EQ(timed.out, run(asked + "--cases " + cases.substr(0, cases.find('\n')), 0).out);
+  expect_refused(asked + "--for 5", "--for 5: give a whole number of s, m or h");
+  expect_refused(asked + "--for 1s --cases 3", "--cases excludes --for");
 }
 
 TEST(PropertiesCommand, exits_with_4_when_nothing_too_little_or_nothing_inside_was_judged) {

@@ -1,0 +1,261 @@
+// Campaigns in shards: whatever did which units, merge reports what one run does.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fresh_folder(const std::string& name) {
+  const fs::path folder = fs::path(testing::TempDir()) / ("shards_" + name);
+  fs::remove_all(folder);
+  return folder.string();
+}
+
+std::vector<fs::path> units_in(const std::string& folder) {
+  std::vector<fs::path> units;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    if (entry.path().extension() == ".unit") units.push_back(entry.path());
+  }
+  std::sort(units.begin(), units.end());
+  return units;
+}
+
+struct Sharded {
+  std::string name, asked;
+  int exit_code = 0;
+};
+void PrintTo(const Sharded& one, std::ostream* out) { *out << one.name; }
+
+const std::vector<Sharded> kSharded = {
+    {"properties",
+     "properties --level extreme --intersect quadratic --intersect cross --filter r --cases 150 "
+     "--keep-going 3 --target rho",
+     1},
+    {"properties_someone_elses",
+     "properties --candidate source:tests/candidates/float_quadratic.cpp --filter class --cases "
+     "100 "
+     "--level extreme",
+     1},
+    {"stress", "stress --family distance,far-camera --cases 150 --severity 2..4", 1},
+    {"worst", "worst --method cross --family distance --cases 40 --steps 40 --searches 9", 0},
+    {"check", "check FAR --intersect lecture --pixels 9000", 1}};
+
+/// The command line, with a scene of some units in place of FAR.
+std::string with_scene(std::string asked) {
+  std::string text = contents(RAYCHECK_SOURCE_DIR "/scene/examples/far-sphere.toml");
+  for (const char* size : {"width = 16", "height = 16"}) {
+    text.replace(text.find(size), std::string(size).size(), std::string(size) + "0");
+  }
+  const std::size_t at = asked.find("FAR");
+  return at == std::string::npos ? asked : asked.replace(at, 3, temporary_file("far.toml", text));
+}
+
+class ShardsOf : public testing::TestWithParam<Sharded> {};
+
+/// By any number of workers, in any order, some units twice.
+TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
+  const auto& [name, line, exit_code] = GetParam();
+  const std::string asked = with_scene(line);
+  const std::string whole = run(asked + " --format json", exit_code).out;
+  const std::string twice = fresh_folder(name + "_twice");
+  run(asked + " --shard 1/2 --out " + twice, 0);
+  // What is done in units is one thing for all commands.
+  const std::vector<int> workers =
+      name == "properties" ? std::vector<int>{1, 2, 3, 7, 64} : std::vector<int>{3};
+  for (const int of : workers) {
+    const std::string folder = fresh_folder(fmt::format("{}_{}", name, of));
+    for (int k = of; k >= 1; --k) {
+      const Outcome shard = run(fmt::format("{} --shard {}/{} --out {}", asked, k, of, folder), {});
+      ASSERT_EQ(shard.exit_code, of == 1 ? exit_code : 0) << shard.err;
+      EXPECT_EQ(lines_of(shard.err).front(),
+                fmt::format("raycheck: shard {0} of {1} (--shard {0}/{1})", k, of));
+    }
+    EXPECT_EQ(run(fmt::format("merge {} {} --format json", folder, twice), exit_code).out, whole)
+        << of;
+    EXPECT_EQ(run("merge --format json " + folder, exit_code).out, whole) << of;
+  }
+}
+
+/// Killed again and again, it goes on with what is missing.
+TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
+  const auto& [name, line, exit_code] = GetParam();
+  const std::string asked = with_scene(line);
+  const std::string folder = fresh_folder(name + "_killed");
+  std::mt19937 random(7);
+  std::size_t all = units_in(fresh_folder("none")).size();
+  for (int kills = 0; kills < 5; ++kills) {
+    const std::size_t until = units_in(folder).size() + random() % 3;
+    const pid_t child = fork();
+    if (child == 0) {
+      execl("/bin/sh", "sh", "-c",
+            fmt::format("cd {} && exec {} {} --threads 1 --out {} >/dev/null 2>&1",
+                        RAYCHECK_SOURCE_DIR, RAYCHECK_BINARY, asked, folder)
+                .c_str(),
+            nullptr);
+      _exit(127);
+    }
+    int status = 0;
+    bool is_over = false;
+    EXPECT_TRUE(eventually([&] {
+      is_over = waitpid(child, &status, WNOHANG) == child;
+      return is_over || units_in(folder).size() > until;
+    }));
+    if (is_over) break;
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+    all = units_in(folder).size();
+  }
+  EXPECT_GT(all, 0u);
+  run(asked + " --out " + folder, exit_code);
+  EXPECT_EQ(run("merge " + folder, exit_code).out, run(asked, exit_code).out);
+}
+
+INSTANTIATE_TEST_SUITE_P(Commands, ShardsOf, testing::ValuesIn(kSharded),
+                         [](const auto& its) { return its.param.name; });
+
+const std::string kAsked =
+    "properties --filter class --source rays --source distance --intersect cross --cases 90";
+
+class Merge : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const int k : {1, 2}) run(fmt::format("{} --shard {}/2 --out {}", kAsked, k, folder), 0);
+    ASSERT_GT(units_in(folder).size(), 4u);
+  }
+  std::string folder = fresh_folder(std::string("merge_") +
+                                    testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+TEST_F(Merge, names_a_unit_that_is_missing_and_how_it_is_done) {
+  const std::size_t all = units_in(folder).size();
+  fs::remove(units_in(folder)[3]);
+  fs::remove(units_in(folder)[3]);
+  expect_refused(
+      "merge " + folder,
+      fmt::format(
+          "{}: unit 4 of {} is missing, and 1 more; what is missing is done by: "
+          "raycheck {} --out {}",
+          folder, all,
+          "properties --filter class --cases 90 --intersect cross --source rays --source distance",
+          folder));
+  run(kAsked + " --out " + folder, 0);
+  EXPECT_EQ(run("merge " + folder, 0).out, run(kAsked, 0).out);
+}
+
+TEST_F(Merge, names_a_unit_that_is_truncated_or_changed) {
+  const fs::path unit = units_in(folder)[2];
+  const std::string whole = contents(unit);
+  std::string tampered = whole;
+  tampered[whole.size() / 2] ^= 1;
+  std::string longer = whole;
+  longer.insert(longer.find('\n'), "0");  // the size that it states
+  for (const std::string& bytes :
+       {whole.substr(0, whole.size() / 2), std::string(), tampered, longer}) {
+    std::ofstream(unit, std::ios::binary) << bytes;
+    expect_refused("merge " + folder, unit.string() + ": is truncated or was changed");
+    // Who does units does such a one again.
+    run(kAsked + " --shard 1/1 --out " + folder, 0);
+    EXPECT_EQ(contents(unit), whole);
+  }
+}
+
+TEST_F(Merge, names_what_belongs_to_another_campaign) {
+  const std::string other = fresh_folder("another");
+  run(kAsked + " --seed 2 --out " + other, 0);
+  expect_refused("merge " + folder + " " + other,
+                 other +
+                     ": holds units of raycheck properties --filter class --cases 90 --seed 2 "
+                     "--intersect cross");
+  expect_refused(kAsked + " --seed 3 --out " + folder, folder + ": holds units of");
+  fs::copy_file(units_in(other)[0], fs::path(folder) / units_in(other)[0].filename());
+  expect_refused("merge " + folder, units_in(other)[0].filename().string() + ": is no unit of");
+  // Under the name of this one's.
+  fs::remove(fs::path(folder) / units_in(other)[0].filename());
+  fs::copy_file(units_in(other)[0], units_in(folder)[0], fs::copy_options::overwrite_existing);
+  expect_refused("merge " + folder, "is truncated or was changed");
+  expect_refused("merge " + fresh_folder("nowhere"), "there is no such folder");
+  expect_refused("merge tests", "tests: holds no campaign");
+}
+
+TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
+  const std::string source =
+      temporary_file("judged.cpp", contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"));
+  const std::string asked =
+      "properties --filter class --source rays --cases 5 --candidate source:" + source;
+  const std::string its = fresh_folder("judged");
+  run(asked + " --shard 1/1 --out " + its);
+  std::ofstream(source, std::ios::app) << "// another\n";
+  expect_refused("merge " + its, "or of files that have changed since");
+}
+
+TEST(Shards, are_told_by_schedulers) {
+  struct Told {
+    std::vector<std::pair<const char*, std::string>> variables;
+    std::string shard, said;
+  };
+  const std::vector<Told> all = {
+      {{{"SLURM_ARRAY_TASK_ID", "5"},
+        {"SLURM_ARRAY_TASK_COUNT", "3"},
+        {"SLURM_ARRAY_TASK_MIN", "4"}},
+       "",
+       "shard 2 of 3 (SLURM_ARRAY_TASK_ID=5)"},
+      {{{"JOB_COMPLETION_INDEX", "0"}}, "--shard auto/4", "shard 1 of 4 (JOB_COMPLETION_INDEX=0)"},
+      {{{"TEST_SHARD_INDEX", "2"}, {"TEST_TOTAL_SHARDS", "3"}},
+       "",
+       "shard 3 of 3 (TEST_SHARD_INDEX=2)"},
+      {{{"CI_NODE_INDEX", "1"}, {"CI_NODE_TOTAL", "2"}}, "", "shard 1 of 2 (CI_NODE_INDEX=1)"},
+      {{{"CI_NODE_INDEX", "1"}, {"CI_NODE_TOTAL", "2"}},
+       "--shard 2/5",
+       "shard 2 of 5 (--shard 2/5)"}};
+  for (const Told& told : all) {
+    std::vector<std::unique_ptr<Variable>> set;
+    for (const auto& [name, value] : told.variables)
+      set.push_back(std::make_unique<Variable>(name, value));
+    const Outcome outcome =
+        run(fmt::format("{} {} --out {}", kAsked, told.shard, fresh_folder("told")), 0);
+    EXPECT_EQ(lines_of(outcome.err).front(), "raycheck: " + told.said);
+    EXPECT_EQ(outcome.out, "");
+  }
+  // Without --out nothing of this is meant.
+  const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
+  EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));
+}
+
+TEST(Shards, refuse_what_is_no_shard) {
+  const std::string out = " --out " + fresh_folder("refused");
+  expect_refused(kAsked + " --shard 0/3" + out, "there is no shard 0 of 3");
+  expect_refused(kAsked + " --shard 4/3" + out, "there is no shard 4 of 3");
+  expect_refused(kAsked + " --shard 2" + out, "--shard 2: give K/N");
+  expect_refused(kAsked + " --shard two/3" + out, "'two' is not a whole number");
+  expect_refused(kAsked + " --shard auto/3" + out, "no scheduler says the number");
+  expect_refused(kAsked + " --shard 1/3", "--shard requires --out");
+  const Variable index("CI_NODE_INDEX", "0"), count("CI_NODE_TOTAL", "2");
+  expect_refused(kAsked + out, "CI_NODE_INDEX=0: there is no shard 0 of 2");
+}
+
+TEST(Shards, that_measure_times_there_are_none) {
+  for (const char* command : {"tradeoff", "plan scene/examples/ten-spheres.toml"}) {
+    const Outcome outcome = run(std::string(command) + " --shard 1/2", 2);
+    EXPECT_TRUE(has(outcome.err, "--shard")) << outcome.err;
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::tests
