@@ -261,7 +261,7 @@ if __name__ == "__main__":
     elif sys.argv[1:] == ["--shown"]:
         for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]:
             shown(path)
-        for name in ("grading", "students"):
+        for name in ("campaigns", "grading", "students"):
             sessions(ROOT / "docs" / f"{name}.md")
     elif not sys.argv[1:]:
         from_template("error-against-run-time")

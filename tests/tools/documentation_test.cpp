@@ -339,6 +339,10 @@ TEST(LongDocumentation, instructors_get_from_an_empty_folder_to_a_graded_class) 
   expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/grading.md", 8);
 }
 
+TEST(LongDocumentation, campaigns_are_kept_shared_and_merged) {
+  expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/campaigns.md", 11);
+}
+
 TEST(LongDocumentation, students_check_three_functions_by_one_command) {
   expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/students.md", 4);
 }
