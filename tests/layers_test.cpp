@@ -53,6 +53,7 @@ const std::map<std::string, Rooms> kSees = {
     {"tools/report",
      {"scene", "scene/files", "reference", "reference/account", "reference/visibility",
       "properties", "properties/laws", "properties/mistakes"}},
+    {"tools/shards", {"properties", "tools/run", "tools/report"}},
     {"tools/gates", {"scene", "properties", "tools/report"}},
     {"tools/implementations", {"scene/files", "fast", "properties", "properties/candidates"}},
     {"tools/external",
@@ -104,8 +105,9 @@ const std::map<std::string, std::string> kInside = {
 
 /// What every program may link of tools/: what judges one scene.
 const Rooms kJudgesOneScene = {
-    "tools/run",     "tools/report", "tools/gates", "tools/implementations", "tools/external",
-    "tools/explain", "tools/image",  "tools/view",  "tools/check",           "tools/show"};
+    "tools/run",      "tools/report",  "tools/shards", "tools/gates", "tools/implementations",
+    "tools/external", "tools/explain", "tools/image",  "tools/view",  "tools/check",
+    "tools/show"};
 
 /// What else each program may, by the name that the table of commands has for it.
 const std::map<std::string, Rooms> kMayLink = {

@@ -82,8 +82,9 @@ std::unique_ptr<Units> units_of(const ShardArguments& arguments) {
   if (arguments.out.empty()) return nullptr;
   const Shard shard = chosen_shard(arguments.shard);
   if (!shard.said_by.empty()) {
-    print_error(
-        fmt::format("raycheck: shard {} of {} ({})\n", shard.number, shard.of, shard.said_by));
+    const bool by_option = shard.said_by.starts_with("shard");
+    print_error(fmt::format("raycheck: shard {} of {} ({}{})\n", shard.number, shard.of,
+                            by_option ? "--" : "", shard.said_by));
   }
   return std::make_unique<Units>(identity_of(*arguments.command), arguments.out, shard);
 }

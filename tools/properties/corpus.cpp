@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "properties/cases/case_text.h"
+#include "properties/laws/law.h"
 #include "scene/files/file_text.h"
 #include "scene/files/scene_file.h"
 #include "tools/report/digest.h"

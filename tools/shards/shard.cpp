@@ -57,20 +57,20 @@ Shard checked(Shard shard) {
 Shard chosen_shard(const std::string& text) {
   const std::size_t slash = text.find('/');
   if (!text.empty() && slash == std::string::npos) {
-    throw std::invalid_argument(fmt::format("--shard {}: give K/N, or auto/N", text));
+    throw std::invalid_argument(fmt::format("shard {}: give K/N, or auto/N", text));
   }
   const std::string number = text.substr(0, slash);
   std::optional<std::int64_t> of;
-  if (!text.empty()) of = number_of("--shard " + text, text.substr(slash + 1));
+  if (!text.empty()) of = number_of("shard " + text, text.substr(slash + 1));
   if (!text.empty() && number != "auto") {
-    return checked({number_of("--shard " + text, number), *of, "--shard " + text});
+    return checked({number_of("shard " + text, number), *of, "shard " + text});
   }
   for (const Scheduler& scheduler : kSchedulers) {
     if (const std::optional<Shard> shard = shard_of(scheduler, of)) return checked(*shard);
   }
   if (text.empty()) return {};
   throw std::invalid_argument(
-      fmt::format("--shard {}: no scheduler says the number by SLURM_ARRAY_TASK_ID, "
+      fmt::format("shard {}: no scheduler says the number by SLURM_ARRAY_TASK_ID, "
                   "JOB_COMPLETION_INDEX, TEST_SHARD_INDEX or CI_NODE_INDEX",
                   text));
 }

@@ -9,7 +9,7 @@ namespace raycheck::tools {
 struct Shard {
   std::int64_t number = 1;   ///< From 1 on,
   std::int64_t of = 1;       ///< of so many.
-  std::string said_by = {};  ///< "--shard 3/64", or the variable of a scheduler; empty: by nobody.
+  std::string said_by = {};  ///< "shard 3/64", or the variable of a scheduler; empty: by nobody.
 
   bool has(std::int64_t unit) const { return unit % of == number - 1; }
 };

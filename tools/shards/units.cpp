@@ -102,10 +102,10 @@ void Units::make_folder() const {
   fs::create_directories(folder, error);
   if (error) {
     throw std::invalid_argument(
-        fmt::format("--out {}: cannot be made: {}", folder.string(), error.message()));
+        fmt::format("out {}: cannot be made: {}", folder.string(), error.message()));
   }
   if (!fs::exists(folder / kCampaignFile)) {
-    OutputFile("--out", (folder / kCampaignFile).string())
+    OutputFile("out", (folder / kCampaignFile).string())
         .write(json_text({{"command", campaign_.command},
                           {"arguments", campaign_.arguments},
                           {"digest", campaign_.digest}}));
@@ -142,10 +142,9 @@ void Units::refuse_missing(std::int64_t count) const {
   while (files_.count(first) > 0) ++first;
   const std::int64_t others = count - found() - 1;
   throw std::invalid_argument(
-      fmt::format("{}: unit {} of {} is missing{}; what is missing is done by: {} --out {}",
+      fmt::format("{}: unit {} of {} is missing{}; what is missing is done by {}, kept there",
                   shown(folders_.front()), first + 1, count,
-                  others > 0 ? fmt::format(", and {} more", others) : "", campaign_.text(),
-                  shown(folders_.front())));
+                  others > 0 ? fmt::format(", and {} more", others) : "", campaign_.text()));
 }
 
 std::string Units::name_of(std::int64_t unit) const {
@@ -187,7 +186,7 @@ std::optional<std::string> Units::read(std::int64_t unit) const {
 }
 
 void Units::write(std::int64_t unit, const std::string& result) const {
-  OutputFile file("--out", (folders_.front() / name_of(unit)).string());
+  OutputFile file("out", (folders_.front() / name_of(unit)).string());
   const std::string bytes = packed(result);
   file.append(
       fmt::format("{} {}\n", digest_of(campaign_, unit, result.size(), bytes), result.size()));
