@@ -64,12 +64,12 @@ int run_properties_command(PropertiesArguments& arguments) {
   if (!arguments.budget.empty()) {
     options.cases = cases_for(options, seconds_of(arguments.budget),
                               run_control("how many cases", arguments.threads));
-    print_error(fmt::format("raycheck: {} is --cases {}\n", arguments.budget, options.cases));
   }
   const std::unique_ptr<Units> units = units_of(arguments.shards);
   PropertiesReport report =
       run_properties(options, run_control("laws", arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
+  report.time = arguments.budget;
   Gate gate = properties_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
   if (report.ratchet) gate = properties_gate(report);  // which the baseline is part of

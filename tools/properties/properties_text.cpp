@@ -7,6 +7,9 @@
 #include <optional>
 #include <set>
 #include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "properties/cases/case_text.h"
 #include "tools/properties/properties.h"
@@ -164,6 +167,28 @@ std::string corpus_text(const PropertiesReport& report) {
                             broken, mended);
 }
 
+/// How many cases filled a time, of each source the most that a law was tried on.
+std::string time_text(const PropertiesReport& report) {
+  if (report.time.empty()) return "";
+  std::vector<std::pair<std::string_view, int>> sources;
+  for (const CampaignReport& campaign : report.campaigns) {
+    for (const auto& parts : by_source(campaign.result)) {
+      int cases = 0;
+      for (const CampaignPart& part : parts) cases += part.counts.cases;
+      const std::string_view source = parts.front().source.source->name;
+      auto known = std::find_if(sources.begin(), sources.end(),
+                                [&](const auto& one) { return one.first == source; });
+      if (known == sources.end()) known = sources.insert(known, {source, 0});
+      known->second = std::max(known->second, cases);
+    }
+  }
+  std::string text = fmt::format("{} is --cases {}; of each source:", report.time, report.cases);
+  for (const auto& [source, cases] : sources) {
+    text += fmt::format("{} {} {}", text.back() == ':' ? "" : ",", cases, source);
+  }
+  return text + "\n";
+}
+
 /// A line about each of them, where several laws were tried.
 std::string first_sentences(const PropertiesReport& report) {
   std::map<std::string, std::vector<const CampaignReport*>> by_candidate;
@@ -267,7 +292,7 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
                       [&](const CampaignReport& campaign) { return campaign.finding == finding; });
     if (count > 0) text += fmt::format(", {} {}", count, name(finding));
   }
-  text += "\n";
+  text += "\n" + time_text(report);
   return report.ratchet ? text + ratchet_text(*report.ratchet) : text;
 }
 
