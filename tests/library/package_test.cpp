@@ -67,8 +67,8 @@ class Package : public testing::Test {
                                    build / "tools/raycheck-jail",  build / "tools/raycheck-worker",
                                    build / "CPackConfig.cmake"};
     for (const fs::path& below :
-         {source / "include", source / "examples", source / "packaging", source / "library/cmake",
-          source / "tools/external/adapters", build / "tools/manual"}) {
+         {source / "include", source / "examples", source / "share", source / "packaging",
+          source / "library/cmake", source / "tools/external/adapters", build / "tools/manual"}) {
       for (const auto& entry : fs::recursive_directory_iterator(below)) paths.push_back(entry);
     }
     for (const auto& entry : fs::directory_iterator(build / "library")) {
@@ -130,9 +130,10 @@ class Package : public testing::Test {
 TEST_F(Package, HasWhatItIsFor) {
   const std::string programs = contents("raycheck"), library = contents("libraycheck0"),
                     development = contents("libraycheck-dev");
-  for (const char* file : {"bin/raycheck\n", "libexec/raycheck/raycheck-check\n",
-                           "libexec/raycheck/raycheck-jail\n", "man1/raycheck-check.1.gz\n",
-                           "bash-completion/completions/raycheck\n", "share/raycheck/rubrics/"}) {
+  for (const char* file :
+       {"bin/raycheck\n", "libexec/raycheck/raycheck-check\n", "libexec/raycheck/raycheck-jail\n",
+        "man1/raycheck-check.1.gz\n", "bash-completion/completions/raycheck\n",
+        "share/raycheck/rubrics/", "share/raycheck/cluster/raycheck.sbatch\n"}) {
     EXPECT_TRUE(has(programs, file));
   }
   EXPECT_FALSE(has(programs, "libraycheck"));
