@@ -56,11 +56,11 @@ int run_merge(const MergeArguments& arguments) {
 
 CommandRun add_merge(CLI::App& command) {
   const auto given = std::make_shared<MergeArguments>();
-  command.add_option("folders", given->folders, "what shards kept by --out")
+  command.add_option("FOLDER", given->folders, "what shards kept by --out")
       ->required()
       ->type_name("FOLDER");
   for (const ReportOption& option : kReportOptions) {
-    const std::string meaning = "as the command takes it that the folders are of";
+    const std::string meaning = "as of the command whose campaign it is";
     if (option.has_value) {
       command.add_option(option.name, given->passed[option.name], meaning)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <random>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -26,7 +27,9 @@ OutputFile::OutputFile(std::string named_by, std::string path)
     if (!fs::is_regular_file(status)) refuse("there is something that is not a file");
     if (access(path_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
   }
-  const std::string beside = fmt::format("{}.{}.part", path_, getpid());
+  // In containers every process may be number 1.
+  const std::string beside =
+      fmt::format("{}.{}.{:08x}.part", path_, getpid(), std::random_device()());
   errno = 0;
   file_.open(beside, std::ios::binary);
   if (!file_) refuse(errno != 0 ? std::strerror(errno) : "it could not be opened");
