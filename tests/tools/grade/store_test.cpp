@@ -215,6 +215,31 @@ TEST_F(Store, keeps_that_replies_took_too_long) {
   EXPECT_EQ(lines("starts"), starts);
 }
 
+/// The shards of a class: whoever is graded is not graded again, and the class is what one run
+/// makes.
+TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
+  std::vector<std::string> folders;
+  for (const char* name : {"ada", "ben", "cleo"}) folders.push_back(submit(name, "rays.py", kHits));
+  const json whole = graded(rubric(10), folders, "whole");
+  const std::string asked = "--sandbox none --i-know --shard ";
+  EXPECT_EQ(grading.grade(rubric(10), folders, "out", asked + "2/2").out, "");
+  EXPECT_TRUE(fs::exists(grading.path("out/ben/result.json")));
+  EXPECT_FALSE(fs::exists(grading.path("out/ada/result.json")));
+  expect_refused("merge " + grading.path("out"),
+                 grading.path("out") + ": unit 1 of 3 is missing, and 1 more");
+  grading.grade(rubric(10), folders, "out", asked + "1/2");
+  EXPECT_FALSE(fs::exists(grading.path("out/index.html")));
+  const std::size_t starts = lines("starts");
+  grading.grade(rubric(10), folders, "out", asked + "1/1");
+  const json merged = printed_json("merge " + grading.path("out"), 0);
+  EXPECT_EQ(lines("starts"), starts);
+  ASSERT_EQ(merged["submissions"].size(), folders.size());
+  for (std::size_t k = 0; k < folders.size(); ++k) {
+    EXPECT_EQ(said(merged["submissions"][k]), said(whole["submissions"][k]));
+  }
+  EXPECT_TRUE(fs::exists(grading.path("out/index.html")));
+}
+
 TEST_F(Store, is_its_owners_and_no_submission_is_called_so) {
   const std::string folder = submit("mine", "rays.py", kHits);
   graded(rubric(10), {folder});
