@@ -196,6 +196,8 @@ int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
                       const scene::Sphere& second, const Intersection& at_second, Rungs by) const {
   scene::require_valid(first);
   scene::require_valid(second);
+  // Most ties are of equal spheres, and these no arithmetic but the exact field's decides.
+  if (by.engine == Engine::kFiltered && first == second && at_first == at_second) return 0;
   return decide(first, second, by, [&](const auto& one, const auto& other) {
     const auto difference = linear_coefficient(one) - linear_coefficient(other);
     using Number = std::decay_t<decltype(difference)>;
