@@ -1,5 +1,6 @@
 #include "reference/exact_camera.h"
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -18,15 +19,35 @@ const scene::Camera& validated(const scene::Camera& camera, const scene::Convent
   return camera;
 }
 
-Interval bounds(const Enclosure& x) { return {x.lower(), x.upper()}; }
-
-/// Axes known to balls, under another kernel: convert(coordinate) encloses.
-template <class K, class Convert>
-Axes<K> converted(const Axes<EnclosureKernel>& axes, Convert convert) {
-  const auto vector = [&](const EnclosureKernel::Vector_3& v) {
+/// Axes under another kernel: convert(coordinate) encloses.
+template <class K, class From, class Convert>
+Axes<K> converted(const Axes<From>& axes, Convert convert) {
+  const auto vector = [&](const typename From::Vector_3& v) {
     return typename K::Vector_3(convert(v.x()), convert(v.y()), convert(v.z()));
   };
   return {vector(axes.U), vector(axes.V), vector(axes.W)};
+}
+
+/// Empty where some interval would be wider than from one double to the next. A separate function,
+/// so that no operation moves to where doubles round upward.
+[[gnu::noinline]] std::optional<Axes<IntervalKernel>> axes_by_double_doubles(
+    const scene::Camera& camera) {
+  constexpr int kNarrow = 60;
+  const NearestGuard guard;
+  bool is_narrow = true;
+  const auto axes = converted<IntervalKernel>(camera_axes(lift_camera(DoubleDoubleLift{}, camera)),
+                                              [&](const DoubleDouble& x) {
+                                                is_narrow = is_narrow && x.is_within(kNarrow);
+                                                return Interval(x.lower(), x.upper());
+                                              });
+  return is_narrow ? std::optional(axes) : std::nullopt;
+}
+
+Axes<IntervalKernel> axes_in_intervals(const scene::Camera& camera) {
+  if (const auto axes = axes_by_double_doubles(camera)) return *axes;
+  return converted<IntervalKernel>(
+      camera_numbers(EnclosureLift{kMiddleBits}, camera).axes,
+      [](const Enclosure& x) { return Interval(x.lower(), x.upper()); });
 }
 
 }  // namespace
@@ -41,23 +62,28 @@ void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel) {
 ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
     : camera(validated(its_camera, its_conventions)),
       conventions(its_conventions),
-      middle_bits(camera_numbers(EnclosureLift{kMiddleBits}, camera)),
-      intervals{lift_camera(IntervalLift{}, camera),
-                converted<IntervalKernel>(middle_bits.axes, bounds)},
-      double_doubles{lift_camera(DoubleDoubleLift{}, camera),
-                     converted<DoubleDoubleKernel>(
-                         middle_bits.axes, [](const Enclosure& x) { return DoubleDouble(x); })} {}
+      intervals{lift_camera(IntervalLift{}, camera), axes_in_intervals(camera)} {}
+
+/// From balls: narrower than what double-doubles compute themselves.
+const CameraNumbers<DoubleDoubleKernel>& ExactCamera::Impl::double_doubles() const {
+  return double_doubles_.get([this]() -> CameraNumbers<DoubleDoubleKernel> {
+    const NearestGuard guard;
+    return {lift_camera(DoubleDoubleLift{}, camera),
+            converted<DoubleDoubleKernel>(middle_bits().axes,
+                                          [](const Enclosure& x) { return DoubleDouble(x); })};
+  });
+}
+
+const CameraNumbers<EnclosureKernel>& ExactCamera::Impl::first_bits() const {
+  return first_bits_.get([this] { return camera_numbers(EnclosureLift{kFirstBits}, camera); });
+}
+
+const CameraNumbers<EnclosureKernel>& ExactCamera::Impl::middle_bits() const {
+  return middle_bits_.get([this] { return camera_numbers(EnclosureLift{kMiddleBits}, camera); });
+}
 
 const CameraNumbers<ExactKernel>& ExactCamera::Impl::exact() const {
   return exact_.get([this] { return camera_numbers(ExactLift{}, camera); });
-}
-
-CameraNumbers<EnclosureKernel> ExactCamera::Impl::enclosed(const EnclosureLift& lift) const {
-  if (lift.relative_change == 0 && lift.bits == kFirstBits) {
-    return first_bits_.get([&] { return camera_numbers(lift, camera); });
-  }
-  if (lift.relative_change == 0 && lift.bits == kMiddleBits) return middle_bits;
-  return camera_numbers(lift, camera);
 }
 
 ExactCamera::ExactCamera(const scene::Camera& camera, const scene::Conventions& conventions)
@@ -71,15 +97,16 @@ namespace {
 /// Narrows or rounds every coordinate of the axes.
 template <class Frame, class Finish>
 Frame finish_frame(const ExactCamera::Impl& impl, Finish finish) {
-  const auto first_bits = impl.enclosed(EnclosureLift{kFirstBits});
   const auto axis = [&](auto of, auto exact_of) -> decltype(Frame::U) {
     const auto coordinate = [&](int k) {
-      return finish(
-          (first_bits.axes.*of)[k],
-          [&, k](int bits) { return (impl.enclosed(EnclosureLift{bits}).axes.*of)[k]; },
-          [&, k](const Rational& m) {
-            return *certain_sign((impl.exact().axes.*exact_of)[k] - ExactNumber(FirstExtension(m)));
-          });
+      const auto enclose = [&impl, of, k](int bits) {
+        return impl.enclosed(EnclosureLift{bits}, [of, k](const auto& numbers) -> Enclosure {
+          return (numbers.axes.*of)[k];
+        });
+      };
+      return finish(enclose(kFirstBits), enclose, [&, k](const Rational& m) {
+        return *certain_sign((impl.exact().axes.*exact_of)[k] - ExactNumber(FirstExtension(m)));
+      });
     };
     return {coordinate(0), coordinate(1), coordinate(2)};
   };

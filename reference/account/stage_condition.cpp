@@ -21,7 +21,7 @@ double pixel_point_condition(const ExactRay& ray) {
   const auto& camera = *ray.source().camera;
   const auto quantity = [&](const auto& lift) {
     using K = KernelOf<decltype(lift)>;
-    const auto numbers = numbers_of(lift.base(), camera);
+    const auto numbers = with_numbers(lift.base(), camera, [](const auto& kept) { return kept; });
     const auto at = plane_position(lift.base(), numbers.inputs, camera.camera, camera.conventions,
                                    ray.source().pixel);
     const typename K::Vector_3 eye = lift.input(numbers.inputs.eye);

@@ -15,20 +15,28 @@ inline constexpr int kMiddleBits = 256;
 struct ExactCamera::Impl {
   Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
 
-  /// The camera at any precision: kept for the two usual ones.
-  CameraNumbers<EnclosureKernel> enclosed(const EnclosureLift& lift) const;
+  /// use(camera) at any precision: kept for the two usual ones.
+  template <class Use>
+  auto enclosed(const EnclosureLift& lift, Use use) const {
+    if (lift.relative_change == 0 && lift.bits == kFirstBits) return use(first_bits());
+    if (lift.relative_change == 0 && lift.bits == kMiddleBits) return use(middle_bits());
+    return use(camera_numbers(lift, camera));
+  }
 
-  /// In the exact field, which intervals nearly always spare.
+  // What intervals nearly always spare.
+  const CameraNumbers<DoubleDoubleKernel>& double_doubles() const;
   const CameraNumbers<ExactKernel>& exact() const;
 
   scene::Camera camera;
   scene::Conventions conventions;
-  CameraNumbers<EnclosureKernel> middle_bits;
   CameraNumbers<IntervalKernel> intervals;
-  CameraNumbers<DoubleDoubleKernel> double_doubles;
 
  private:
-  OnDemand<CameraNumbers<EnclosureKernel>> first_bits_;
+  const CameraNumbers<EnclosureKernel>& first_bits() const;
+  const CameraNumbers<EnclosureKernel>& middle_bits() const;
+
+  OnDemand<CameraNumbers<DoubleDoubleKernel>> double_doubles_;
+  OnDemand<CameraNumbers<EnclosureKernel>> first_bits_, middle_bits_;
   OnDemand<CameraNumbers<ExactKernel>> exact_;
 };
 

@@ -79,6 +79,8 @@ auto lift_count(const Lift& lift, std::int64_t count) {
 // field they are the generators (or rationals, where the radicand is a perfect square).
 inline Interval first_root(const Interval& radicand) { return CGAL::sqrt(radicand); }
 inline Interval second_root(const Interval& radicand) { return CGAL::sqrt(radicand); }
+inline DoubleDouble first_root(const DoubleDouble& radicand) { return sqrt(radicand); }
+inline DoubleDouble second_root(const DoubleDouble& radicand) { return sqrt(radicand); }
 inline Enclosure first_root(const Enclosure& radicand) { return sqrt(radicand); }
 inline Enclosure second_root(const Enclosure& radicand) { return sqrt(radicand); }
 ExactNumber first_root(const ExactNumber& rational);

@@ -14,26 +14,26 @@ inline int root_sign(const Intersection& intersection) {
   return intersection.root == WhichRoot::kSmaller ? -1 : 1;
 }
 
-// A camera under each kernel, as it is kept, or with every input lifted anew.
-template <class Lift>
-CameraNumbers<typename Lift::Kernel> numbers_of(const Lift& lift, const ExactCamera::Impl& camera) {
-  return camera_numbers(lift, camera.camera);
+// use(camera) under each kernel, as it is kept, or with every input lifted anew.
+template <class Lift, class Use>
+auto with_numbers(const Lift& lift, const ExactCamera::Impl& camera, Use use) {
+  return use(camera_numbers(lift, camera.camera));
 }
-inline const CameraNumbers<IntervalKernel>& numbers_of(const IntervalLift& /*lift*/,
-                                                       const ExactCamera::Impl& camera) {
-  return camera.intervals;
+template <class Use>
+auto with_numbers(const IntervalLift& /*lift*/, const ExactCamera::Impl& camera, Use use) {
+  return use(camera.intervals);
 }
-inline const CameraNumbers<DoubleDoubleKernel>& numbers_of(const DoubleDoubleLift& /*lift*/,
-                                                           const ExactCamera::Impl& camera) {
-  return camera.double_doubles;
+template <class Use>
+auto with_numbers(const DoubleDoubleLift& /*lift*/, const ExactCamera::Impl& camera, Use use) {
+  return use(camera.double_doubles());
 }
-inline CameraNumbers<EnclosureKernel> numbers_of(const EnclosureLift& lift,
-                                                 const ExactCamera::Impl& camera) {
-  return camera.enclosed(lift);
+template <class Use>
+auto with_numbers(const EnclosureLift& lift, const ExactCamera::Impl& camera, Use use) {
+  return camera.enclosed(lift, use);
 }
-inline const CameraNumbers<ExactKernel>& numbers_of(const ExactLift& /*lift*/,
-                                                    const ExactCamera::Impl& camera) {
-  return camera.exact();
+template <class Use>
+auto with_numbers(const ExactLift& /*lift*/, const ExactCamera::Impl& camera, Use use) {
+  return use(camera.exact());
 }
 
 /// E, or a given ray's own origin.
@@ -45,9 +45,10 @@ inline const scene::Point3& base_of(const ExactRay::Source& source) {
 template <class Lift>
 Line<typename Lift::Kernel> line_of(const Lift& lift, const ExactRay::Source& source) {
   if (source.camera == nullptr) return given_line(lift_ray(lift, source.given));
-  const auto& numbers = numbers_of(lift, *source.camera);
-  return camera_line(lift, numbers, source.camera->camera, source.camera->conventions,
-                     source.pixel);
+  return with_numbers(lift, *source.camera, [&](const auto& numbers) {
+    return camera_line(lift, numbers, source.camera->camera, source.camera->conventions,
+                       source.pixel);
+  });
 }
 
 /// The same, as the ray caches it.
