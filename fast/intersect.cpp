@@ -26,6 +26,11 @@ bool all_finite(const Vectors& vectors) {
   return sum == 0;
 }
 
+std::invalid_argument refusal(const Rays& rays, std::size_t k) {
+  return std::invalid_argument("ray " + std::to_string(k) +
+                               " of the batch: " + scene::sentences(scene::defects(rays.at(k))));
+}
+
 bool all_nonzero(const Vectors& vectors) {
   bool nonzero = true;
   for (std::size_t k = 0; k < vectors.size(); ++k) {
@@ -42,11 +47,7 @@ void require_valid(const Rays& rays, const scene::Sphere& sphere) {
   scene::require_valid(sphere);
   if (all_finite(rays.origin) && all_finite(rays.direction) && all_nonzero(rays.direction)) return;
   for (std::size_t k = 0; k < rays.size(); ++k) {
-    try {
-      scene::require_valid(rays.at(k));
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("ray " + std::to_string(k) + " of the batch: " + error.what());
-    }
+    if (!scene::defects(rays.at(k)).empty()) throw refusal(rays, k);
   }
 }
 

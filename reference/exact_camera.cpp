@@ -12,10 +12,7 @@ namespace raycheck::reference {
 namespace {
 
 const scene::Camera& validated(const scene::Camera& camera, const scene::Conventions& conventions) {
-  scene::Scene scene;
-  scene.camera = camera;
-  scene.conventions = conventions;
-  scene::require_valid(scene);
+  scene::require_valid(camera, conventions);
   return camera;
 }
 

@@ -150,17 +150,34 @@ void check_each(const char* name, const std::vector<Input>& inputs, std::vector<
   }
 }
 
-void require_none(const std::vector<Defect>& found) {
-  if (found.empty()) return;
-  std::string message;
-  for (const Defect& defect : found) {
-    if (!message.empty()) message += '\n';
-    message += defect.field + " = " + defect.value + ": " + defect.what;
-  }
-  throw std::invalid_argument(message);
+void check(const Camera& camera, const Conventions& conventions, std::vector<Defect>& found) {
+  Collector collector("camera", found);
+  collector.check(camera);
+  if (conventions.samples == Samples::kEdges) collector.check_edges(camera);
+}
+
+template <typename... Input>
+std::invalid_argument refusal(const Input&... input) {
+  return std::invalid_argument(sentences(defects(input...)));
+}
+
+/// The defects are sought again for the exception: what is refused has nothing to clean up then,
+/// which costs as much as throwing.
+template <typename... Input>
+void require_no_defects(const Input&... input) {
+  if (!defects(input...).empty()) throw refusal(input...);
 }
 
 }  // namespace
+
+std::string sentences(const std::vector<Defect>& defects) {
+  std::string all;
+  for (const Defect& defect : defects) {
+    if (!all.empty()) all += '\n';
+    all += defect.field + " = " + defect.value + ": " + defect.what;
+  }
+  return all;
+}
 
 std::vector<Defect> defects(const Camera& camera) { return defects_of("camera", camera); }
 std::vector<Defect> defects(const Ray& ray) { return defects_of("ray", ray); }
@@ -184,6 +201,12 @@ std::vector<Defect> defects(const Conventions& conventions) {
   return found;
 }
 
+std::vector<Defect> defects(const Camera& camera, const Conventions& conventions) {
+  std::vector<Defect> found = defects(conventions);
+  check(camera, conventions, found);
+  return found;
+}
+
 std::vector<Defect> defects(const Scene& scene) {
   std::vector<Defect> found = defects(scene.conventions);
   if (!scene.camera && scene.rays.empty()) {
@@ -194,24 +217,22 @@ std::vector<Defect> defects(const Scene& scene) {
     found.push_back({"scene", "a camera and " + rays + (rays == "1" ? " ray" : " rays"),
                      "needs one of the two, not both"});
   }
-  if (scene.camera) {
-    Collector collector("camera", found);
-    collector.check(*scene.camera);
-    if (scene.conventions.samples == Samples::kEdges) collector.check_edges(*scene.camera);
-  }
+  if (scene.camera) check(*scene.camera, scene.conventions, found);
   check_each("ray", scene.rays, found);
   check_each("sphere", scene.spheres, found);
   return found;
 }
 
-void require_valid(const Camera& camera) { require_none(defects(camera)); }
-void require_valid(const Ray& ray) { require_none(defects(ray)); }
+void require_valid(const Camera& camera) { require_no_defects(camera); }
+void require_valid(const Camera& camera, const Conventions& conventions) {
+  require_no_defects(camera, conventions);
+}
+void require_valid(const Ray& ray) { require_no_defects(ray); }
 void require_valid(const Sphere& sphere) {
   // Called at every exact decision.
-  if (is_plainly_valid(sphere)) return;
-  require_none(defects(sphere));
+  if (!is_plainly_valid(sphere)) throw refusal(sphere);
 }
-void require_valid(const Scene& scene) { require_none(defects(scene)); }
-void require_valid(const Conventions& conventions) { require_none(defects(conventions)); }
+void require_valid(const Scene& scene) { require_no_defects(scene); }
+void require_valid(const Conventions& conventions) { require_no_defects(conventions); }
 
 }  // namespace raycheck::scene

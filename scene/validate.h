@@ -17,14 +17,18 @@ struct Defect {
 /// Everything that is wrong with the input; empty when it is valid.
 /// E = A and "up parallel to E - A" are decided exactly, over the rationals.
 std::vector<Defect> defects(const Camera& camera);
+std::vector<Defect> defects(const Camera& camera, const Conventions& conventions);
 std::vector<Defect> defects(const Ray& ray);
 std::vector<Defect> defects(const Sphere& sphere);
 std::vector<Defect> defects(const Conventions& conventions);
 std::vector<Defect> defects(const Scene& scene);
 
-/// Throws std::invalid_argument naming the field, its value and what is wrong, unless the input is
-/// valid.
+/// Each one's field, its value and what is wrong, on a line of its own.
+std::string sentences(const std::vector<Defect>& defects);
+
+/// Throws std::invalid_argument with the sentences, unless the input is valid.
 void require_valid(const Camera& camera);
+void require_valid(const Camera& camera, const Conventions& conventions);
 void require_valid(const Ray& ray);
 void require_valid(const Sphere& sphere);
 void require_valid(const Scene& scene);

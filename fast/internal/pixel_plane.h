@@ -14,19 +14,11 @@
 
 namespace raycheck::fast {
 
-/// Throws std::invalid_argument naming the field of a camera that has no rays.
-inline void require_valid(const scene::Camera& camera, const scene::Conventions& conventions) {
-  scene::Scene scene;
-  scene.camera = camera;
-  scene.conventions = conventions;
-  scene::require_valid(scene);
-}
-
 /// The axes, and alpha and beta of a pixel as the lecture computes them.
 struct PixelPlane {
   PixelPlane(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
       : camera(its_camera), conventions(its_conventions) {
-    require_valid(camera, conventions);
+    scene::require_valid(camera, conventions);
     const CameraFrame frame = camera_frame(camera);
     U = eigen(frame.U);
     V = eigen(frame.V);

@@ -15,7 +15,7 @@ class Single {
  public:
   Single(const scene::Camera& camera, const scene::Conventions& conventions)
       : camera_(camera), conventions_(conventions), E_(single(camera.eye)) {
-    require_valid(camera, conventions);
+    scene::require_valid(camera, conventions);
     const Vector3f to_eye = E_ - single(camera.look_at);
     const Vector3f W = to_eye / to_eye.norm();
     const Vector3f across = single(camera.up).cross(W);

@@ -15,7 +15,7 @@ namespace {
 auto make_rays(fast::PixelRayMethod::MakeRays make) {
   return [make](const scene::Camera& camera, const scene::Conventions& conventions,
                 Candidate::Pixels pixels) {
-    fast::Rays batch;
+    static thread_local fast::Rays batch;  // its room serves again
     make(camera, conventions, pixels, batch);
     return rays_of(batch);
   };
@@ -121,7 +121,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     candidate.pixel_points = [make = rays.pixel_points](const scene::Camera& camera,
                                                         const scene::Conventions& conventions,
                                                         Candidate::Pixels pixels) {
-      fast::Vectors batch;
+      static thread_local fast::Vectors batch;
       make(camera, conventions, pixels, batch);
       std::vector<scene::Point3> points(pixels.size());
       for (std::size_t k = 0; k < points.size(); ++k) points[k] = batch.at<scene::Point3>(k);
