@@ -103,6 +103,21 @@ const std::vector<std::optional<std::size_t>>& Answers::nearest() {
   return once(nearest_, [&] { return rank(asked, case_.scene.spheres); });
 }
 
+const std::vector<scene::ScenePlan>& Answers::plans() {
+  return once(plans_, [&] {
+    std::vector<scene::ScenePlan> plans;
+    for (const scene::Wanted wanted : scene::kEveryWanted) {
+      plans.push_back(candidate_.plan(case_.scene, conventions_, wanted));
+      const std::size_t spheres = plans.back().spheres.size();
+      if (spheres != case_.scene.spheres.size()) {
+        throw std::runtime_error("the plan speaks of " + std::to_string(spheres) + " spheres of " +
+                                 std::to_string(case_.scene.spheres.size()));
+      }
+    }
+    return plans;
+  });
+}
+
 std::vector<SphereHits> Answers::intersect(const std::vector<scene::Ray>& rays,
                                            const std::vector<scene::Sphere>& spheres,
                                            const scene::Conventions& conventions) const {

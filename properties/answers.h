@@ -8,6 +8,7 @@
 #include "properties/candidate.h"
 #include "properties/case.h"
 #include "properties/truth.h"
+#include "scene/plan/plan.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
@@ -36,6 +37,8 @@ class Answers {
   bool lacks_rays() const { return rays_.failure != nullptr; }
   const SphereHits& hits(std::size_t sphere);
   const std::vector<std::optional<std::size_t>>& nearest();
+  /// One for each that may be wanted, in the order of scene::kEveryWanted.
+  const std::vector<scene::ScenePlan>& plans();
   /// Asks the candidate about other rays or spheres. Its own rays that are not finite, or whose
   /// direction is 0, are not asked about: they count as misses.
   std::vector<SphereHits> intersect(const std::vector<scene::Ray>& rays,
@@ -66,6 +69,7 @@ class Answers {
   Once<std::vector<scene::Ray>> rays_;
   Once<std::vector<SphereHits>> hits_;
   Once<std::vector<std::optional<std::size_t>>> nearest_;
+  Once<std::vector<scene::ScenePlan>> plans_;
 };
 
 /// The hit of a ray among a sphere's; null where it misses.

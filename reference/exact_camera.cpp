@@ -125,9 +125,11 @@ RoundedFrame ExactCamera::rounded_frame(scene::Precision precision) const {
 Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) const {
   require_pixel_of(impl_->camera, pixel);
   const EnclosureLift lift{bits};
-  const auto inputs = lift_camera(lift, impl_->camera);
-  auto position = reference::plane_position(lift, inputs, impl_->camera, impl_->conventions, pixel);
-  return {std::move(position.alpha), std::move(position.beta), inputs.near};
+  return impl_->enclosed(lift, [&](const auto& numbers) -> Enclosure3 {
+    auto position =
+        reference::plane_position(lift, numbers.inputs, impl_->camera, impl_->conventions, pixel);
+    return {std::move(position.alpha), std::move(position.beta), numbers.inputs.near};
+  });
 }
 
 }  // namespace raycheck::reference

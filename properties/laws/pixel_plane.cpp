@@ -64,8 +64,10 @@ class PlaneAnswers {
     }
     return worst;
   }
+  /// `what` makes the words for a discrepancy.
+  template <class What>
   void measure(Verdict& verdict, std::size_t k, const scene::Measured& error, double bound,
-               const std::string& what) const;
+               const What& what) const;
 
  private:
   const Trial& trial_;
@@ -81,26 +83,31 @@ scene::Measured relative(const Enclosure& error, const Enclosure& size) {
   return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
 }
 
-/// Whether positions at this distance stay apart even with the largest allowed errors, by a margin
-/// that keeps errors of their ratios linear.
-bool is_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& distance) {
+/// Whether positions at these distances stay apart even with the largest allowed errors, by a
+/// margin that keeps errors of their ratios linear.
+bool are_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& across,
+                    const Enclosure& down) {
   const double allowed = trial.bound(Quantity::kPixelPoint) *
                          bound_growth(answers.worst_condition()) *
                          scene::unit_roundoff(trial.precision());
   if (!std::isfinite(allowed)) return false;
   const Enclosure off = Enclosure(16 * allowed, kBits) * answers.size_of_point(0);
-  return (abs(distance) - off).certain_sign().value_or(0) > 0;
+  const auto is_apart = [&off](const Enclosure& distance) {
+    return (abs(distance) - off).certain_sign().value_or(0) > 0;
+  };
+  return is_apart(across) && is_apart(down);
 }
 
 /// Measures an error at a pixel, with the condition number of all the pixel points.
+template <class What>
 void PlaneAnswers::measure(Verdict& verdict, std::size_t k, const scene::Measured& error,
-                           double bound, const std::string& what) const {
+                           double bound, const What& what) const {
   Place place;
   place.pixel = pixels_[k];
   trial_.measure(
       verdict, {Quantity::kPixelPoint, place, error, bound}, [this] { return worst_condition(); },
       [&](Discrepancy& d) {
-        d.what = what;
+        d.what = what();
         d.got = numbers(points_[k]);
         d.exact = numbers(ray(k).rounded_pixel_point(trial_.precision()));
       });
@@ -164,7 +171,7 @@ void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& ans
     const double promised = along.sign * (at_first ? first : last);
     const double got = numbers(answers.point(k))[static_cast<std::size_t>(along.index)];
     answers.measure(verdict, k, reference::ulp_error(got, Enclosure(promised, kBits)), 0,
-                    "bit-exact corner");
+                    [] { return "bit-exact corner"; });
   };
   const Pixel& pixel = answers.pixel(k);
   if (signed_axis(frame.U).sign != 0 && signed_axis(frame.V).sign != 0) {
@@ -180,7 +187,8 @@ void judge_bounds(Trial& trial, Verdict& verdict) {
     const Enclosure3 off = answers.position(k) - answers.exact_position(k);
     const Enclosure size = answers.size_of_point(k);
     answers.measure(verdict, k, std::max(relative(off.x, size), relative(off.y, size)),
-                    trial.bound(Quantity::kPixelPoint), "corner " + name(answers.pixel(k)));
+                    trial.bound(Quantity::kPixelPoint),
+                    [&] { return "corner " + name(answers.pixel(k)); });
     judge_promised_bits(trial, verdict, answers, k);
   }
 }
@@ -195,11 +203,12 @@ void judge_image_plane(Trial& trial, Verdict& verdict) {
     const Enclosure size = answers.size_of_point(0);
     const Enclosure3 here = answers.position(0) - answers.exact_position(0);
     answers.measure(verdict, 0, relative(here.z, size), trial.bound(Quantity::kPixelPoint),
-                    "distance from the plane");
+                    [] { return "distance from the plane"; });
     for (std::size_t k = 1; k < answers.size(); ++k) {
       const Enclosure3 next = answers.position(k) - answers.exact_position(k);
       answers.measure(verdict, k, relative(norm(next - here), size),
-                      2 * trial.bound(Quantity::kPixelPoint), "step from " + name(pixel));
+                      2 * trial.bound(Quantity::kPixelPoint),
+                      [&] { return "step from " + name(pixel); });
     }
   }
 }
@@ -216,7 +225,8 @@ void judge_centre_pixel(Trial& trial, Verdict& verdict) {
   const Enclosure3 position = answers.position(0);
   const Enclosure off_axis = norm(Enclosure3{position.x, position.y, Enclosure(0)});
   answers.measure(verdict, 0, relative(off_axis, answers.size_of_point(0)),
-                  trial.bound(Quantity::kPixelPoint), "distance from the optical axis");
+                  trial.bound(Quantity::kPixelPoint),
+                  [] { return "distance from the optical axis"; });
 }
 
 void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
@@ -226,7 +236,7 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
   const Enclosure3 extent = answers.exact_position(1) - answers.exact_position(0);
-  if (!is_told_apart(trial, answers, extent.x) || !is_told_apart(trial, answers, extent.y)) {
+  if (!are_told_apart(trial, answers, extent.x, extent.y)) {
     return verdict.leave_out("the image is too small for the rounding of its pixel points");
   }
   const Enclosure3 got = answers.position(0);
@@ -237,7 +247,7 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
   };
   const bool right = is_nearer(own.x, opposite.x) && is_nearer(own.y, opposite.y);
   answers.measure(verdict, 0, right ? scene::Measured{} : kInfiniteError,
-                  trial.bound(Quantity::kPixelPoint), "corner of pixel (0, 0)");
+                  trial.bound(Quantity::kPixelPoint), [] { return "corner of pixel (0, 0)"; });
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {
@@ -262,7 +272,7 @@ void judge_density(Trial& trial, Verdict& verdict) {
         reference::enclose_exactly(dense.point(k)) - reference::enclose_exactly(sparse.point(k));
     sparse.measure(verdict, k, relative(norm(moved), sparse.size_of_point(k)),
                    2 * trial.bound(Quantity::kPixelPoint),
-                   name(pixels[k]) + " at twice the density");
+                   [&] { return name(pixels[k]) + " at twice the density"; });
   }
 }
 
@@ -279,7 +289,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   const Enclosure3 origin = answers.exact_position(0);
   const Enclosure across = abs(answers.exact_position(1).x - origin.x);
   const Enclosure down = abs(answers.exact_position(2).y - origin.y);
-  if (!is_told_apart(trial, answers, across) || !is_told_apart(trial, answers, down)) {
+  if (!are_told_apart(trial, answers, across, down)) {
     return verdict.leave_out("a pixel is too small for the rounding of its points");
   }
   // got ratio / exact ratio - 1; squares are the scenes whose exact ratio is 1.

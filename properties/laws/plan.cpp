@@ -25,9 +25,6 @@ using scene::PixelRectangle;
 using scene::SpherePlan;
 using scene::Wanted;
 
-constexpr std::array kEveryWanted = {scene::Wanted::kClass, scene::Wanted::kParameter,
-                                     scene::Wanted::kPoint, scene::Wanted::kNearest};
-
 /// How many pixels along each border of a rectangle are tried, at most.
 constexpr std::int64_t kMostOfBorder = 64;
 /// How many rows, and columns, inside a rectangle, at most.
@@ -44,11 +41,10 @@ struct PlanStatement {
 
 /// The plans of a candidate for one scene, whatever is wanted of it. They choose where the truth is
 /// computed, and do not influence it.
-/// Domain: a scene with a camera, a candidate that plans. Throws std::runtime_error when a plan
-///         does not speak of every sphere.
+/// Domain: a scene with a camera, a candidate that plans.
 class PlanStatements {
  public:
-  explicit PlanStatements(const Trial& trial);
+  explicit PlanStatements(Trial& trial);
 
   PixelRectangle image() const { return {0, camera_.width, 0, camera_.height}; }
 
@@ -66,7 +62,7 @@ class PlanStatements {
  private:
   const std::vector<scene::Pixel>& pixels_;
   const scene::Camera& camera_;
-  std::vector<scene::ScenePlan> plans_;
+  const std::vector<scene::ScenePlan>& plans_;
 };
 
 /// Whole numbers of [begin, end), evenly spread, the first and the last among them.
@@ -128,24 +124,15 @@ bool is_said(const SpherePlan& a, const SpherePlan& b) {
          a.origin_inside == b.origin_inside && a.reaches_behind == b.reaches_behind;
 }
 
-PlanStatements::PlanStatements(const Trial& trial)
-    : pixels_(trial.pixels()), camera_(*trial.scene().camera) {
-  for (const scene::Wanted wanted : kEveryWanted) {
-    plans_.push_back(trial.candidate().plan(trial.scene(), trial.conventions(), wanted));
-    if (plans_.back().spheres.size() != trial.scene().spheres.size()) {
-      throw std::runtime_error("the plan speaks of " +
-                               std::to_string(plans_.back().spheres.size()) + " spheres of " +
-                               std::to_string(trial.scene().spheres.size()));
-    }
-  }
-}
+PlanStatements::PlanStatements(Trial& trial)
+    : pixels_(trial.pixels()), camera_(*trial.scene().camera), plans_(trial.plans()) {}
 
 std::vector<PlanStatement> PlanStatements::distinct() const {
   std::vector<PlanStatement> result;
   for (std::size_t sphere = 0; sphere < plans_.front().spheres.size(); ++sphere) {
     const auto first = static_cast<std::ptrdiff_t>(result.size());
     for (std::size_t k = 0; k < plans_.size(); ++k) {
-      const PlanStatement next{kEveryWanted[k], &plans_[k], sphere};
+      const PlanStatement next{scene::kEveryWanted[k], &plans_[k], sphere};
       if (std::none_of(result.begin() + first, result.end(), [&](const PlanStatement& known) {
             return is_said(known.said(), next.said());
           })) {
@@ -211,9 +198,10 @@ struct SaidOf {
   Pixel pixel;
 };
 
-/// Nothing excuses a plan: it promises to change no answer, whatever the scene.
-void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong,
-           const std::string& what) {
+/// Nothing excuses a plan: it promises to change no answer, whatever the scene. `what` makes the
+/// words for one that does.
+template <class What>
+void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong, const What& what) {
   const auto width = static_cast<std::size_t>(it.trial.scene().camera->width);
   const std::size_t ray =
       static_cast<std::size_t>(it.pixel.j) * width + static_cast<std::size_t>(it.pixel.i);
@@ -222,7 +210,7 @@ void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong,
                                                                    : Expected::kMiss;
   it.trial.judge(
       verdict, {quantity, expected, {ray, it.pixel, it.sphere}, wrong}, [] { return Excuse{}; },
-      [&](Discrepancy& d) { d.what = what; });
+      [&](Discrepancy& d) { d.what = what(); });
 }
 
 std::string for_what(const PlanStatement& statement) {
@@ -262,8 +250,10 @@ void judge_left_out(Trial& trial, Verdict& verdict) {
             is_right    ? Wrong::kNot
             : is_ranked ? Wrong::kWrongSphere
                         : Wrong::kMissed,
-            std::string(scene::kLeftOutNames[static_cast<std::size_t>(*said.left_out)]) +
-                for_what(statement));
+            [&] {
+              return std::string(scene::kLeftOutNames[static_cast<std::size_t>(*said.left_out)]) +
+                     for_what(statement);
+            });
     }
   }
   if (verdict.compared() == 0) return verdict.leave_out("the plan leaves out no sphere");
@@ -286,7 +276,7 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
           ExactRay(camera, pixel).intersect(spheres[k], trial.conventions().root);
       judge(verdict, {trial, k, pixel}, Quantity::kClass,
             at.hit_class == HitClass::kMiss ? Wrong::kNot : Wrong::kMissed,
-            "outside its rectangle" + for_what(statement));
+            [&] { return "outside its rectangle" + for_what(statement); });
     }
   }
   if (verdict.compared() == 0) return verdict.leave_out("every rectangle is the whole image");
@@ -336,12 +326,12 @@ void judge_roots(Trial& trial, Verdict& verdict) {
       if (is_hit) {
         judge(verdict, {trial, k, pixel}, Quantity::kRoot,
               at.root == reference::WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
-              said.origin_inside ? "behind the origin" : "from inside");
+              [&] { return said.origin_inside ? "behind the origin" : "from inside"; });
       }
       if (!said.reaches_behind) {
         judge(verdict, {trial, k, pixel}, Quantity::kClass,
               !is_hit && line.meets(spheres[k], pixel) ? Wrong::kFalseHit : Wrong::kNot,
-              "behind the origin");
+              [] { return "behind the origin"; });
       }
     }
   }

@@ -16,6 +16,8 @@ namespace raycheck::scene {
 enum class Wanted { kClass, kParameter, kPoint, kNearest };
 inline constexpr std::array<std::string_view, 4> kWantedNames = {"class", "parameter", "point",
                                                                  "nearest"};
+inline constexpr std::array kEveryWanted = {Wanted::kClass, Wanted::kParameter, Wanted::kPoint,
+                                            Wanted::kNearest};
 
 /// The things that a plan may do; each can be switched off.
 struct PlanItems {
