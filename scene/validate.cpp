@@ -42,11 +42,15 @@ bool is_exactly_parallel(const Vector3& vector, const Point3& from, const Point3
          vector_x * y == vector_y * x;
 }
 
-// Collects the defects of one input under the name `input_`, e.g. "sphere[2]".
+// Collects the defects of one input under the name `input_`, e.g. "sphere[2]", or only looks
+// whether there are any.
 class Collector {
  public:
+  Collector() = default;
   Collector(std::string input, std::vector<Defect>& found)
-      : input_(std::move(input)), found_(found) {}
+      : input_(std::move(input)), found_(&found) {}
+
+  bool has_found_any() const { return has_found_any_; }
 
   void check(const Camera& camera) {
     const bool has_finite_eye = check_finite("eye", camera.eye);
@@ -54,26 +58,26 @@ class Collector {
     const bool has_finite_points = has_finite_eye && has_finite_look_at;
     const bool has_finite_up = check_finite("up", camera.up);
     if (has_finite_points && camera.eye == camera.look_at) {
-      add("look_at", spelled(camera.look_at), "is the same point as eye");
+      add("look_at", camera.look_at, "is the same point as eye");
     } else if (has_finite_up && is_zero(camera.up)) {
-      add("up", spelled(camera.up), "is the zero vector");
+      add("up", camera.up, "is the zero vector");
     } else if (has_finite_points && has_finite_up &&
                is_exactly_parallel(camera.up, camera.look_at, camera.eye)) {
-      add("up", spelled(camera.up), "is exactly parallel to eye - look_at");
+      add("up", camera.up, "is exactly parallel to eye - look_at");
     }
     if (check_finite("near", camera.near) && camera.near == 0) {
-      add("near", shortest(camera.near), "is zero, so the image plane passes through the eye");
+      add("near", camera.near, "is zero, so the image plane passes through the eye");
     }
     if (camera.far) check_finite("far", *camera.far);
     check_finite("left", camera.left);
     check_finite("right", camera.right);
     if (std::isfinite(camera.left) && camera.left == camera.right) {
-      add("right", shortest(camera.right), "equals left, so the image has no width");
+      add("right", camera.right, "equals left, so the image has no width");
     }
     check_finite("bottom", camera.bottom);
     check_finite("top", camera.top);
     if (std::isfinite(camera.bottom) && camera.bottom == camera.top) {
-      add("top", shortest(camera.top), "equals bottom, so the image has no height");
+      add("top", camera.top, "equals bottom, so the image has no height");
     }
     check_count("width", camera.width);
     check_count("height", camera.height);
@@ -81,52 +85,57 @@ class Collector {
 
   void check_edges(const Camera& camera) {
     const char* const what = "leaves one sample between two edges; samples = edges needs 2 or more";
-    if (camera.width == 1) add("width", "1", what);
-    if (camera.height == 1) add("height", "1", what);
+    if (camera.width == 1) add("width", camera.width, what);
+    if (camera.height == 1) add("height", camera.height, what);
   }
 
   void check(const Ray& ray) {
     check_finite("origin", ray.origin);
     if (check_finite("direction", ray.direction) && is_zero(ray.direction)) {
-      add("direction", spelled(ray.direction), "is the zero vector");
+      add("direction", ray.direction, "is the zero vector");
     }
   }
 
   void check(const Sphere& sphere) {
     check_finite("centre", sphere.centre);
     if (check_finite("radius", sphere.radius) && sphere.radius < 0) {
-      add("radius", shortest(sphere.radius), "is negative");
+      add("radius", sphere.radius, "is negative");
     }
   }
 
  private:
+  static std::string spelled(double value) { return shortest(value); }
+  static std::string spelled(std::int64_t value) { return std::to_string(value); }
   template <typename Triple>
   static std::string spelled(const Triple& triple) {
     return "[" + shortest(triple.x) + ", " + shortest(triple.y) + ", " + shortest(triple.z) + "]";
   }
 
   void check_count(const char* field, std::int64_t count) {
-    if (count < 1) add(field, std::to_string(count), "is below 1 pixel");
-    if (count > kMostPixelsAcross) add(field, std::to_string(count), "is above 2^31 - 1 pixels");
+    if (count < 1) add(field, count, "is below 1 pixel");
+    if (count > kMostPixelsAcross) add(field, count, "is above 2^31 - 1 pixels");
   }
 
   template <typename Triple>
   bool check_finite(const char* field, const Triple& triple) {
-    if (!is_finite(triple)) add(field, spelled(triple), "is not finite");
+    if (!is_finite(triple)) add(field, triple, "is not finite");
     return is_finite(triple);
   }
 
   bool check_finite(const char* field, double value) {
-    if (!std::isfinite(value)) add(field, shortest(value), "is not finite");
+    if (!std::isfinite(value)) add(field, value, "is not finite");
     return std::isfinite(value);
   }
 
-  void add(const char* field, std::string value, const char* what) {
-    found_.push_back({input_ + "." + field, std::move(value), what});
+  template <typename Value>
+  void add(const char* field, const Value& value, const char* what) {
+    has_found_any_ = true;
+    if (found_ != nullptr) found_->push_back({input_ + "." + field, spelled(value), what});
   }
 
   std::string input_;
-  std::vector<Defect>& found_;
+  std::vector<Defect>* found_ = nullptr;
+  bool has_found_any_ = false;
 };
 
 template <typename Input>
@@ -150,22 +159,34 @@ void check_each(const char* name, const std::vector<Input>& inputs, std::vector<
   }
 }
 
-void check(const Camera& camera, const Conventions& conventions, std::vector<Defect>& found) {
-  Collector collector("camera", found);
+void check(const Camera& camera, const Conventions& conventions, Collector& collector) {
   collector.check(camera);
   if (conventions.samples == Samples::kEdges) collector.check_edges(camera);
 }
+
+template <typename Input>
+bool is_valid(const Input& input) {
+  Collector collector;
+  collector.check(input);
+  return !collector.has_found_any();
+}
+bool is_valid(const Camera& camera, const Conventions& conventions) {
+  Collector collector;
+  check(camera, conventions, collector);
+  return !collector.has_found_any() && defects(conventions).empty();
+}
+bool is_valid(const Scene& scene) { return defects(scene).empty(); }
+bool is_valid(const Conventions& conventions) { return defects(conventions).empty(); }
 
 template <typename... Input>
 std::invalid_argument refusal(const Input&... input) {
   return std::invalid_argument(sentences(defects(input...)));
 }
 
-/// The defects are sought again for the exception: what is refused has nothing to clean up then,
-/// which costs as much as throwing.
+/// Nothing is left to clean up for the exception, which costs as much as throwing it.
 template <typename... Input>
-void require_no_defects(const Input&... input) {
-  if (!defects(input...).empty()) throw refusal(input...);
+void require(const Input&... input) {
+  if (!is_valid(input...)) throw refusal(input...);
 }
 
 }  // namespace
@@ -203,7 +224,8 @@ std::vector<Defect> defects(const Conventions& conventions) {
 
 std::vector<Defect> defects(const Camera& camera, const Conventions& conventions) {
   std::vector<Defect> found = defects(conventions);
-  check(camera, conventions, found);
+  Collector collector("camera", found);
+  check(camera, conventions, collector);
   return found;
 }
 
@@ -217,22 +239,25 @@ std::vector<Defect> defects(const Scene& scene) {
     found.push_back({"scene", "a camera and " + rays + (rays == "1" ? " ray" : " rays"),
                      "needs one of the two, not both"});
   }
-  if (scene.camera) check(*scene.camera, scene.conventions, found);
+  if (scene.camera) {
+    Collector collector("camera", found);
+    check(*scene.camera, scene.conventions, collector);
+  }
   check_each("ray", scene.rays, found);
   check_each("sphere", scene.spheres, found);
   return found;
 }
 
-void require_valid(const Camera& camera) { require_no_defects(camera); }
+void require_valid(const Camera& camera) { require(camera); }
 void require_valid(const Camera& camera, const Conventions& conventions) {
-  require_no_defects(camera, conventions);
+  require(camera, conventions);
 }
-void require_valid(const Ray& ray) { require_no_defects(ray); }
+void require_valid(const Ray& ray) { require(ray); }
 void require_valid(const Sphere& sphere) {
   // Called at every exact decision.
   if (!is_plainly_valid(sphere)) throw refusal(sphere);
 }
-void require_valid(const Scene& scene) { require_no_defects(scene); }
-void require_valid(const Conventions& conventions) { require_no_defects(conventions); }
+void require_valid(const Scene& scene) { require(scene); }
+void require_valid(const Conventions& conventions) { require(conventions); }
 
 }  // namespace raycheck::scene
