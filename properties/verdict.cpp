@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -154,11 +153,12 @@ void Verdict::add(Discrepancy discrepancy) {
   if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }
 
-void Verdict::merge(Verdict other) {
-  if (!other.left_out_.empty()) left_out_ = std::move(other.left_out_);
+void Verdict::merge(const Verdict& other) {
+  if (&other == this) return merge(Verdict(other));
+  if (!other.left_out_.empty()) left_out_ = other.left_out_;
   for (const auto& [quantity, tally] : other.tallies_) tallies_[quantity].merge(tally);
   for (std::size_t k = 0; k < kStandingCount; ++k) by_standing_[k] += other.by_standing_[k];
-  std::move(other.kept_.begin(), other.kept_.end(), std::back_inserter(kept_));
+  kept_.insert(kept_.end(), other.kept_.begin(), other.kept_.end());
   if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }
 

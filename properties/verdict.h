@@ -367,7 +367,7 @@ class Verdict {
   void judged_wrong(const Decision& decision, Standing standing);
   /// Adds a discrepancy under this verdict's law.
   void add(Discrepancy discrepancy);
-  void merge(Verdict other);
+  void merge(const Verdict& other);
   /// Drops the discrepancies, but keeps their counts;
   void drop_discrepancies() { kept_ = {}; }
   /// and the errors and the condition numbers, too.

@@ -24,7 +24,9 @@ template <class Triple>
 Measured relative_error_of(const Triple& given, const Enclosure3& exact) {
   if (!is_finite(given)) return {kInfinity};
   const Enclosure3 answer = enclose_exactly(given);
-  if (norm(answer - exact).certain_sign() == 0) return {0};
+  const Enclosure3 off = answer - exact;
+  const auto is_zero = [](const Enclosure& x) { return x.certain_sign() == 0; };
+  if (is_zero(off.x) && is_zero(off.y) && is_zero(off.z)) return {0};
   return norm(exact).contains_zero() ? Measured{kInfinity}
                                      : in_units_of_u(relative_distance(answer, exact));
 }

@@ -196,7 +196,7 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
     LawJudgement one = halves_at_once ? judge_halves(law, half->trial) : judge(law, half->trial);
     one.verdict.relocate([&](const Place& place) { return half->place(place); });
     all.failed |= one.failed;
-    all.verdict.merge(std::move(one.verdict));
+    all.verdict.merge(one.verdict);
     is_second = true;
   }
   if (all.verdict.compared() > 0) all.verdict.leave_out({});
