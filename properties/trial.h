@@ -119,6 +119,7 @@ class Trial : public Answers {
 
   // The truth.
   const reference::ExactCamera& exact_camera() { return options_.truth->camera(); }
+  const reference::EnclosedFrame& exact_frame() { return options_.truth->frame(); }
   const reference::ExactRay& exact_ray(std::size_t ray) { return options_.truth->ray(ray); }
   std::span<const Meeting> exact_meetings(std::size_t sphere) {
     return options_.truth->meetings(sphere);

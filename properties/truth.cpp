@@ -20,6 +20,12 @@ const reference::ExactCamera& Truth::camera() {
   return *camera_;
 }
 
+const reference::EnclosedFrame& Truth::frame() {
+  constexpr int kRelativeBits = 200;
+  if (!frame_) frame_ = camera().frame(kRelativeBits);
+  return *frame_;
+}
+
 const reference::ExactRay& Truth::ray(std::size_t ray) {
   auto& kept = rays_[ray];
   if (!kept) {

@@ -41,6 +41,8 @@ class Truth {
 
   const scene::Conventions& conventions() const { return conventions_; }
   const reference::ExactCamera& camera();
+  /// Its axes, narrow enough for positions in its image plane.
+  const reference::EnclosedFrame& frame();
   const reference::ExactRay& ray(std::size_t ray);
   /// The rays that meet a sphere, in their order; every other ray misses it.
   std::span<const Meeting> meetings(std::size_t sphere) { return known_meetings(sphere); }
@@ -59,6 +61,7 @@ class Truth {
   scene::Conventions conventions_;
   const scene::ScenePlan* plan_;
   std::optional<reference::ExactCamera> camera_;
+  std::optional<reference::EnclosedFrame> frame_;
   std::vector<std::optional<reference::ExactRay>> rays_;
   std::vector<std::optional<std::vector<Meeting>>> meetings_;  ///< By sphere.
   std::optional<std::vector<std::optional<reference::NearestSphere>>> nearest_;

@@ -70,6 +70,11 @@ Measured relative_error(const scene::UnitVector3& given, const Enclosure3& exact
   return relative_error_of(given, exact);
 }
 
+Measured relative_error(const scene::UnitVector3& given, const scene::UnitVector3& exact) {
+  if (given == exact && is_finite(given)) return {0};
+  return relative_error(given, enclose_exactly(exact));
+}
+
 Measured angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
   if (!is_finite(given)) return {kInfinity};
   const Enclosure3 direction = enclose_exactly(given);

@@ -17,6 +17,7 @@ scene::Measured ulp_error(double given, const Enclosure& exact,
 /// |given - exact| / |exact|
 scene::Measured relative_error(const scene::Point3& given, const Enclosure3& exact);
 scene::Measured relative_error(const scene::UnitVector3& given, const Enclosure3& exact);
+scene::Measured relative_error(const scene::UnitVector3& given, const scene::UnitVector3& exact);
 
 /// The angle between two directions (its tangent, which is no smaller; infinite from 90 degrees
 /// on).

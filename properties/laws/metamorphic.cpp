@@ -113,7 +113,7 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
         verdict,
         {Quantity::kInvariance, trial.place(k),
          reference::relative_error(scene::UnitVector3{got.x, got.y, got.z},
-                                   reference::enclose_exactly(expected)),
+                                   scene::UnitVector3{expected.x, expected.y, expected.z}),
          2 * trial.bound(Quantity::kDirection)},
         [&] { return reference::condition_of_direction(trial.exact_ray(k)); },
         [&](Discrepancy& d) {
@@ -269,15 +269,14 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
   if (!scene::defects(other_camera).empty()) return;
   const FrameAnswer other = trial.candidate().frame(other_camera);
   const FrameAnswer& frame = trial.frame();
-  const reference::ExactCamera exact_other(other_camera, trial.conventions());
   const auto compare = [&](const char* axis, const scene::UnitVector3& got,
                            const scene::UnitVector3& expected) {
     trial.measure(
         verdict,
-        {Quantity::kInvariance, Place{},
-         reference::relative_error(got, reference::enclose_exactly(expected)),
+        {Quantity::kInvariance, Place{}, reference::relative_error(got, expected),
          2 * trial.bound(Quantity::kFrame)},
         [&] {
+          const reference::ExactCamera exact_other(other_camera, trial.conventions());
           return std::max(reference::condition_of_frame(trial.exact_camera()),
                           reference::condition_of_frame(exact_other));
         },

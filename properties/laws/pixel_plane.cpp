@@ -26,11 +26,13 @@ std::string name(const Pixel& pixel) {
   return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
 }
 
-/// Candidate points and the exact camera that they are compared with.
+/// Candidate points and the exact camera that they are compared with: the trial's, or one with the
+/// same axes.
 class PlaneAnswers {
  public:
   PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
       : trial_(trial),
+        frame_(trial.exact_frame()),
         camera_(&camera == &*trial.scene().camera
                     ? trial.exact_camera()
                     : reference::ExactCamera(camera, trial.conventions())),
@@ -57,13 +59,7 @@ class PlaneAnswers {
     return camera_.plane_position(pixels_[k], kBits);
   }
   /// A relation is no better conditioned than the points that it relates.
-  double worst_condition() const {
-    double worst = 0;
-    for (std::size_t k = 0; k < size(); ++k) {
-      worst = std::max(worst, reference::condition_of_pixel_point(ray(k)));
-    }
-    return worst;
-  }
+  double worst_condition() const { return reference::condition_of_pixel_points(camera_, pixels_); }
   /// `what` makes the words for a discrepancy.
   template <class What>
   void measure(Verdict& verdict, std::size_t k, const scene::Measured& error, double bound,
@@ -71,8 +67,8 @@ class PlaneAnswers {
 
  private:
   const Trial& trial_;
+  const reference::EnclosedFrame& frame_;
   reference::ExactCamera camera_;
-  reference::EnclosedFrame frame_ = camera_.frame(200);
   std::vector<Pixel> pixels_;
   std::vector<Point3> points_;
 };
@@ -270,8 +266,10 @@ void judge_density(Trial& trial, Verdict& verdict) {
   for (std::size_t k = 0; k < pixels.size(); ++k) {
     const Enclosure3 moved =
         reference::enclose_exactly(dense.point(k)) - reference::enclose_exactly(sparse.point(k));
-    sparse.measure(verdict, k, relative(norm(moved), sparse.size_of_point(k)),
-                   2 * trial.bound(Quantity::kPixelPoint),
+    const bool is_same = dense.point(k) - sparse.point(k) == scene::Vector3{};
+    const scene::Measured error =
+        is_same ? scene::Measured{} : relative(norm(moved), sparse.size_of_point(k));
+    sparse.measure(verdict, k, error, 2 * trial.bound(Quantity::kPixelPoint),
                    [&] { return name(pixels[k]) + " at twice the density"; });
   }
 }
