@@ -170,23 +170,18 @@ bool is_valid(const Input& input) {
   collector.check(input);
   return !collector.has_found_any();
 }
-bool is_valid(const Camera& camera, const Conventions& conventions) {
-  Collector collector;
-  check(camera, conventions, collector);
-  return !collector.has_found_any() && defects(conventions).empty();
-}
 bool is_valid(const Scene& scene) { return defects(scene).empty(); }
 bool is_valid(const Conventions& conventions) { return defects(conventions).empty(); }
 
-template <typename... Input>
-std::invalid_argument refusal(const Input&... input) {
-  return std::invalid_argument(sentences(defects(input...)));
+template <typename Input>
+std::invalid_argument refusal(const Input& input) {
+  return std::invalid_argument(sentences(defects(input)));
 }
 
 /// Nothing is left to clean up for the exception, which costs as much as throwing it.
-template <typename... Input>
-void require(const Input&... input) {
-  if (!is_valid(input...)) throw refusal(input...);
+template <typename Input>
+void require(const Input& input) {
+  if (!is_valid(input)) throw refusal(input);
 }
 
 }  // namespace
@@ -195,9 +190,19 @@ std::string sentences(const std::vector<Defect>& defects) {
   std::string all;
   for (const Defect& defect : defects) {
     if (!all.empty()) all += '\n';
-    all += defect.field + " = " + defect.value + ": " + defect.what;
+    all.append(defect.field).append(" = ").append(defect.value).append(": ").append(defect.what);
   }
   return all;
+}
+
+bool is_valid(const Camera& camera, const Conventions& conventions) {
+  Collector collector;
+  check(camera, conventions, collector);
+  return !collector.has_found_any() && defects(conventions).empty();
+}
+
+std::invalid_argument refusal(const Camera& camera, const Conventions& conventions) {
+  return std::invalid_argument(sentences(defects(camera, conventions)));
 }
 
 std::vector<Defect> defects(const Camera& camera) { return defects_of("camera", camera); }
@@ -249,9 +254,6 @@ std::vector<Defect> defects(const Scene& scene) {
 }
 
 void require_valid(const Camera& camera) { require(camera); }
-void require_valid(const Camera& camera, const Conventions& conventions) {
-  require(camera, conventions);
-}
 void require_valid(const Ray& ray) { require(ray); }
 void require_valid(const Sphere& sphere) {
   // Called at every exact decision.

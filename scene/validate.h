@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -28,10 +29,16 @@ std::string sentences(const std::vector<Defect>& defects);
 
 /// Throws std::invalid_argument with the sentences, unless the input is valid.
 void require_valid(const Camera& camera);
-void require_valid(const Camera& camera, const Conventions& conventions);
 void require_valid(const Ray& ray);
 void require_valid(const Sphere& sphere);
 void require_valid(const Scene& scene);
 void require_valid(const Conventions& conventions);
+
+bool is_valid(const Camera& camera, const Conventions& conventions);
+std::invalid_argument refusal(const Camera& camera, const Conventions& conventions);
+/// Inline: an exception takes time for every function that it leaves.
+inline void require_valid(const Camera& camera, const Conventions& conventions) {
+  if (!is_valid(camera, conventions)) throw refusal(camera, conventions);
+}
 
 }  // namespace raycheck::scene

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "fast/camera_frame.h"
 #include "fast/visible.h"
@@ -12,13 +13,30 @@
 namespace raycheck::properties {
 namespace {
 
+/// Room for a batch, which serves again, so that a refusal has nothing to clean up.
+struct Room {
+  fast::Vectors points;
+  fast::Rays rays;
+  fast::Hits hits;
+  std::vector<SphereHits> answers;
+};
+Room& room() {
+  static thread_local Room room;
+  return room;
+}
+
 auto make_rays(fast::PixelRayMethod::MakeRays make) {
   return [make](const scene::Camera& camera, const scene::Conventions& conventions,
                 Candidate::Pixels pixels) {
-    static thread_local fast::Rays batch;  // its room serves again
+    fast::Rays& batch = room().rays;
     make(camera, conventions, pixels, batch);
     return rays_of(batch);
   };
+}
+
+void fill(fast::Rays& batch, std::span<const scene::Ray> rays) {
+  batch.resize(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) batch.set(k, rays[k]);
 }
 
 /// Renders this many pixels on each side of the one asked about with it, as a renderer would: the
@@ -82,8 +100,7 @@ void promise_bounds(const fast::PixelRayMethod& rays, const fast::IntersectMetho
 
 fast::Rays batch_of(std::span<const scene::Ray> rays) {
   fast::Rays batch;
-  batch.resize(rays.size());
-  for (std::size_t k = 0; k < rays.size(); ++k) batch.set(k, rays[k]);
+  fill(batch, rays);
   return batch;
 }
 
@@ -121,7 +138,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     candidate.pixel_points = [make = rays.pixel_points](const scene::Camera& camera,
                                                         const scene::Conventions& conventions,
                                                         Candidate::Pixels pixels) {
-      static thread_local fast::Vectors batch;
+      fast::Vectors& batch = room().points;
       make(camera, conventions, pixels, batch);
       std::vector<scene::Point3> points(pixels.size());
       for (std::size_t k = 0; k < points.size(); ++k) points[k] = batch.at<scene::Point3>(k);
@@ -136,15 +153,15 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   candidate.focal_rays = make_rays(rays.focal_rays);
   candidate.intersect = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
                                      const scene::Conventions& conventions) {
-    const fast::Rays batch = batch_of(given);
-    fast::Hits hits;
-    std::vector<SphereHits> answers(spheres.size());
+    auto& [points, batch, hits, answers] = room();
+    fill(batch, given);
+    answers.resize(spheres.size());
     for (std::size_t k = 0; k < spheres.size(); ++k) {
       scene::poll();
       intersect.intersect(batch, spheres[k], conventions.hit_rule(), hits);
       answers[k] = list_of(hits);
     }
-    return answers;
+    return std::exchange(answers, {});
   };
   candidate.nearest = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
                                    const scene::Conventions& conventions) {
