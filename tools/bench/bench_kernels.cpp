@@ -223,6 +223,35 @@ Kernel campaigns() {
           [=] { return *broken == 0; }};
 }
 
+/// An exact camera, and the exact ray of one pixel with its class.
+Kernel set_up() {
+  constexpr std::size_t kCameras = 1000;
+  const scene::Camera camera = *tools::camera_of(kSide, kSide).camera;
+  const auto at = [=](std::size_t k) {
+    scene::Camera moved = camera;
+    moved.eye.x += static_cast<double>(k) / kCameras;
+    return moved;
+  };
+  const scene::Pixel middle = {kSide / 2, kSide / 2};
+  const auto answers = std::make_shared<std::vector<reference::Intersection>>(kCameras);
+  const auto answer = [=](std::size_t k, reference::Engine engine) {
+    return reference::ExactRay(reference::ExactCamera(at(k), {}), middle)
+        .intersect(tools::kBenchSphere, scene::Root::kNearest, {engine});
+  };
+  return {"camera/set-up", kCameras,
+          [=] {
+            for (std::size_t k = 0; k < kCameras; ++k) {
+              (*answers)[k] = answer(k, reference::Engine::kFiltered);
+            }
+          },
+          [=] {
+            for (std::size_t k = 0; k < kCameras; ++k) {
+              if (!((*answers)[k] == answer(k, reference::Engine::kFieldOnly))) return false;
+            }
+            return true;
+          }};
+}
+
 Kernel check_of_scene() {
   tools::CheckOptions options;
   options.path = RAYCHECK_EXAMPLES "/ten-spheres.toml";
@@ -243,6 +272,7 @@ std::vector<Kernel> kernels() {
   result.push_back(campaign("intersection", "parameter"));
   result.push_back(campaign("both", "hit-point"));
   result.push_back(campaigns());
+  result.push_back(set_up());
   result.push_back(check_of_scene());
   return result;
 }
