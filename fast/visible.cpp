@@ -30,6 +30,7 @@ std::vector<std::optional<FirstHit>> see(const scene::Scene& scene, const scene:
                                          const IntersectMethod& intersect,
                                          const PixelRectangle& pixels) {
   std::vector<scene::Pixel> asked;
+  asked.reserve(static_cast<std::size_t>(pixels.count()));
   for (std::int64_t j = pixels.j_begin; j < pixels.j_end; ++j) {
     for (std::int64_t i = pixels.i_begin; i < pixels.i_end; ++i) asked.push_back({i, j});
   }
@@ -49,6 +50,7 @@ std::vector<std::optional<FirstHit>> see(const scene::Scene& scene, const scene:
       *scene.camera, conventions, asked, made);
   // Moves the valid rays to the front.
   std::vector<std::size_t> slots;
+  slots.reserve(made.size());
   for (std::size_t k = 0; k < made.size(); ++k) {
     const scene::Ray ray = made.at(k);
     if (!is_ray(ray)) continue;

@@ -159,14 +159,14 @@ bool Enclosure::is_within(int relative_bits) const {
 }
 
 Enclosure sqrt(const Enclosure& value) {
-  Enclosure result = value;
+  Enclosure result(0.0, value.bits());
   arb_sqrtpos(result.ball(), value.ball(), value.bits());
   return result;
 }
 
 Enclosure abs(const Enclosure& value) {
   Enclosure result = value;
-  arb_abs(result.ball(), value.ball());
+  arb_abs(result.ball(), result.ball());
   return result;
 }
 

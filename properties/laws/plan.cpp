@@ -69,6 +69,7 @@ class PlanStatements {
 std::vector<std::int64_t> spread(std::int64_t begin, std::int64_t end, std::int64_t most) {
   std::vector<std::int64_t> result;
   const std::int64_t count = std::min(end - begin, most);
+  result.reserve(static_cast<std::size_t>(std::max<std::int64_t>(0, count)));
   for (std::int64_t k = 0; k < count; ++k) {
     result.push_back(count == 1 ? begin : begin + (end - 1 - begin) * k / (count - 1));
   }
