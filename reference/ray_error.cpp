@@ -128,6 +128,20 @@ std::optional<Measured> ray_residual(const ExactRay& ray, const scene::Point3& g
   return in_units_of_u(distance_from_line(along, enclosed.direction()));
 }
 
+namespace {
+
+/// value(pair) by intervals. A separate function, so that no operation moves to where doubles round
+/// to nearest.
+template <class Value>
+[[gnu::noinline]] auto by_intervals(const ExactRay& ray, const scene::Sphere& sphere,
+                                    const Value& value) {
+  const IntervalGuard guard;
+  const auto line = line_of(IntervalLift{}, ray.source());
+  return value(line_and_sphere(line, lift_sphere(IntervalLift{}, sphere)));
+}
+
+}  // namespace
+
 bool is_at_other_root(const ExactRay& ray, const scene::Sphere& sphere,
                       const Intersection& intersection, double given) {
   if (intersection.hit_class == HitClass::kTangent || !std::isfinite(given)) return false;
@@ -137,11 +151,13 @@ bool is_at_other_root(const ExactRay& ray, const scene::Sphere& sphere,
     using Number = std::decay_t<decltype(root)>;
     return abs(other_root - root) - Number(kOtherRootShare) * abs(answer - other_root);
   };
-  const auto sign = by_double_doubles(ray, sphere, [&](const Pair& pair) {
+  const auto sign_of_margin = [&]<class K>(const LineAndSphere<K>& pair) {
     return certain_sign(margin(ray_parameter(pair, root_sign(intersection)),
-                               ray_parameter(pair, root_sign(other)), DoubleDouble(given)));
-  });
-  if (sign) return *sign == 1;
+                               ray_parameter(pair, root_sign(other)), typename K::FT(given)));
+  };
+  scene::require_valid(sphere);
+  if (const auto sign = by_intervals(ray, sphere, sign_of_margin)) return *sign == 1;
+  if (const auto sign = by_double_doubles(ray, sphere, sign_of_margin)) return *sign == 1;
   const EnclosedRay enclosed = ray.enclose(kBits);
   return certain_sign(margin(enclosed.parameter(sphere, intersection),
                              enclosed.parameter(sphere, other), Enclosure(given, kBits))) == 1;
