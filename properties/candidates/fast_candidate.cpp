@@ -13,7 +13,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// Room for a batch, which serves again, so that a refusal has nothing to clean up.
+/// Room that serves again, so that a refusal has nothing to clean up.
 struct Room {
   fast::Vectors points;
   fast::Rays rays;
@@ -32,11 +32,6 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
     make(camera, conventions, pixels, batch);
     return rays_of(batch);
   };
-}
-
-void fill(fast::Rays& batch, std::span<const scene::Ray> rays) {
-  batch.resize(rays.size());
-  for (std::size_t k = 0; k < rays.size(); ++k) batch.set(k, rays[k]);
 }
 
 /// Renders this many pixels on each side of the one asked about with it, as a renderer would: the
@@ -100,7 +95,8 @@ void promise_bounds(const fast::PixelRayMethod& rays, const fast::IntersectMetho
 
 fast::Rays batch_of(std::span<const scene::Ray> rays) {
   fast::Rays batch;
-  fill(batch, rays);
+  batch.resize(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) batch.set(k, rays[k]);
   return batch;
 }
 
@@ -154,7 +150,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   candidate.intersect = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
                                      const scene::Conventions& conventions) {
     auto& [points, batch, hits, answers] = room();
-    fill(batch, given);
+    batch = batch_of(given);
     answers.resize(spheres.size());
     for (std::size_t k = 0; k < spheres.size(); ++k) {
       scene::poll();

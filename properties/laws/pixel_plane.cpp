@@ -59,7 +59,13 @@ class PlaneAnswers {
     return camera_.plane_position(pixels_[k], kBits);
   }
   /// A relation is no better conditioned than the points that it relates.
-  double worst_condition() const { return reference::condition_of_pixel_points(camera_, pixels_); }
+  double worst_condition() const {
+    double worst = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      worst = std::max(worst, reference::condition_of_pixel_point(ray(k)));
+    }
+    return worst;
+  }
   /// `what` makes the words for a discrepancy.
   template <class What>
   void measure(Verdict& verdict, std::size_t k, const scene::Measured& error, double bound,

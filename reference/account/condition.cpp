@@ -60,26 +60,6 @@ double condition_of_pixel_point(const ExactRay& ray) {
       [&] { return is_zero(ray.pixel_point()); });
 }
 
-double condition_of_pixel_points(const ExactCamera& camera, std::span<const scene::Pixel> pixels) {
-  double worst = 0;
-  std::vector<scene::Pixel> wide;
-  {
-    const IntervalGuard guard;
-    const DualLift<IntervalLift, kCameraInputs> lift{IntervalLift{}};
-    const auto numbers = camera_numbers(lift, camera.camera());
-    for (const scene::Pixel& pixel : pixels) {
-      const auto line = camera_line(lift, numbers, camera.camera(), camera.conventions(), pixel);
-      const auto condition = narrow_condition(sensitivity(lift, line.base + line.g));
-      if (condition) worst = std::max(worst, *condition);
-      if (!condition) wide.push_back(pixel);
-    }
-  }
-  for (const scene::Pixel& pixel : wide) {
-    worst = std::max(worst, condition_of_pixel_point(ExactRay(camera, pixel)));
-  }
-  return worst;
-}
-
 double condition_of_direction(const ExactRay& ray) {
   return line_condition(
       ray, [](const auto& line) { return unit_direction(line); }, never);

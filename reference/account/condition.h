@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 
 #include "reference/exact_camera.h"
 #include "reference/exact_ray.h"
@@ -25,8 +24,6 @@ inline constexpr double kNegligibleCondition = 0x1p-30;
 double condition_of_frame(const ExactCamera& camera);  ///< The worst axis.
 /// Only for a camera's ray.
 double condition_of_pixel_point(const ExactRay& ray);
-/// The worst of some pixels.
-double condition_of_pixel_points(const ExactCamera& camera, std::span<const scene::Pixel> pixels);
 double condition_of_direction(const ExactRay& ray);
 double condition_of_axial_distance(const ExactRay& ray, const scene::Sphere& sphere);
 double condition_of_half_chord_sq(const ExactRay& ray, const scene::Sphere& sphere);
