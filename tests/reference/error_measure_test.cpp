@@ -95,6 +95,18 @@ TEST(RelativeError, OfTheOriginIsNothingOrEverything) {
   EXPECT_EQ(relative_error(scene::Point3{kInfinity, 0, 0}, real3(1, 0, 0)).value, kInfinity);
 }
 
+TEST(RelativeError, OfDoublesIsThatOfTheirEnclosures) {
+  const scene::UnitVector3 exact = {0.6, -0.8, 0};
+  for (const scene::UnitVector3& given :
+       {exact, scene::UnitVector3{0.6, -0.8, 0x1p-53}, scene::UnitVector3{0, 0, 0},
+        scene::UnitVector3{kNaN, -0.8, 0}, scene::UnitVector3{kInfinity, -0.8, 0}}) {
+    const double error = relative_error(given, real3(exact.x, exact.y, exact.z)).value;
+    EXPECT_EQ(relative_error(given, exact).value, error);
+  }
+  const scene::UnitVector3 infinite = {kInfinity, 0, 0};
+  EXPECT_EQ(relative_error(infinite, infinite).value, kInfinity);
+}
+
 TEST(AngleError, IsBlindToLength) {
   const Enclosure3 exact = real3(0.6, 0.8, 0);
   EXPECT_EQ(angle_error({1.2, 1.6, 0}, exact).value, 0);

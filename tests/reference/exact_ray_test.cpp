@@ -154,6 +154,18 @@ TEST(Nearest, ReportsEveryTieAndTheFirstOfThem) {
   EXPECT_EQ(nearest->ties, (std::vector<std::size_t>{2, 3, 4, 5, 6}));
 }
 
+TEST(Nearest, EqualSpheresTieWithoutTheField) {
+  const ExactRay ray(Ray{{0, 0, 0}, {1, 0.1, 0.2}});
+  const Sphere sphere = {{5, 0.3, 1}, 1};
+  const Intersection at = ray.intersect(sphere);
+  ASSERT_EQ(at, kSmallerHit);
+  Rung highest = Rung::kIntervals;
+  EXPECT_EQ(ray.compare(sphere, at, sphere, at, {Engine::kFiltered, &highest}), 0);
+  EXPECT_EQ(highest, Rung::kIntervals);
+  EXPECT_EQ(ray.compare(sphere, at, sphere, at, {Engine::kFieldOnly}), 0);
+  EXPECT_EQ(ray.compare(sphere, at, sphere, {HitClass::kHit, WhichRoot::kLarger}), -1);
+}
+
 TEST(Nearest, FollowsTheConventions) {
   const std::vector<Sphere> spheres{{{0, 0, 0}, 3}, {{4, 2, 0}, 2}, {{9, 0, 0}, 1}};
   const ExactRay ray(kFromZero);

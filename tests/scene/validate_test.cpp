@@ -71,6 +71,21 @@ TEST(Validate, AcceptsWhatIsOddButHasAnAnswer) {
 }
 
 // eye - look_at here has no exact double: 1e300 - 2^-1074 rounds to 1e300.
+TEST(Validate, JudgesACameraUnderConventionsAsInAScene) {
+  EXPECT_NO_THROW(require_valid(lecture_camera(), Conventions{}));
+  for (const Samples samples : {Samples::kEdges, Samples::kCentres}) {
+    for (const double near : {0.0, -30.0}) {
+      Scene scene = lecture_scene();
+      scene.conventions.samples = samples;
+      scene.camera->near = near;
+      scene.camera->width = 1;
+      const std::string found = spelled(defects(scene));
+      EXPECT_EQ(spelled(defects(*scene.camera, scene.conventions)), found);
+      EXPECT_EQ(is_valid(*scene.camera, scene.conventions), found.empty());
+    }
+  }
+}
+
 TEST(Validate, DecidesParallelUpExactly) {
   const auto with = [](Point3 eye, Point3 look_at, Vector3 up) {
     return changed([&](Camera& c) {
