@@ -42,6 +42,10 @@ struct IntersectMethod {
   std::optional<Hit> (*intersect_one)(const scene::Ray&, const scene::Sphere&, scene::HitRule);
   /// The values an answer is chosen from, for one ray, unchecked; null if a method has none.
   Roots (*roots)(const scene::Ray&, const scene::Sphere&) = nullptr;
+  /// A superset of the classes that `intersect` answers on boxes of valid input
+  /// (fast/internal/between.h); null: not known.
+  scene::PossibleClasses (*classes_in)(const scene::Box<scene::Ray>&,
+                                       const scene::Box<scene::Sphere>&, scene::HitRule) = nullptr;
   // The bounds; audited by the tests of fast/ and the campaigns of `raycheck properties`.
   double max_ulp;
   double max_point_ulp;

@@ -128,6 +128,11 @@ struct Functions {
   }
   /// Every ray with every sphere: one list of hits per sphere.
   std::function<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
+  /// A superset of the classes that `intersect`, which this is about, answers on boxes of valid
+  /// input. Whoever replaces that one empties or replaces this one.
+  std::function<scene::PossibleClasses(const scene::Box<scene::Ray>&,
+                                       const scene::Box<scene::Sphere>&, scene::HitRule)>
+      classes_in;
   std::function<std::vector<std::optional<std::size_t>>(Rays, Spheres, const scene::Conventions&)>
       nearest;
   /// What it leaves out of a scene with a camera.

@@ -26,4 +26,15 @@ std::optional<IntervalIntersection> intersect_by_intervals(const scene::Ray& ray
                                                            const scene::Sphere& sphere,
                                                            scene::Root root);
 
+/// The intersection that all rays and spheres of two boxes have, and all within a relative change
+/// of any of their numbers.
+/// Shape:  a box of given rays, a box of spheres -> their intersection; empty where intervals do
+///         not show that they have one in common.
+/// Domain: boxes with valid ends (otherwise as above); 0 <= relative_change < 1.
+/// Error:  exact.
+/// Source: reference/internal/formulas.h.
+std::optional<Intersection> intersection_in(const scene::Box<scene::Ray>& rays,
+                                            const scene::Box<scene::Sphere>& spheres,
+                                            double relative_change, scene::Root root);
+
 }  // namespace raycheck::reference

@@ -45,4 +45,17 @@ struct Sphere {
   bool operator==(const Sphere&) const = default;
 };
 
+/// Every T whose numbers each lie between those of `least` and of `greatest`, ends included.
+/// Domain: no number of `least` is above that of `greatest`.
+template <class T>
+struct Box {
+  T least, greatest;
+};
+
+/// Which answers are possible on a box of rays and spheres.
+struct PossibleClasses {
+  bool hit = true;
+  bool miss = true;
+};
+
 }  // namespace raycheck::scene

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "fast/internal/batch_arrays.h"
+#include "fast/internal/between.h"
 #include "fast/internal/triple.h"
 #include "fast/ray_by_ray.h"
 
@@ -134,6 +135,24 @@ Roots roots_of(const scene::Ray& ray, const scene::Sphere& sphere) {
   const RootsOf<N> found = Method::roots(ray_of<N>(ray), sphere_of<N>(sphere));
   return {static_cast<double>(found.axial_distance), static_cast<double>(found.half_chord_sq),
           static_cast<double>(found.smaller), static_cast<double>(found.larger)};
+}
+
+/// IntersectMethod::classes_in, of a formula as below that uses no error of a sum or product.
+template <template <class> class Formula, class F = double>
+scene::PossibleClasses classes_in(const scene::Box<scene::Ray>& rays,
+                                  const scene::Box<scene::Sphere>& spheres, scene::HitRule rule) {
+  using N = Between<F>;
+  const auto between = [](const auto& from, const auto& to) {
+    return Triple<N>{N(from.x, to.x), N(from.y, to.y), N(from.z, to.z)};
+  };
+  const auto& [ray, last_ray] = rays;
+  const auto& [sphere, last] = spheres;
+  const Possible hit =
+      FromRoots<Formula<N>>::answer(
+          {between(ray.origin, last_ray.origin), between(ray.direction, last_ray.direction)},
+          {between(sphere.centre, last.centre), N(sphere.radius, last.radius)}, rule)
+          .hit;
+  return {hit.can_be_true, hit.can_be_false};
 }
 
 /// IntersectMethod::intersect, one ray after the other.

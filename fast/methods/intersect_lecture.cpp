@@ -19,6 +19,7 @@ const IntersectMethod kLecture = {
     .name = "lecture",
     .sentence = "v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d",
     RAYCHECK_FUNCTIONS,
+    .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::LectureFormula>,
     .max_ulp = 128,
     .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",

@@ -36,6 +36,7 @@ const IntersectMethod kPerpendicular = {
     .name = "perpendicular",
     .sentence = "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
     RAYCHECK_FUNCTIONS,
+    .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::Perpendicular>,
     .max_ulp = 96,
     .max_point_ulp = 112,
 };

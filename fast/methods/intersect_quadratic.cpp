@@ -19,6 +19,7 @@ const IntersectMethod kQuadratic = {
     .name = "quadratic",
     .sentence = "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
     RAYCHECK_FUNCTIONS,
+    .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::Textbook>,
     .max_ulp = 128,
     .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",

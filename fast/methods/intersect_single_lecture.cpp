@@ -14,6 +14,7 @@ const IntersectMethod kSingleLecture = {
     .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
     .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
     .roots = HWY_NAMESPACE::roots_of<Formula>,
+    .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::LectureFormula, float>,
     .max_ulp = 128 * 0x1p29,
     .max_point_ulp = 160 * 0x1p29,
     .not_kept =

@@ -32,6 +32,7 @@ const IntersectMethod kStableQuadratic = {
     .name = "stable-quadratic",
     .sentence = "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
     RAYCHECK_FUNCTIONS,
+    .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::StableQuadratic>,
     .max_ulp = 128,
     .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",

@@ -159,6 +159,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     }
     return std::exchange(answers, {});
   };
+  candidate.classes_in = intersect.classes_in;
   candidate.nearest = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
                                    const scene::Conventions& conventions) {
     std::vector<std::optional<std::size_t>> nearest;

@@ -59,7 +59,7 @@ Candidate campaigner(const Implementation& implementation) {
 /// A law's campaign: what it came to, and why.
 CampaignReport report_of(const Law& law, const Implementation& implementation,
                          const Candidate& candidate, const std::string& lasting_name,
-                         properties::CampaignResult result) {
+                         properties::CampaignResult result, const PropertiesOptions& options) {
   CampaignReport report = {&law, candidate.name, lasting_name, std::move(result),
                            properties::Finding::kHolds};
   report.finding = report.result.finding();
@@ -69,6 +69,10 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   if (!implementation.methods && report.finding == properties::Finding::kBroken) {
     report.explanations =
         properties::causes(telling_cases(report.result, properties::kCasesOfACause), candidate);
+  }
+  const auto& failure = report.result.failure;
+  if (failure && !failure->is_undecided && has_ranges(candidate, failure->verdict)) {
+    report.ranges = ranges_of(law, candidate, failure->shrunk, options.max_error, options.strict);
   }
   return report;
 }
@@ -130,7 +134,7 @@ PropertiesReport replay(const PropertiesOptions& options) {
     report.strict = options.strict;
     report.campaigns.push_back(
         report_of(*parsed.law, known[k], candidate, names[k],
-                  run_replay(parsed, candidate, options.max_error, options.strict)));
+                  run_replay(parsed, candidate, options.max_error, options.strict), options));
     return report;
   }
   throw std::invalid_argument("replay: no candidate is called '" + parsed.candidate + "'");
@@ -207,7 +211,7 @@ class Study {
             run_case(*law, own, worst_[k]->the_case, options_.max_error, options_.strict).failure;
       }
       reports.push_back(
-          report_of(*law, judged_[candidate], own, names_[candidate], std::move(result)));
+          report_of(*law, judged_[candidate], own, names_[candidate], std::move(result), options_));
       reports.back().worst = std::move(worst_[k]);
     }
     return reports;

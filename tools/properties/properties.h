@@ -9,6 +9,7 @@
 #include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
 #include "properties/search/campaign.h"
+#include "properties/search/ranges.h"
 #include "properties/search/worst_case.h"
 #include "tools/gates/baseline.h"
 #include "tools/gates/gate.h"
@@ -51,6 +52,8 @@ struct CampaignReport {
   properties::Finding finding;
   /// The mistakes that explain the errors of an external implementation that breaks the law.
   std::vector<properties::Explanation> explanations = {};
+  /// Where the numbers of the failure's case may lie; empty where that is not sought (has_ranges).
+  std::optional<properties::Ranges> ranges = {};
   Implementation implementation = {};
   scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in,
   properties::Domain domain = {};                          ///< and where.

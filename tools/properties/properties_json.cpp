@@ -1,5 +1,6 @@
 
 #include "properties/cases/case_text.h"
+#include "scene/number.h"
 #include "tools/properties/properties.h"
 #include "tools/report/json.h"
 
@@ -36,6 +37,21 @@ void add_failure(Json& json, const properties::Failure& failure) {
   json["discrepancies"] = list_json(failure.verdict.worst(10), discrepancy_json);
 }
 
+Json span_json(const properties::Span& span) { return hexfloats({span.least, span.greatest}); }
+
+Json range_json(const properties::NumberRange& range) {
+  return {{"number", range.name},
+          {"value", scene::hexfloat(range.value)},
+          {"least", scene::hexfloat(range.span.least)},
+          {"greatest", scene::hexfloat(range.span.greatest)},
+          {"any", range.is_any},
+          {"by", range.certified == range.span ? "certificate" : "samples"},
+          {"samples", range.samples},
+          {"certified", or_null(range.certified, span_json)}};
+}
+
+Json ranges_json(const properties::Ranges& ranges) { return list_json(ranges.numbers, range_json); }
+
 Json campaign_json(const CampaignReport& campaign) {
   const properties::CampaignResult& result = campaign.result;
   Json json = counts_json(result.counts, result.verdict);
@@ -58,7 +74,11 @@ Json campaign_json(const CampaignReport& campaign) {
                      {"climbed", campaign.worst->height_climbed},
                      {"scene", properties::scene_text(campaign.worst->the_case)}};
   }
-  if (result.failure) add_failure(json, *result.failure);
+  if (result.failure) {
+    add_failure(json, *result.failure);
+    json["ranges"] = or_null(campaign.ranges, ranges_json);
+    json["numbers_not_tried"] = campaign.ranges ? campaign.ranges->not_tried : std::size_t{0};
+  }
   if (!result.others.empty()) {
     json["others"] = list_json(result.others, [](const properties::Failure& failure) {
       Json other;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "properties/cases/case_text.h"
+#include "scene/number.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
@@ -226,6 +228,53 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
                      single_quoted(replay));
 }
 
+namespace {
+
+/// The end of a range about a value with few digits: inside, and at least 9/10 as far from it.
+std::string end_text(double end, double value) {
+  const double least = 0.9 * std::abs(end - value);
+  for (int digits = 4; digits < 17; ++digits) {
+    const double x = scene::to_digits(end, digits);
+    const bool is_inside = end < value ? end <= x && x < value : value < x && x <= end;
+    if (is_inside && std::abs(x - value) >= least) return scene::shortest(x);
+  }
+  return scene::shortest(end);
+}
+
+/// "sphere 0 radius: any in [0.25, 0.5] breaks it too (by 84 samples)"
+std::string range_text(const properties::NumberRange& range) {
+  const auto span_text = [&](const properties::Span& span) {
+    return fmt::format("[{}, {}]", end_text(span.least, range.value),
+                       end_text(span.greatest, range.value));
+  };
+  const std::string span = span_text(range.span);
+  const std::string certified = range.certified ? span_text(*range.certified) : "";
+  const bool is_whole = certified == span;  // What is shown of it is.
+  return fmt::format("{}: any {} breaks it too ({}{})\n", range.name,
+                     range.is_any ? "valid number" : "in " + span,
+                     is_whole ? "certified" : fmt::format("by {} samples", range.samples),
+                     certified.empty() || is_whole ? "" : "; certified in " + certified);
+}
+
+/// A line for each number that may be another, and one for those that matter to the last digit.
+std::string ranges_text(const properties::Ranges& ranges) {
+  std::string text, exact;
+  for (const properties::NumberRange& range : ranges.numbers) {
+    if (!range.is_exact()) {
+      text += range_text(range);
+    } else {
+      exact += (exact.empty() ? "" : ", ") + range.name;
+    }
+  }
+  if (!exact.empty()) text += fmt::format("matters exactly: {}\n", exact);
+  if (ranges.not_tried > 0) {
+    text += fmt::format("{} not tried\n", count_text(ranges.not_tried, "more number"));
+  }
+  return text.empty() ? text : "its numbers, one at a time:\n" + indented(text, "  ");
+}
+
+}  // namespace
+
 std::string failure_text(const CampaignReport& campaign, const properties::Failure& failure,
                          bool colours) {
   std::string discrepancies;
@@ -253,7 +302,8 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
     const std::string holding = holding_text(result);
     if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
   }
-  return text + failure_text(campaign, failure, colours);
+  text += failure_text(campaign, failure, colours);
+  return campaign.ranges ? text + ranges_text(*campaign.ranges) : text;
 }
 
 std::string too_few_text(const CampaignResult& result) {

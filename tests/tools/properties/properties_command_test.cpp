@@ -9,6 +9,7 @@
 
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
+#include "scene/number.h"
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -25,6 +26,40 @@ TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_a
   EXPECT_EQ(run("check " + path + " --intersect quadratic").exit_code, 1);
   const Outcome again = run("properties --replay " + campaign["replay"].get<std::string>(), 1);
   EXPECT_TRUE(has(again.out, "BROKEN"));
+}
+
+TEST(PropertiesCommand, tells_where_each_number_of_a_failure_may_lie) {
+  const std::string asked =
+      "properties --filter class --source distance@8 --level extreme --intersect lecture";
+  const json campaign = printed_json(asked, 1)["campaigns"][0];
+  ASSERT_EQ(campaign["ranges"].size(), 10u);
+  EXPECT_EQ(campaign["numbers_not_tried"], 0);
+  const json& radius = campaign["ranges"][9];
+  EXPECT_EQ(radius["number"], "sphere 0 radius");
+  EXPECT_EQ(radius["by"], "samples");
+  EXPECT_GT(radius["samples"], 64);
+  // It may be anything from 0 on, but for radii next to 0, which are outside of the domain.
+  EXPECT_EQ(radius["least"], "0x0p+0");
+  EXPECT_EQ(radius["certified"][0], "0x1p-200");
+  const double greatest = std::stod(radius["greatest"].get<std::string>());
+  EXPECT_LE(std::stod(radius["certified"][1].get<std::string>()), greatest);
+  // `check` finds the same with the greatest radius, and not with one twice as large.
+  const std::string scene = campaign["scene"];
+  const auto has_false_hit = [&](double r) {
+    std::string other = scene;
+    const std::size_t at = other.find("radius = ") + 9;
+    other.replace(at, other.find('\n', at) - at, raycheck::scene::shortest(r));
+    return has(run("check --intersect lecture " + temporary_file("radius.toml", other), 1).out,
+               "false hit");
+  };
+  EXPECT_TRUE(has_false_hit(greatest));
+  EXPECT_FALSE(has_false_hit(2 * greatest));
+  const std::string text = run(asked, 1).out;
+  EXPECT_TRUE(has(text, "    its numbers, one at a time:\n      ray 0 origin x: any in ["));
+  EXPECT_TRUE(has(text, "sphere 0 radius: any in [0, "));
+  EXPECT_TRUE(has(text, " samples; certified in [6.22302e-61, "));
+  const json right = printed_json("properties --filter class --source rays --intersect cross");
+  EXPECT_FALSE(right["campaigns"][0].contains("ranges"));
 }
 
 TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {

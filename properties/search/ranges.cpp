@@ -1,0 +1,286 @@
+#include "properties/search/ranges.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "properties/laws/certificate.h"
+#include "scene/fields.h"
+#include "scene/interruption.h"
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+/// The place of a number among those of a format: that of 0 is 0.
+using Rank = std::int64_t;
+
+Rank rank_of(scene::Precision precision, double x) {
+  const double size = std::abs(x);
+  const Rank rank = precision == scene::Precision::kDouble
+                        ? std::bit_cast<Rank>(size)
+                        : std::bit_cast<std::int32_t>(static_cast<float>(size));
+  return x < 0 ? -rank : rank;
+}
+
+double number_at(scene::Precision precision, Rank rank) {
+  const Rank size = std::abs(rank);
+  const double x = precision == scene::Precision::kDouble
+                       ? std::bit_cast<double>(size)
+                       : std::bit_cast<float>(static_cast<std::int32_t>(size));
+  return rank < 0 ? -x : x;
+}
+
+using NamedNumbers = std::vector<std::pair<std::string, double*>>;
+
+template <class Thing>
+void name_numbers(const std::string& name, Thing& thing, NamedNumbers& numbers) {
+  for_each_field(thing, [&](const std::string& key, auto& field) {
+    const std::string path = name + " " + key;
+    if constexpr (std::same_as<decltype(field), double&>) numbers.emplace_back(path, &field);
+    if constexpr (requires { field.z; }) {
+      numbers.emplace_back(path + " x", &field.x);
+      numbers.emplace_back(path + " y", &field.y);
+      numbers.emplace_back(path + " z", &field.z);
+    }
+  });
+}
+
+NamedNumbers named_numbers(scene::Scene& scene, bool with_directions) {
+  NamedNumbers numbers;
+  const auto name_each = [&](const std::string& name, auto& list) {
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      name_numbers(name + std::to_string(k), list[k], numbers);
+    }
+  };
+  if (scene.camera) name_numbers("camera", *scene.camera, numbers);
+  name_each("ray ", scene.rays);
+  name_each("sphere ", scene.spheres);
+  std::erase_if(numbers, [&](const auto& number) {
+    return !with_directions && number.first.find(" direction ") != std::string::npos;
+  });
+  return numbers;
+}
+
+/// No questions are left.
+struct Spent {};
+
+class RangeSearch {
+ public:
+  RangeSearch(const Law& law, const Candidate& candidate, const Case& shrunk,
+              std::optional<double> max_error, bool strict)
+      : law_(law),
+        candidate_(candidate),
+        max_error_(max_error),
+        strict_(strict),
+        case_(shrunk),
+        last_(rank_of(candidate.precision, candidate.precision == scene::Precision::kDouble
+                                               ? std::numeric_limits<double>::max()
+                                               : std::numeric_limits<float>::max())) {}
+
+  Ranges run() {
+    const NamedNumbers numbers = named_numbers(case_.scene, !candidate_.unit_directions);
+    try {
+      const auto worst = Trials(case_, candidate_, {.max_error = max_error_}).apply(law_).worst(1);
+      if (worst.empty() || !is_held_against(worst.front(), strict_)) return {};
+      kind_ = {worst.front().quantity, worst.front().wrong};
+      for (const auto& [name, number] : numbers) {
+        number_ = number;
+        found_.numbers.push_back(range(name, *number));
+      }
+    } catch (const Spent&) {
+      // The numbers before have their ranges.
+    } catch (const scene::Interrupted&) {
+      // As well.
+    }
+    found_.not_tried = numbers.size() - found_.numbers.size();
+    return std::move(found_);
+  }
+
+ private:
+  double number(Rank at) const { return number_at(candidate_.precision, at); }
+
+  /// Whether the case breaks the law as it did; empty where that is no question, or not judged.
+  std::optional<bool> breaks() {
+    if (!scene::defects(case_.scene).empty() || !is_problem(case_, candidate_.declared) ||
+        !is_of_format(case_.scene, candidate_.input_format())) {
+      return std::nullopt;
+    }
+    Trials trials(case_, candidate_, {.max_error = max_error_});
+    if (!trials.of(law_).is_judged(law_.quantity)) return std::nullopt;
+    if (found_.questions == kMostQuestions) throw Spent{};
+    ++found_.questions;
+    const std::vector<DefectKind> kinds = trials.apply(law_).defects(strict_);
+    return std::find(kinds.begin(), kinds.end(), kind_) != kinds.end();
+  }
+  std::optional<bool> breaks(Rank at) {
+    const auto [known, is_new] = asked_.try_emplace(at);
+    *number_ = number(at);
+    if (is_new) known->second = breaks();
+    return known->second;
+  }
+
+  /// The last that breaks the law on the way from one that does to one that does not.
+  Rank bisected(Rank does, Rank does_not) {
+    while (std::max(does, does_not) - 1 > std::min(does, does_not)) {
+      const Rank middle = std::midpoint(does, does_not);
+      const std::optional<bool> answer = breaks(middle);
+      (answer == true ? does : does_not) = middle;
+      holds_somewhere_ |= answer == false;
+    }
+    return does;
+  }
+
+  /// Those strictly between two, without repetition, the nearest to the first first.
+  static std::vector<Rank> between(Rank from, Rank to, std::vector<Rank> ranks) {
+    std::erase_if(ranks,
+                  [&](Rank at) { return at <= std::min(from, to) || at >= std::max(from, to); });
+    std::sort(ranks.begin(), ranks.end());
+    ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+    if (to < from) std::reverse(ranks.begin(), ranks.end());
+    return ranks;
+  }
+
+  /// From a number to one end of the format: steps that double, and 0.
+  static std::vector<Rank> steps(Rank from, Rank last) {
+    std::vector<Rank> ranks = {0};
+    const std::uint64_t room = static_cast<std::uint64_t>(std::max(from, last)) -
+                               static_cast<std::uint64_t>(std::min(from, last));
+    for (int power = 0; power < 63 && room >> power > 0; ++power) {
+      ranks.push_back(from + (last > from ? 1 : -1) * (Rank{1} << power));
+    }
+    ranks = between(from, last, std::move(ranks));
+    ranks.push_back(last);
+    return ranks;
+  }
+
+  std::vector<Rank> some_between(Rank from, Rank to) const {
+    constexpr int kParts = kPointsBetween / 2 + 1;
+    std::vector<Rank> ranks;
+    for (int k = 1; k < kParts; ++k) {
+      const double share = static_cast<double>(k) / kParts;
+      const double even = number(from) * (1 - share) + number(to) * share;
+      ranks.push_back(rank_of(candidate_.precision, even));
+      ranks.push_back(from + k * (to / kParts - from / kParts));
+    }
+    return between(from, to, std::move(ranks));
+  }
+
+  /// How far towards one end of the format the law breaks.
+  Rank end_towards(Rank last, Rank from) {
+    Rank end = from;
+    std::optional<Rank> beyond;
+    for (const Rank at : steps(from, last)) {
+      const std::optional<bool> answer = breaks(at);
+      if (answer == true) end = at;
+      beyond = answer == true ? std::nullopt : std::optional(beyond.value_or(at));
+      if (answer != false) continue;
+      holds_somewhere_ = true;
+      break;
+    }
+    if (beyond) end = bisected(end, *beyond);
+    return settled(from, end);
+  }
+
+  /// Cuts a range from a number to its end where one between, asked now or before, does not break
+  /// the law.
+  Rank settled(Rank from, Rank end) {
+    for (;;) {
+      for (const Rank at : some_between(from, end)) {
+        if (breaks(at) == false) break;
+      }
+      std::vector<Rank> known;
+      for (const auto& [at, answer] : asked_) {
+        if (answer.has_value()) known.push_back(at);
+      }
+      Rank before = from;
+      std::optional<Rank> holds;
+      for (const Rank at : between(from, end, std::move(known))) {
+        if (breaks(at) == false) {
+          holds = at;
+          break;
+        }
+        before = at;
+      }
+      if (!holds) return end;
+      holds_somewhere_ = true;
+      end = bisected(before, *holds);
+    }
+  }
+
+  /// Whether the law certainly breaks at all numbers of one sign between two at which it does.
+  bool is_certain_between(Rank a, Rank b) {
+    const auto with = [&](Rank at) {
+      *number_ = number(at);
+      return case_;
+    };
+    const scene::Box<Case> cases = {with(std::min(a, b)), with(std::max(a, b))};
+    return is_certain(law_, candidate_, cases, kind_);
+  }
+
+  /// How far from a number at which the law breaks to another it certainly does.
+  Rank certain_towards(Rank to, Rank from, int& boxes) {
+    if (from == to || boxes-- <= 0) return from;
+    const bool has_one_sign = from == 0 || to == 0 || (from < 0) == (to < 0);
+    const bool at_both = breaks(to) == true && breaks(from) == true;
+    const Rank middle = has_one_sign ? std::midpoint(from, to) : 0;
+    const bool is_next = middle == from || middle == to;
+    if (at_both && has_one_sign && (is_next || is_certain_between(from, to))) return to;
+    if (is_next) return from;
+    const Rank reached = certain_towards(middle, from, boxes);
+    return reached == middle ? certain_towards(to, middle, boxes) : reached;
+  }
+
+  NumberRange range(const std::string& name, double value) {
+    const Rank from = rank_of(candidate_.precision, value);
+    asked_ = {{from, true}};
+    holds_somewhere_ = false;
+    const Rank low_end = end_towards(-last_, from), high_end = end_towards(last_, from);
+    const int boxes = is_certain_between(from, from) ? kMostBoxes : 0;
+    int below = boxes, above = boxes;
+    const Span certified = {number(certain_towards(low_end, from, below)),
+                            number(certain_towards(high_end, from, above))};
+    // Looking for a certificate asks for more numbers.
+    const Rank low = settled(from, low_end), high = settled(from, high_end);
+    NumberRange result{name, value, {number(low), number(high)}, 0, !holds_somewhere_};
+    for (const auto& [at, answer] : asked_) {
+      result.samples += answer == true && low <= at && at <= high ? 1 : 0;
+    }
+    if (certified.least < certified.greatest) result.certified = certified;
+    *number_ = value;
+    return result;
+  }
+
+  const Law& law_;
+  const Candidate& candidate_;
+  const std::optional<double> max_error_;
+  const bool strict_;
+  Case case_;
+  const Rank last_;  ///< Of the format.
+  Ranges found_;
+  DefectKind kind_;
+  // Of the number whose range is sought:
+  double* number_ = nullptr;
+  std::map<Rank, std::optional<bool>> asked_;
+  bool holds_somewhere_ = false;
+};
+
+}  // namespace
+
+bool has_ranges(const Candidate& candidate, const Verdict& verdict) {
+  const std::vector<Discrepancy> worst = verdict.worst(1);
+  return !candidate.image && !worst.empty() && worst.front().wrong != Wrong::kFailed;
+}
+
+Ranges ranges_of(const Law& law, const Candidate& candidate, const Case& shrunk,
+                 std::optional<double> max_error, bool strict) {
+  return RangeSearch(law, candidate, shrunk, max_error, strict).run();
+}
+
+}  // namespace raycheck::properties
