@@ -27,7 +27,7 @@ using nlohmann::json;
 constexpr double kMostSecondsToEnd = 4;
 
 /// A command line of a command that takes long, or at least as long as it can. BIG and MANY stand
-/// for scenes, OUT for a file or folder that is to be written.
+/// for scenes, UNITS for a folder of units, OUT for a file or folder that is to be written.
 struct Line {
   std::string name;
   std::vector<std::string> arguments;
@@ -51,6 +51,11 @@ const std::vector<Line>& lines() {
       {"properties", {"properties", "--cases", "1000000000"}},
       {"properties_shrinking",
        {"properties", "--cases", "100000", "--intersect", "quadratic", "--level", "extreme"}},
+      {"properties_kept", {"properties", "--cases", "1000000", "--out", "OUT"}},
+      {"properties_shard",
+       {"properties", "--cases", "1000000", "--out", "OUT", "--shard", "1/2"},
+       false},
+      {"merge", {"merge", "UNITS"}, true, true},
       {"explain", {"explain", "MANY", "--pixel", "7,7"}},
       {"stress", {"stress", "--cases", "1000000"}},
       {"tradeoff", {"tradeoff", "--cases", "1000000000"}},
@@ -112,6 +117,10 @@ TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_nothing_left_behi
     for (std::string& word : arguments) {
       if (word == "BIG") word = big;
       if (word == "MANY") word = many;
+      if (word == "UNITS") {
+        word = scenes.path() / "units";
+        run("properties --filter frame --cases 50 --shard 1/1 --out " + word);
+      }
       if (word.rfind("OUT", 0) == 0) word = written.path() / word;
     }
     if (line.is_json) arguments.insert(arguments.end(), {"--format", "json"});

@@ -256,17 +256,21 @@ std::string range_text(const properties::NumberRange& range) {
                      certified.empty() || is_whole ? "" : "; certified in " + certified);
 }
 
-/// A line for each number that may be another, and one for those that matter to the last digit.
+/// A number that may differ by less than this share of itself matters to its last digits.
+constexpr double kNarrow = 0x1p-32;
+
+/// A line for each number that may be another, and one for those that matter to their last digits.
 std::string ranges_text(const properties::Ranges& ranges) {
   std::string text, exact;
   for (const properties::NumberRange& range : ranges.numbers) {
-    if (!range.is_exact()) {
+    const double width = range.span.greatest - range.span.least;
+    if (width > kNarrow * std::abs(range.value)) {
       text += range_text(range);
     } else {
       exact += (exact.empty() ? "" : ", ") + range.name;
     }
   }
-  if (!exact.empty()) text += fmt::format("matters exactly: {}\n", exact);
+  if (!exact.empty()) text += fmt::format("matters to the last digits: {}\n", exact);
   if (ranges.not_tried > 0) {
     text += fmt::format("{} not tried\n", count_text(ranges.not_tried, "more number"));
   }
