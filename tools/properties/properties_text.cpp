@@ -14,6 +14,7 @@
 
 #include "properties/cases/case_text.h"
 #include "scene/number.h"
+#include "scene/precision.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
@@ -256,15 +257,16 @@ std::string range_text(const properties::NumberRange& range) {
                      certified.empty() || is_whole ? "" : "; certified in " + certified);
 }
 
-/// A number that may differ by less than this share of itself matters to its last digits.
-constexpr double kNarrow = 0x1p-32;
+/// A number that lies in a range of no more ulps than this matters to its last digits.
+constexpr int kNarrowBits = 10;
 
 /// A line for each number that may be another, and one for those that matter to their last digits.
-std::string ranges_text(const properties::Ranges& ranges) {
+std::string ranges_text(const properties::Ranges& ranges, scene::Precision precision) {
+  const double narrow = std::ldexp(1, kNarrowBits - scene::format_of(precision).digits);
   std::string text, exact;
   for (const properties::NumberRange& range : ranges.numbers) {
     const double width = range.span.greatest - range.span.least;
-    if (width > kNarrow * std::abs(range.value)) {
+    if (width > narrow * std::abs(range.value)) {
       text += range_text(range);
     } else {
       exact += (exact.empty() ? "" : ", ") + range.name;
@@ -307,7 +309,7 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
     if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
   }
   text += failure_text(campaign, failure, colours);
-  return campaign.ranges ? text + ranges_text(*campaign.ranges) : text;
+  return campaign.ranges ? text + ranges_text(*campaign.ranges, campaign.precision) : text;
 }
 
 std::string too_few_text(const CampaignResult& result) {
