@@ -25,9 +25,11 @@ import json
 import os
 import pathlib
 import re
+import resource
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -235,13 +237,68 @@ def plot_spheres(rows, path):
     subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
 
 
+def campaign(*options):
+    """The judged cases of a campaign of the default pair, the seconds of CPU and those that pass."""
+    command = [str(ROOT / "build/release/tools/raycheck"), "properties", "--rays", "direct", "--intersect", "cross",
+               "--format", "json", *options]
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+    result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+    passed, after = time.monotonic() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    report = json.loads(result.stdout) if result.stdout else {"campaigns": []}
+    judged = sum(one["cases"] for one in report["campaigns"])
+    return judged, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, passed
+
+
+def laws_table():
+    """Judged cases a second of CPU: of each law alone, and of all."""
+    listed = subprocess.run([ROOT / "build/release/tools/raycheck", "list", "--format", "json"], stdout=subprocess.PIPE)
+    laws = [law["name"] for law in json.loads(listed.stdout)["laws"]]
+    rates = []
+    for law in laws:
+        if sum(law in other for other in laws) > 1 or law == "image":
+            continue  # --filter takes others, too; no method draws
+        judged, cpu, _ = campaign("--filter", law, "--cases", "4000", "--threads", "1")
+        rates.append((judged / cpu, law))
+    lines = ["| law | judged a second |", "|---|---|"]
+    for level in ("ordinary", "demanding", "extreme"):
+        judged, cpu, _ = campaign("--cases", "4000", "--threads", "1", "--level", level)
+        lines.append(f"| all in one pass, {level} | {judged / cpu:,.0f} |")
+    return "\n".join(lines + [f"| {law} alone | {rate:,.0f} |" for rate, law in sorted(rates, reverse=True)])
+
+
+def growth_table():
+    """One campaign by more workers: the time that passes, and all CPU, over those of one."""
+    case = ("--cases", "20000")
+    _, cpu, passed = campaign(*case, "--threads", "1")
+    lines = ["| workers | times as fast | CPU |", "|---|---|---|", "| 1 thread | 1 | 1 |"]
+    _, more, less = campaign(*case, "--threads", "2")
+    lines.append(f"| 2 threads | {passed / less:.2f} | {more / cpu:.2f} |")
+    for count in (2, 64):
+        with tempfile.TemporaryDirectory() as folder:
+            before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
+            command = [str(ROOT / "build/release/tools/raycheck"), "properties", "--rays", "direct", "--intersect", "cross",
+                       *case, "--threads", "1", "--out", folder]
+            waiting = [command + ["--shard", f"{k}/{count}"] for k in range(1, count + 1)]
+            running = []
+            while waiting or running:  # two at a time
+                while waiting and len(running) < 2:
+                    running.append(subprocess.Popen(waiting.pop(0), stderr=subprocess.DEVNULL))
+                running.pop(0).wait()
+            subprocess.run([command[0], "merge", folder], stdout=subprocess.DEVNULL)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            more = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+            lines.append(f"| {count} shards, two at a time, and merge | {passed / (time.monotonic() - start):.2f} | "
+                         f"{more / cpu:.2f} |")
+    return "\n".join(lines)
+
+
 def performance():
     rows = benchmarks("bench_visibility")
     methods = benchmarks("bench_kernels", "--benchmark_filter=intersect/", "--benchmark_repetitions=5",
                          "--benchmark_report_aggregates_only=true")
     plot_spheres(rows, ROOT / "docs/images/visibility.svg")
     parts = {"spheres": spheres_table(rows), "shipped": shipped_table(rows),
-             "methods": methods_table(methods)}
+             "methods": methods_table(methods), "laws": laws_table(), "growth": growth_table()}
     text = (ROOT / "docs/performance.in.md").read_text()
     for name, part in parts.items():
         text = text.replace("{{" + name + "}}", part)
