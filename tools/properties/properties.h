@@ -75,7 +75,7 @@ struct PropertiesReport {
   bool interrupted = false;
   bool strict = false;
   std::optional<properties::Climb> target;
-  std::string time = {};  ///< That its cases fill: "10m"; empty: their number was given.
+  std::string time = {};           ///< That its cases fill: "10m"; empty: their number was given.
   std::optional<Ratchet> ratchet;  ///< If it is compared with a baseline.
 
   std::uint64_t count(properties::Finding finding) const;

@@ -26,8 +26,8 @@ struct WorstOptions {
 /// What searches found.
 struct WorstFound {
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
-  std::uint64_t failures = 0;  ///< How many times the method gave no answer,
-  std::string first_failure;   ///< and how it first failed.
+  std::uint64_t failures = 0;                  ///< How many times the method gave no answer,
+  std::string first_failure;                   ///< and how it first failed.
 
   /// Adds later searches: the worst of all, the earliest of those.
   void merge(WorstFound later);
