@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 #include "tools/commands.h"
 
@@ -103,7 +104,8 @@ std::string without(const std::string& option, std::string arguments) {
 /// A name of nothing, and a file that nobody can write.
 TEST(HostileOptions, are_called_in_errors_as_they_are_given) {
   Program program;
-  const std::string units = testing::TempDir() + "units_of_options";
+  const TestFolder temporary;
+  const std::string units = temporary.path() / "units";
   run("properties --filter frame --rays direct --cases 1 --out " + units, 0);
   int texts = 0;
   for (const tools::Command& command : program.commands) {

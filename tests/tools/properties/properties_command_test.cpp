@@ -10,6 +10,7 @@
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "scene/number.h"
+#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -77,8 +78,8 @@ const std::string kBreaks =
 
 /// What it keeps is tried first, breaks the law again, and is mended once another is right there.
 TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
-  const std::string folder = testing::TempDir() + "corpus";
-  std::filesystem::remove_all(folder);
+  const TestFolder temporary;
+  const std::string folder = temporary.path() / "corpus";
   EXPECT_FALSE(has(run(kBreaks + "--keep-going 3 --corpus " + folder, 1).out, "corpus:"));
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

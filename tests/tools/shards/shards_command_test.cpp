@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -21,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A folder that is not there yet, and goes with the test.
 std::string fresh_folder(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("shards_" + name);
-  fs::remove_all(folder);
-  return folder.string();
+  static const TestFolder all;
+  return (all.path() / name).string();
 }
 
 std::vector<fs::path> units_in(const std::string& folder) {

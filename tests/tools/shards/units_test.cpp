@@ -10,6 +10,7 @@
 
 #include "properties/quantile_sketch.h"
 #include "tests/has.h"
+#include "tests/tools/limited_run.h"
 #include "tools/shards/run_units.h"
 
 namespace raycheck::tools {
@@ -19,10 +20,10 @@ namespace fs = std::filesystem;
 
 const CampaignIdentity kCampaign = {"properties", {"--cases", "2"}, "digest"};
 
+/// A folder that is not there yet, and goes with the test.
 fs::path fresh_folder(const std::string& name) {
-  fs::path folder = fs::path(testing::TempDir()) / ("units_" + name);
-  fs::remove_all(folder);
-  return folder;
+  static const tests::TestFolder all;
+  return all.path() / name;
 }
 
 TEST(Units, are_each_done_by_one_shard) {
