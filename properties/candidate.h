@@ -147,6 +147,14 @@ struct Functions {
   /// What is asked from now on is a part of a batch that failed, and gets this share, in (0, 1], of
   /// the time for an answer. Empty: it has no such limit.
   std::function<void(double share)> allow;
+  /// Who gave no reply some times is asked no more; from now on it is again. Empty: it always
+  /// replies.
+  std::function<void()> forget_silence;
+
+  /// What it is asked from now on does not depend on what it was asked before.
+  void begin_anew() const {
+    if (forget_silence) forget_silence();
+  }
 };
 
 /// What an implementation promises of its answers.

@@ -3,6 +3,7 @@
 // What a candidate's functions throw besides std::invalid_argument, which refuses input.
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,6 +32,13 @@ struct FailedAtLine : std::runtime_error {
   FailedAtLine(const std::string& what, CodeLine at)
       : std::runtime_error(what), line(std::move(at)) {}
   CodeLine line;
+};
+
+/// It gave no reply in time.
+struct NoReply : std::runtime_error {
+  NoReply(const std::string& what, std::optional<CodeLine> at)
+      : std::runtime_error(what), line(std::move(at)) {}
+  std::optional<CodeLine> line;
 };
 
 /// Its `image` made a picture of another size than the scene's.

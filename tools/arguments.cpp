@@ -190,6 +190,20 @@ void add_certificates(CLI::App& command, std::optional<std::string>& path) {
       ->type_name("FILE");
 }
 
+namespace {
+
+/// Options whose value is a file to read, besides positional arguments.
+constexpr const char* kReading[] = {"--baseline", "--candidate", "--secret-file", "--include",
+                                    "--read"};
+
+}  // namespace
+
+bool reads(const CLI::Option& option) {
+  return option.get_positional() ||
+         std::any_of(std::begin(kReading), std::end(kReading),
+                     [&](const char* name) { return option.check_name(name); });
+}
+
 std::vector<std::string> files_of(const CLI::Option& option) {
   std::vector<std::string> files;
   for (const std::string& value : option.results()) {

@@ -143,6 +143,8 @@ void add_format(CLI::App& command, std::string& format, const View<Report> (&vie
 }
 /// --method, of either kind; several.
 void add_methods(CLI::App& command, std::vector<std::string>& methods);
+/// Whether an option names files that are read.
+bool reads(const CLI::Option& option);
 /// Every text of an option that may name a file: the value, what follows "source:" or "name=", and
 /// the words of a command.
 std::vector<std::string> files_of(const CLI::Option& option);

@@ -32,15 +32,6 @@ namespace fs = std::filesystem;
 constexpr const char* kWriting[] = {"--certificates", "--out",  "--package",
                                     "--report",       "--save", "--view"};
 
-/// Options whose value is a file to read, besides positional arguments.
-constexpr const char* kReading[] = {"--baseline", "--candidate", "--secret-file"};
-
-bool reads(const CLI::Option& option) {
-  return option.get_positional() ||
-         std::any_of(std::begin(kReading), std::end(kReading),
-                     [&](const char* name) { return option.check_name(name); });
-}
-
 struct Written {
   const CLI::Option* option;
   std::string named_by, path;

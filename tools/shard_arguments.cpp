@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
+#include <regex>
+#include <stdexcept>
 #include <system_error>
 
 #include "tools/arguments.h"
@@ -18,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Another shape of units is another campaign.
-constexpr std::string_view kUnitShape = "units 1";
+/// To be changed with whatever changes what units have, or what their cases are, between releases.
+constexpr std::string_view kUnitShape = "units 2";
 
 bool is_of_units(const CLI::Option& option) {
   const auto is_called = [&](const char* name) { return option.check_name(name); };
@@ -29,10 +32,44 @@ bool is_of_units(const CLI::Option& option) {
                       [&](const ReportOption& one) { return is_called(one.name); });
 }
 
+/// Adds a file, and those that it includes by names in quotes, or all files of a folder, but hidden
+/// ones and folders of units.
+void add_files(const fs::path& path, const std::vector<std::string>& includes,
+               std::map<std::string, std::string>& files) {
+  constexpr std::size_t kMostFiles = 20'000;
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(path, error)) {
+      const bool is_hidden = entry.path().filename().string().starts_with(".");
+      if (!is_hidden && !entry.is_symlink() && !fs::exists(entry.path() / kCampaignFile)) {
+        add_files(entry.path(), includes, files);
+      }
+    }
+    return;
+  }
+  if (!fs::is_regular_file(path, error) || files.contains(path.string())) return;
+  if (files.size() == kMostFiles) {
+    throw std::invalid_argument(
+        fmt::format("out: there are more than {} files in the folders that are named", kMostFiles));
+  }
+  const std::string text = file_bytes(path);
+  files[path.string()] = digest({text});
+  static const std::regex include("(^|\n)[ \t]*#[ \t]*include[ \t]*\"([^\"\n]+)\"");
+  if (text.find('\0') != std::string::npos) return;  // a program or a library
+  for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at) {
+    add_files(path.parent_path() / (*at)[2].str(), includes, files);
+    for (const std::string& folder : includes) {
+      add_files(fs::path(folder) / (*at)[2].str(), includes, files);
+    }
+  }
+}
+
 CampaignIdentity identity_of(const CLI::App& command) {
-  CampaignIdentity campaign = {command.get_name(), {}, {}};
-  std::vector<std::string> texts = {std::string(kVersion), std::string(kUnitShape),
-                                    campaign.command};
+  CampaignIdentity campaign = {
+      command.get_name(), {}, fmt::format("{}, {}", kVersion, kUnitShape), {}};
+  const CLI::Option* const including = command.get_option_no_throw("--include");
+  const std::vector<std::string> includes =
+      including != nullptr ? including->results() : std::vector<std::string>{};
   for (const CLI::Option* option : command.get_options()) {
     if (!is_of_units(*option)) continue;
     const bool is_flag = option->get_items_expected_max() == 0;
@@ -40,13 +77,9 @@ CampaignIdentity identity_of(const CLI::App& command) {
       if (!option->get_positional()) campaign.arguments.push_back(option->get_name());
       if (!is_flag) campaign.arguments.push_back(value);
     }
-    for (const std::string& file : files_of(*option)) {
-      std::error_code error;
-      if (fs::is_regular_file(file, error)) texts.push_back(digest({file_bytes(file)}));
-    }
+    if (!reads(*option)) continue;
+    for (const std::string& file : files_of(*option)) add_files(file, includes, campaign.files);
   }
-  texts.insert(texts.end(), campaign.arguments.begin(), campaign.arguments.end());
-  campaign.digest = digest(texts);
   return campaign;
 }
 
@@ -57,17 +90,20 @@ void add_shards(CLI::App& command, ShardArguments& arguments) {
       .add_option("--out", arguments.out,
                   "keep each unit of the work in this folder, and do only what is missing there")
       ->type_name("FOLDER");
-  add_shards_inside(command, arguments);
+  add_shards_inside(command, arguments,
+                    "what SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or CI_NODE_INDEX says, else all");
 }
 
-void add_shards_inside(CLI::App& command, ShardArguments& arguments) {
+void add_shards_inside(CLI::App& command, ShardArguments& arguments,
+                       const std::string& by_default) {
   arguments.command = &command;
   CLI::Option* const out = command.get_option("--out");
   command
-      .add_option("--shard", arguments.shard,
-                  "of N workers the K-th: K/N, or auto/N; default: what SLURM_ARRAY_TASK_ID, "
-                  "JOB_COMPLETION_INDEX, TEST_SHARD_INDEX or CI_NODE_INDEX says, else all; "
-                  "`raycheck merge FOLDER...` reports")
+      .add_option(
+          "--shard", arguments.shard,
+          fmt::format("of N workers the K-th: K/N, or auto/N for the K that a scheduler says; "
+                      "default: {}; `raycheck merge FOLDER...` reports",
+                      by_default))
       ->type_name("K/N")
       ->needs(out);
   command.add_option("--merged", arguments.merged, "what merge merges")->group("")->excludes(out);

@@ -19,10 +19,12 @@ struct ShardArguments {
   std::vector<std::string> merged;
 };
 void add_shards(CLI::App& command, ShardArguments& arguments);
-/// The same for a command whose --out also takes the results.
-void add_shards_inside(CLI::App& command, ShardArguments& arguments);
+/// The same for a command whose --out also takes the results; `by_default`: which shard it is.
+void add_shards_inside(CLI::App& command, ShardArguments& arguments,
+                       const std::string& by_default = "all");
 
-/// An option that a report depends on, but no unit: how it is shown, and how fast.
+/// An option that no unit depends on: how a report is shown, how fast, and what isolates a
+/// candidate. `merge` takes it itself, not from the campaign.
 struct ReportOption {
   const char* name;
   bool has_value;
@@ -36,6 +38,8 @@ inline constexpr ReportOption kReportOptions[] = {{"--format", true},
                                                   {"--threads", true},
                                                   {"--jobs", true},
                                                   {"--corpus", true},
+                                                  {"--sandbox", true},
+                                                  {"--i-know", false},
                                                   {"--baseline", true},
                                                   {"--update-baseline", false},
                                                   {"--strict-baseline", false}};

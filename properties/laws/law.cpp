@@ -205,17 +205,18 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
 
 /// A batch failed, at this line if it is known: judges the question to blame, or the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
-                         const std::optional<CodeLine>& line = {}) {
+                         const std::optional<CodeLine>& line = {}, bool is_silent = false) {
   FailureSearch* const search = trial.options().search;
   if (search == nullptr || !asks_apart(law)) {
-    return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kNone, 0, {}, line});
+    return judged_failure(law, trial, Wrong::kFailed, message,
+                          {Blame::kNone, 0, {}, line, is_silent});
   }
   const bool by_sphere = asks_by_sphere(law, trial);
   const std::uint64_t questions = count_asked(trial, by_sphere);
   const auto failed_once = [&](Blame blame, int& count) {
     if (!trial.failed_parts().is_new(message)) return LawJudgement{Verdict(law.name), true};
     ++count;
-    FailureSite failed{blame, questions, {}, line};
+    FailureSite failed{blame, questions, {}, line, is_silent};
     if (blame == Blame::kQuestion) failed.scene = trial.asked_scene();
     return judged_failure(law, trial, Wrong::kFailed, message, failed);
   };
@@ -252,6 +253,8 @@ LawJudgement judge(const Law& law, Trial& trial) {
     return judged_failure(law, trial, Wrong::kRefused, error.what());
   } catch (const CandidateUnavailable& error) {
     return judge_unavailable(law, trial, error.what());
+  } catch (const NoReply& error) {
+    return judge_apart(law, trial, error.what(), error.line, true);
   } catch (const FailedAtLine& error) {
     return judge_apart(law, trial, error.what(), error.line);
   } catch (const std::exception& error) {

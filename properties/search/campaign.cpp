@@ -233,8 +233,11 @@ std::vector<ChosenSource> sources_of(const Law& law, const CampaignOptions& opti
 Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_kept)
     : asked_(std::move(of_candidates)),
       units_are_kept_(units_are_kept),
+      has_answered_(asked_.size()),
       units_failed_(asked_.size()),
-      answers_nothing_(asked_.size()) {
+      answers_nothing_(asked_.size()),
+      units_silent_(asked_.size()),
+      is_silent_(asked_.size()) {
   std::map<SeriesKey, std::pair<ChosenSource, std::vector<Tried>>> all;
   for (std::size_t candidate = 0; candidate < asked_.size(); ++candidate) {
     const auto& [laws, options] = asked_[candidate];
@@ -294,12 +297,13 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
   }
   const auto is_over = [&](std::size_t k) {
     const std::size_t candidate = series.tried[k].candidate;
-    if (!units_are_kept_ && answers_nothing_[candidate]) return true;
+    if (!units_are_kept_ && (answers_nothing_[candidate] || is_silent_[candidate])) return true;
     if (asked_[candidate].options.keep_going > 1) return false;
     return searches[k].part.is_broken() || (!units_are_kept_ && series.broken_in[k] < number);
   };
   const std::uint64_t seed = asked_.front().options.seed ^ series.source.hash();
   const int first = in_series * unit_cases_;
+  for (const Candidate& candidate : candidates) candidate.begin_anew();
   rc::Random random;
   try {
     for (int k = 0; k < unit_cases_ && !control.interrupted(); ++k) {
@@ -330,23 +334,23 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
 
 void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
   const auto [series, in_series] = unit(number);
-  std::vector<bool> fails(asked_.size()), answers(asked_.size());
+  std::vector<bool> fails(asked_.size()), answers(asked_.size()), silent(asked_.size());
   for (std::size_t k = 0; k < parts.size(); ++k) {
-    const std::size_t candidate = series.tried[k].candidate;
+    const auto& [candidate, law, cases] = series.tried[k];
+    CampaignResult& result = results_[candidate][law];
+    const bool is_asked = !answers_nothing_[candidate] && !is_silent_[candidate];
+    if (!is_asked || parts[k].counts.cases == 0) continue;
+    const bool goes_on =
+        in_series > 0 && !result.parts.empty() && result.parts.back().source == series.source;
+    const bool is_over = goes_on && result.parts.back().is_broken();
+    if (is_over && asked_[candidate].options.keep_going <= 1) continue;
+    // Of parts that count alone: which others were tried is a matter of threads.
+    if (parts[k].was_silent) silent[candidate] = true;
     if (parts[k].failed_at_once) {
       fails[candidate] = true;
     } else if (parts[k].verdict.compared() > 0) {
       answers[candidate] = true;
     }
-  }
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto& [candidate, law, cases] = series.tried[k];
-    CampaignResult& result = results_[candidate][law];
-    if (answers_nothing_[candidate] || parts[k].counts.cases == 0) continue;
-    const bool goes_on =
-        in_series > 0 && !result.parts.empty() && result.parts.back().source == series.source;
-    const bool is_over = goes_on && result.parts.back().is_broken();
-    if (is_over && asked_[candidate].options.keep_going <= 1) continue;
     result.counts.add(parts[k].counts);
     result.verdict.merge(parts[k].verdict);
     parts[k].verdict.keep_counts();
@@ -359,8 +363,11 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
     result.parts.back().source = series.source;
   }
   for (std::size_t k = 0; k < asked_.size(); ++k) {
-    if (units_failed_[k] == number && fails[k] && !answers[k]) ++units_failed_[k];
-    if (units_failed_[k] == kUnitsToFail) answers_nothing_[k] = true;
+    if (answers[k]) has_answered_[k] = true;
+    if (fails[k] && !has_answered_[k] && ++units_failed_[k] == kUnitsToFail) {
+      answers_nothing_[k] = true;
+    }
+    if (silent[k] && ++units_silent_[k] == kUnitsToFail) is_silent_[k] = true;
   }
 }
 
@@ -371,6 +378,7 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
   const auto& declared = candidate.declared.valid;
   result.wants_hits = declared && !declared->is_usual();
   const auto shrunk = [&](const CampaignPart& part, const Break& broken) {
+    candidate.begin_anew();
     const std::uint64_t seed = parse_replay(broken.replay).seed;
     LawSearch search(*laws[law], candidate, options, part.source);
     search.replay(seed, !answers_nothing_[number]);
@@ -402,6 +410,7 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
   if (result.failure) return result;
   for (const CampaignPart& part : result.parts) {
     if (!part.undecided_seed || result.finding() != Finding::kUndecided) continue;
+    candidate.begin_anew();
     LawSearch search(*laws[law], candidate, options, part.source);
     search.replay_undecided(*part.undecided_seed);
     result.failure = std::move(search.failure);

@@ -40,12 +40,12 @@ struct CampaignOptions {
 
 /// What became of cases, all of which are counted once.
 struct CaseCounts {
-  int cases = 0;       ///< Tried, before an end or a break.
-  int left_out = 0;    ///< Of those, the ones that the law had nothing to say about, or that the
-                       ///< candidate's format cannot hold,
-  int not_judged = 0;  ///< and those outside the candidate's stated domain.
-  int given_rays = 0;  ///< Of all, those judged on raycheck's rays (given_rays).
-  std::string reason;  ///< Why the last of those left out was.
+  std::int64_t cases = 0;     ///< Tried, before an end or a break.
+  std::int64_t left_out = 0;  ///< Of those, the ones that the law had nothing to say about, or that
+                              ///< the candidate's format cannot hold,
+  std::int64_t not_judged = 0;  ///< and those outside the candidate's stated domain.
+  std::int64_t given_rays = 0;  ///< Of all, those judged on raycheck's rays (given_rays).
+  std::string reason;           ///< Why the last of those left out was.
 
   void add(const CaseCounts& other);
   template <class Archive>
@@ -78,6 +78,7 @@ struct CampaignPart {
   std::optional<std::uint64_t> undecided_seed;  ///< and the first of these.
 
   bool failed_at_once = false;  ///< The candidate failed before it answered anything.
+  bool was_silent = false;      ///< A case broke the law since it gave no reply in time.
 
   bool is_broken() const { return !breaks.empty(); }
   /// Whether its break shows what those known do not.
@@ -89,7 +90,7 @@ struct CampaignPart {
   /// Without its source.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(counts, verdict, breaks, undecided, undecided_seed, failed_at_once);
+    archive(counts, verdict, breaks, undecided, undecided_seed, failed_at_once, was_silent);
   }
 };
 
@@ -146,7 +147,8 @@ inline constexpr int kUnitCases = 64;
 /// or a multiple by a power of two, so that a campaign has hardly more units than this.
 inline constexpr std::size_t kMostUnits = 1 << 14;
 
-/// Who only fails in the first of so many is asked no more.
+/// Who only fails in the first of so many units is asked no more, nor who gives no reply in time in
+/// so many.
 inline constexpr std::size_t kUnitsToFail = 3;
 
 /// The laws that a candidate is held to, and how.
@@ -205,10 +207,13 @@ class Campaigns {
   std::size_t unit_count_ = 0;
   int unit_cases_ = kUnitCases;
   bool units_are_kept_;
-  /// By candidate, how many units it has done nothing but fail in, from the first on; after
-  /// kUnitsToFail it is asked no more.
+  /// By candidate, in how many units it has done nothing but fail, before it has answered anything;
+  /// after kUnitsToFail it is asked no more.
+  std::vector<bool> has_answered_;
   std::vector<std::size_t> units_failed_;
   std::vector<std::atomic<bool>> answers_nothing_;
+  std::vector<std::size_t> units_silent_;
+  std::vector<std::atomic<bool>> is_silent_;          ///< It is asked no more for that.
   std::vector<std::vector<CampaignResult>> results_;  ///< By candidate and law.
 };
 

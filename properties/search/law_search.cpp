@@ -136,6 +136,7 @@ bool LawSearch::take(const Case& the_case, bool judged, bool given, Verdict verd
   if (is_shrinking && fails_always(verdict)) return false;
   if (!is_shrinking) {
     const bool is_first = part.verdict.compared() == verdict.compared();
+    part.was_silent |= verdict.worst(1).front().failed.is_silent;
     if (is_first) part.failed_at_once = verdict.worst(1).front().wrong == Wrong::kFailed;
     std::vector<DefectKind> defects = verdict.defects(strict_);
     if (part.is_new(defects)) {

@@ -32,6 +32,7 @@ struct AnswerFailure {
     if (fails_always || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::CandidateUnavailable(words);
     }
+    if (kind == FailureKind::kTimeUp) throw properties::NoReply(words, line);
     if (line) throw properties::FailedAtLine(words, *line);
     throw std::runtime_error(words);
   }
@@ -156,6 +157,12 @@ class Conversation {
   }
   /// From now on requests have this share of the time for a reply.
   void allow(double share) { share_ = share; }
+  /// Requests without a reply count no more.
+  void forget_silence() {
+    silent_shares_ = 0;
+    silences_ = 0;
+    failed_request_.clear();
+  }
   KeptText said() const { return process_ ? process_->said() : KeptText(); }
 
  private:
@@ -350,6 +357,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   const auto talk = std::make_shared<Conversation>(external, last);
   Candidate candidate = introduced(external);
   candidate.allow = [talk](double share) { talk->allow(share); };
+  candidate.forget_silence = [talk] { talk->forget_silence(); };
   add_functions(talk, external.introduction.functions, candidate);
   static_cast<properties::Functions&>(candidate) =
       completed(static_cast<const properties::Functions&>(candidate), candidate.returns);

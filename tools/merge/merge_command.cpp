@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -33,6 +34,18 @@ int run_merge(const MergeArguments& arguments) {
     throw std::invalid_argument(
         fmt::format("{}: is of the command {}, which this version does not have",
                     arguments.folders.front(), campaign.command));
+  }
+  for (const ReportOption& option : kReportOptions) {
+    // No shard writes these: somebody else did, to have them done here.
+    const auto& all = campaign.arguments;
+    if (std::none_of(all.begin(), all.end(), [&](const std::string& argument) {
+          return argument.starts_with(option.name);
+        })) {
+      continue;
+    }
+    throw std::invalid_argument(
+        fmt::format("{}: its campaign has {}, which is for merge to be given",
+                    arguments.folders.front(), option.name));
   }
   std::vector<std::string> words = {"raycheck", campaign.command};
   words.insert(words.end(), campaign.arguments.begin(), campaign.arguments.end());

@@ -58,8 +58,23 @@ std::vector<fs::path> files_in(const std::string& folder) {
   return files;
 }
 
+/// A candidate's name without the folders of the files that it names, as others have it who share a
+/// corpus: "source:/home/me/tracer.cpp" is "source:tracer.cpp".
+std::string shared_name(const std::string& candidate) {
+  std::istringstream words(candidate);
+  std::string shared;
+  for (std::string word; words >> word;) {
+    const std::size_t begin = word.find(':') + 1;
+    std::error_code none;
+    const fs::path file = word.substr(begin);
+    if (fs::exists(file, none)) word = word.substr(0, begin) + file.filename().string();
+    shared += (shared.empty() ? "" : " ") + word;
+  }
+  return shared;
+}
+
 std::string name_of(const CampaignReport& campaign, const properties::Failure& failure) {
-  std::string name = fmt::format("{}-{}", campaign.law->name, campaign.lasting_name);
+  std::string name = fmt::format("{}-{}", campaign.law->name, shared_name(campaign.candidate));
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
   }
@@ -94,8 +109,16 @@ std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       const auto result =
           run_case(**law, candidates[k], the_case, options.max_error, options.strict);
-      findings.push_back(
-          {file.filename().string(), law_name, names[k], said(text, kFoundWith), result.finding()});
+      findings.push_back({file.filename().string(),
+                          law_name,
+                          candidates[k].name,
+                          names[k],
+                          shared_name(candidates[k].name) == said(text, kFoundWith),
+                          result.finding(),
+                          {}});
+      if (findings.back().finding == properties::Finding::kBroken) {
+        findings.back().defects = result.failure->verdict.defects(options.strict);
+      }
     }
   }
   return findings;
@@ -112,9 +135,13 @@ void keep_in_corpus(const PropertiesReport& report, const std::string& folder) {
     if (failure.is_undecided) return;
     const fs::path file = fs::path(folder) / name_of(campaign, failure);
     if (fs::exists(file)) return;
-    std::string comment =
-        fmt::format("{}{}\n{}{}", kLaw, campaign.law->name, kFoundWith, campaign.lasting_name);
-    if (!failure.replay.empty()) comment += fmt::format("\n{}{}", kReplay, failure.replay);
+    const std::string with = shared_name(campaign.candidate);
+    std::string comment = fmt::format("{}{}\n{}{}", kLaw, campaign.law->name, kFoundWith, with);
+    if (!failure.replay.empty()) {
+      const auto& source = properties::parse_replay(failure.replay).source;
+      comment += fmt::format("\n{}{}:{}:{}{}", kReplay, campaign.law->name, with, source.name(),
+                             failure.replay.substr(failure.replay.rfind(':')));
+    }
     OutputFile("corpus", file.string()).write(scene_text(failure.shrunk, comment));
   };
   for (const CampaignReport& campaign : report.campaigns) {

@@ -66,6 +66,7 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   report.precision = candidate.precision;
   report.domain = candidate;
   report.implementation = implementation;
+  candidate.begin_anew();
   if (!implementation.methods && report.finding == properties::Finding::kBroken) {
     report.explanations =
         properties::causes(telling_cases(report.result, properties::kCasesOfACause), candidate);

@@ -38,9 +38,13 @@ struct PropertiesOptions {
 
 /// What became of a case of the corpus.
 struct CorpusFinding {
-  std::string file, law, candidate;
-  std::string found_with;  ///< The candidate that it broke the law with when it was kept.
+  std::string file, law;
+  std::string candidate, lasting_name;
+  bool was_broken = false;  ///< It is the candidate that it broke the law with when it was kept.
   properties::Finding finding = properties::Finding::kHolds;
+  std::vector<properties::DefectKind> defects;
+
+  bool is_mended() const { return was_broken && finding == properties::Finding::kHolds; }
 };
 
 /// One law on one candidate.

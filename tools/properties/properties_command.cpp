@@ -37,14 +37,14 @@ properties::Level level_called(const std::string& name) {
 
 /// "90s", "10m" or "2h"
 double seconds_of(const std::string& text) {
-  const std::string number = text.substr(0, text.empty() ? 0 : text.size() - 1);
-  const char unit = text.empty() ? ' ' : text.back();
-  const double seconds = unit == 's' ? 1 : unit == 'm' ? 60 : unit == 'h' ? 3600 : 0;
-  constexpr std::int64_t kMost = 10'000;
-  if (seconds == 0) {
+  const std::string number = text.substr(0, text.size() - 1);
+  const double unit = text.ends_with('s') ? 1 : text.ends_with('m') ? 60 : 3600;
+  const bool is_whole = !number.empty() && number.size() < 6 &&
+                        number.find_first_not_of("0123456789") == std::string::npos;
+  if (!is_whole || std::stoi(number) == 0 || (unit == 3600 && !text.ends_with('h'))) {
     throw std::invalid_argument("--for " + text + ": give a whole number of s, m or h: 90s, 10m");
   }
-  return seconds * static_cast<double>(parse_index("--for", number, 1, kMost));
+  return unit * std::stoi(number);
 }
 
 int run_properties_command(PropertiesArguments& arguments) {

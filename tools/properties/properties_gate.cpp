@@ -117,6 +117,28 @@ void add_check_of(const CampaignReport& campaign, Parts parts, Gate& gate) {
   }
 }
 
+/// A case of the corpus, which is a source of its own; its file is where.
+void add_check_of(const CorpusFinding& one, Gate& gate) {
+  const std::string source = "corpus";
+  std::vector<Identity> found;
+  for (const properties::DefectKind& kind : one.defects) {
+    found.push_back({one.law, source, kind_text(kind), one.file, one.lasting_name});
+  }
+  GateCheck& check = add_check(gate,
+                               {.candidate = one.candidate,
+                                .name = fmt::format("{}/{}/{}", one.law, source, one.file),
+                                .defects = std::move(found)},
+                               {});
+  if (check.defects.empty()) {
+    if (one.finding == Finding::kHolds) return;
+    check.outcome = GateOutcome::kLeftOut;
+    check.summary = std::string(name(one.finding));
+    return;
+  }
+  check.summary = fmt::format("breaks it again ({})", check.defects.front().kind);
+  check.text = fmt::format("the case that breaks it: {}\n", one.file);
+}
+
 /// What is said about a law as a whole, besides its sources.
 std::optional<GateCheck> whole_of(const CampaignReport& campaign) {
   GateCheck check;
@@ -149,6 +171,12 @@ Gate properties_gate(const PropertiesReport& report) {
                         count_text(static_cast<std::uint64_t>(report.cases), "case"), *report.seed)
           : "one case again";
   gate.ratchet = report.ratchet;
+  for (const CorpusFinding& one : report.corpus) {
+    add_check_of(one, gate);
+    const Scope scope = {one.law, "corpus", one.lasting_name};
+    gate.findings.asked.insert(scope);
+    gate.findings.complete.insert(scope);
+  }
   for (const CampaignReport& campaign : report.campaigns) {
     const std::string& file = campaign.implementation.source_file;
     if (!file.empty()) gate.sources.emplace(campaign.candidate, file);

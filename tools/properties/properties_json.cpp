@@ -103,11 +103,9 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
     json["target"] = properties::kClimbNames[static_cast<std::size_t>(*report.target)];
   if (!report.corpus.empty()) {
     json["corpus"] = list_json(report.corpus, [](const CorpusFinding& one) {
-      return Json{{"file", one.file},
-                  {"law", one.law},
-                  {"candidate", one.candidate},
-                  {"found_with", one.found_with},
-                  {"finding", name(one.finding)}};
+      return Json{{"file", one.file},           {"law", one.law},
+                  {"candidate", one.candidate}, {"finding", name(one.finding)},
+                  {"mended", one.is_mended()},  {"defects", list_json(one.defects, kind_text)}};
     });
   }
   json["campaigns"] = list_json(report.campaigns, campaign_json);

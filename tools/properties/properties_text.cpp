@@ -158,12 +158,11 @@ std::string corpus_text(const PropertiesReport& report) {
   for (const CorpusFinding& one : report.corpus) {
     files.insert(one.file);
     const bool breaks = one.finding == Finding::kBroken;
-    const bool is_mended = one.finding == Finding::kHolds && one.candidate == one.found_with;
     broken += breaks ? 1 : 0;
-    mended += is_mended ? 1 : 0;
-    if (!breaks && !is_mended) continue;
-    text += fmt::format("{} {} {} {}\n", one.file, breaks ? "breaks" : "no longer breaks", one.law,
-                        breaks ? "with " + one.candidate : "with " + one.candidate + ": mended");
+    mended += one.is_mended() ? 1 : 0;
+    if (!breaks && !one.is_mended()) continue;
+    text += fmt::format("{} {} {} with {}{}\n", one.file, breaks ? "breaks" : "no longer breaks",
+                        one.law, one.candidate, breaks ? "" : ": mended");
   }
   if (files.empty()) return "";
   return text + fmt::format("corpus: {}, {} broken, {} mended\n", count_text(files.size(), "case"),
@@ -173,10 +172,10 @@ std::string corpus_text(const PropertiesReport& report) {
 /// How many cases filled a time, of each source the most that a law was tried on.
 std::string time_text(const PropertiesReport& report) {
   if (report.time.empty()) return "";
-  std::vector<std::pair<std::string_view, int>> sources;
+  std::vector<std::pair<std::string_view, std::int64_t>> sources;
   for (const CampaignReport& campaign : report.campaigns) {
     for (const auto& parts : by_source(campaign.result)) {
-      int cases = 0;
+      std::int64_t cases = 0;
       for (const CampaignPart& part : parts) cases += part.counts.cases;
       const std::string_view source = parts.front().source.source->name;
       auto known = std::find_if(sources.begin(), sources.end(),

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <optional>
@@ -11,18 +12,19 @@
 namespace raycheck::tools {
 namespace {
 
-/// The variables by which a scheduler says who this worker is.
+/// The variables by which a scheduler says who this worker is; null: it does not say that.
 struct Scheduler {
   const char* index;
-  const char* first;  ///< The variable that has the least index; null: it is `least`.
-  std::int64_t least;
-  const char* count;  ///< Null where it does not say.
+  const char* count;
+  std::int64_t least = 0;  ///< The least index, where no variable has it.
+  const char* first = nullptr;
+  const char* step = nullptr;
 };
-constexpr Scheduler kSchedulers[] = {
-    {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_MIN", 0, "SLURM_ARRAY_TASK_COUNT"},
-    {"JOB_COMPLETION_INDEX", nullptr, 0, nullptr},
-    {"TEST_SHARD_INDEX", nullptr, 0, "TEST_TOTAL_SHARDS"},
-    {"CI_NODE_INDEX", nullptr, 1, "CI_NODE_TOTAL"}};
+constexpr Scheduler kSchedulers[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", 0,
+                                      "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP"},
+                                     {"JOB_COMPLETION_INDEX", nullptr},
+                                     {"TEST_SHARD_INDEX", "TEST_TOTAL_SHARDS"},
+                                     {"CI_NODE_INDEX", "CI_NODE_TOTAL", 1}};
 
 std::int64_t number_of(const std::string& named_by, std::string_view text) {
   std::int64_t number = 0;
@@ -37,13 +39,18 @@ std::optional<std::int64_t> variable(const char* name) {
   return number_of(name, text);
 }
 
-/// `of`: what was said otherwise.
+/// Empty: this scheduler says nothing. `of`: what was said otherwise.
 std::optional<Shard> shard_of(const Scheduler& scheduler, std::optional<std::int64_t> of) {
   const std::optional<std::int64_t> index = variable(scheduler.index);
+  if (!index) return std::nullopt;
+  const std::string said_by = fmt::format("{}={}", scheduler.index, *index);
   const std::optional<std::int64_t> count = of ? of : variable(scheduler.count);
-  if (!index || !count) return std::nullopt;
-  const std::int64_t least = variable(scheduler.first).value_or(scheduler.least);
-  return Shard{*index - least + 1, *count, fmt::format("{}={}", scheduler.index, *index)};
+  if (!count) {
+    throw std::invalid_argument(said_by + ": nothing says of how many; give auto/N as the shard");
+  }
+  const std::int64_t after = *index - variable(scheduler.first).value_or(scheduler.least);
+  const std::int64_t step = std::max<std::int64_t>(1, variable(scheduler.step).value_or(1));
+  return Shard{after / step + 1, *count, said_by};
 }
 
 Shard checked(Shard shard) {

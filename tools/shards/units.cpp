@@ -26,6 +26,9 @@ namespace fs = std::filesystem;
 constexpr std::string_view kUnitEnding = ".unit";
 
 std::string bytes_of(const fs::path& file) {
+  if (!fs::is_regular_file(file)) {
+    throw std::invalid_argument(fmt::format("{}: is no file", file.string()));
+  }
   std::ifstream in(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
   if (!in) throw std::invalid_argument(fmt::format("{}: cannot be read", file.string()));
@@ -35,7 +38,7 @@ std::string bytes_of(const fs::path& file) {
 /// Of what a unit's file holds: a packed result, and its size.
 std::string digest_of(const CampaignIdentity& campaign, std::int64_t unit, std::size_t size,
                       const std::string& result) {
-  return digest({campaign.digest, std::to_string(unit), std::to_string(size), result});
+  return tools::digest({campaign.digest(), std::to_string(unit), std::to_string(size), result});
 }
 
 /// As users know it.
@@ -44,14 +47,27 @@ std::string shown(const fs::path& folder) {
   return path.ends_with(inside) ? path.substr(0, path.size() - inside.size()) : path;
 }
 
+/// What differs of the units of a folder.
+std::string difference(const CampaignIdentity& other, const CampaignIdentity& campaign) {
+  if (other.text() != campaign.text())
+    return fmt::format("{}, not of {}", other.text(), campaign.text());
+  if (other.version != campaign.version) {
+    return fmt::format("raycheck {}, not of {}", other.version, campaign.version);
+  }
+  for (const auto& [file, its_digest] : campaign.files) {
+    const auto found = other.files.find(file);
+    if (found == other.files.end() || found->second != its_digest) {
+      return fmt::format("another {}, which has changed since", file);
+    }
+  }
+  return "other files";
+}
+
 void require_same(const CampaignIdentity& campaign, const fs::path& folder) {
   const CampaignIdentity other = campaign_in(folder);
-  if (other.digest == campaign.digest) return;
-  const std::string what =
-      other.text() == campaign.text()
-          ? "units of another version of raycheck, or of files that have changed since"
-          : fmt::format("units of {}, not of {}", other.text(), campaign.text());
-  throw std::invalid_argument(fmt::format("{}: holds {}", shown(folder), what));
+  if (other.digest() == campaign.digest()) return;
+  throw std::invalid_argument(
+      fmt::format("{}: holds units of {}", shown(folder), difference(other, campaign)));
 }
 
 }  // namespace
@@ -63,6 +79,16 @@ std::string CampaignIdentity::text() const {
     all += " " + (is_plain && !argument.empty() ? argument : single_quoted(argument));
   }
   return all;
+}
+
+std::string CampaignIdentity::digest() const {
+  std::vector<std::string> texts = {command, version};
+  texts.insert(texts.end(), arguments.begin(), arguments.end());
+  for (const auto& [file, its_digest] : files) {
+    texts.push_back(file);
+    texts.push_back(its_digest);
+  }
+  return tools::digest(texts);
 }
 
 CampaignIdentity campaign_in(const fs::path& folder) {
@@ -79,10 +105,13 @@ CampaignIdentity campaign_in(const fs::path& folder) {
   }
   try {
     const Json json = Json::parse(bytes_of(file));
-    return {json.at("command"), json.at("arguments"), json.at("digest")};
+    CampaignIdentity campaign = {json.at("command"), json.at("arguments"), json.at("version"),
+                                 json.at("files")};
+    if (json.at("digest") == campaign.digest()) return campaign;
   } catch (const Json::exception&) {
-    throw std::invalid_argument(fmt::format("{}: is truncated or was changed", file.string()));
+    // as below
   }
+  throw std::invalid_argument(fmt::format("{}: is truncated or was changed", file.string()));
 }
 
 Units::Units(CampaignIdentity campaign, fs::path folder, Shard shard)
@@ -108,7 +137,9 @@ void Units::make_folder() const {
     OutputFile("out", (folder / kCampaignFile).string())
         .write(json_text({{"command", campaign_.command},
                           {"arguments", campaign_.arguments},
-                          {"digest", campaign_.digest}}));
+                          {"version", campaign_.version},
+                          {"files", campaign_.files},
+                          {"digest", campaign_.digest()}}));
   }
   require_same(campaign_, folder);
 }
@@ -148,8 +179,8 @@ void Units::refuse_missing(std::int64_t count) const {
 }
 
 std::string Units::name_of(std::int64_t unit) const {
-  return fmt::format("{:06}-{:.16}{}", unit, digest({campaign_.digest, std::to_string(unit)}),
-                     kUnitEnding);
+  return fmt::format("{:06}-{:.16}{}", unit,
+                     tools::digest({campaign_.digest(), std::to_string(unit)}), kUnitEnding);
 }
 
 std::string Units::contents(const fs::path& file, std::int64_t unit) const {

@@ -13,9 +13,13 @@ namespace raycheck::tools {
 
 /// What all units of a campaign have in common.
 struct CampaignIdentity {
-  std::string command;                 ///< "properties"
-  std::vector<std::string> arguments;  ///< Those that its result depends on.
-  std::string digest;  ///< Of both, of raycheck's version, and of the files that they name.
+  std::string command;                       ///< "properties"
+  std::vector<std::string> arguments;        ///< Those that its result depends on.
+  std::string version;                       ///< Of raycheck, and of the shape of units.
+  std::map<std::string, std::string> files;  ///< That the arguments name, and their digests.
+
+  /// Of all that.
+  std::string digest() const;
 
   /// "raycheck properties --cases 2000"
   std::string text() const;

@@ -90,6 +90,14 @@ TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
   // Without one case of its own that breaks the law.
   const std::string again = "properties --filter class --source rays --cases 20 --corpus " + folder;
   const Outcome broken = run(again + " --intersect quadratic", 1);
+  expect_parts(
+      run(again + " --intersect quadratic --format junit", 1).out,
+      {"/corpus/class-direct-quadratic-", "<failure", "breaks it again (class: false hit)"});
+  // Known to a baseline, it fails no more.
+  const std::string baseline = " --intersect quadratic --baseline " + folder + "/known.txt";
+  run(again + baseline + " --update-baseline");
+  EXPECT_EQ(run(again + baseline).exit_code, 0);
+  std::ofstream(folder + "/known.txt").close();
   EXPECT_TRUE(has(broken.out, " breaks class with direct/quadratic"));
   EXPECT_TRUE(has(broken.out, "corpus: " + std::to_string(files.size()) + " cases, " +
                                   std::to_string(files.size()) + " broken, 0 mended"));

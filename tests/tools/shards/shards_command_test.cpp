@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <utility>
@@ -16,6 +18,7 @@
 
 #include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
+#include "tools/shards/units.h"
 
 namespace raycheck::tests {
 namespace {
@@ -201,7 +204,49 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
   const std::string its = fresh_folder("judged");
   run(asked + " --shard 1/1 --out " + its);
   std::ofstream(source, std::ios::app) << "// another\n";
-  expect_refused("merge " + its, "or of files that have changed since");
+  expect_refused("merge " + its, "holds units of another " + source + ", which has changed since");
+  // In a folder, with a header, all of it.
+  const std::string folder = fresh_folder("sources"), units = fresh_folder("of_sources");
+  fs::create_directories(folder + "/deeper");
+  fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp", folder + "/right.cpp");
+  std::ofstream(folder + "/deeper/mine.h") << "// mine\n";
+  std::ofstream(folder + "/right.cpp", std::ios::app) << "#include \"deeper/mine.h\"\n";
+  for (const std::string& named : {folder, folder + "/right.cpp"}) {
+    fs::remove_all(units);
+    const std::string line =
+        "properties --filter class --source rays --cases 60 --candidate source:" + named;
+    run(line + " --shard 1/1 --out " + units, 0);
+    run(line + " --shard 1/1 --out " + units, 0);
+    std::ofstream(folder + "/deeper/mine.h", std::ios::app) << "// more\n";
+    expect_refused(line + " --shard 1/1 --out " + units, "deeper/mine.h, which has changed since");
+  }
+}
+
+/// What somebody else put into it is not done.
+TEST_F(Merge, takes_no_options_of_reports_from_a_folder) {
+  const std::string file = folder + "/campaign.json";
+  nlohmann::json campaign = nlohmann::json::parse(contents(file));
+  campaign["arguments"].push_back("--view=victim.html");
+  std::ofstream(file) << campaign.dump();
+  expect_refused("merge " + folder, file + ": is truncated or was changed");
+  // With the digest that goes with it.
+  tools::CampaignIdentity forged = {campaign["command"], campaign["arguments"], campaign["version"],
+                                    campaign["files"]};
+  campaign["digest"] = forged.digest();
+  std::ofstream(file) << campaign.dump();
+  expect_refused("merge " + folder, "its campaign has --view, which is for merge to be given");
+}
+
+/// A candidate that hangs on some cases: whatever was asked before, and by however many threads.
+TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
+  const std::string asked =
+      "properties --candidate 'command:python3 tests/candidates/sometimes_silent.py' --timeout 1 "
+      "--filter class --source rays --source distance --source tangency --cases 400 --format json";
+  const std::string whole = run(asked + " --threads 1", 1).out;
+  EXPECT_EQ(run(asked + " --threads 3", 1).out, whole);
+  const std::string folder = fresh_folder("silent");
+  for (const int k : {3, 1, 2}) run(fmt::format("{} --shard {}/3 --out {}", asked, k, folder), 0);
+  EXPECT_EQ(run("merge --format json " + folder, 1).out, whole);
 }
 
 TEST(Shards, are_told_by_schedulers) {
@@ -215,6 +260,12 @@ TEST(Shards, are_told_by_schedulers) {
         {"SLURM_ARRAY_TASK_MIN", "4"}},
        "",
        "shard 2 of 3 (SLURM_ARRAY_TASK_ID=5)"},
+      {{{"SLURM_ARRAY_TASK_ID", "7"},
+        {"SLURM_ARRAY_TASK_COUNT", "4"},
+        {"SLURM_ARRAY_TASK_MIN", "1"},
+        {"SLURM_ARRAY_TASK_STEP", "3"}},
+       "",
+       "shard 3 of 4 (SLURM_ARRAY_TASK_ID=7)"},
       {{{"JOB_COMPLETION_INDEX", "0"}}, "--shard auto/4", "shard 1 of 4 (JOB_COMPLETION_INDEX=0)"},
       {{{"TEST_SHARD_INDEX", "2"}, {"TEST_TOTAL_SHARDS", "3"}},
        "",
@@ -245,6 +296,10 @@ TEST(Shards, refuse_what_is_no_shard) {
   expect_refused(kAsked + " --shard two/3" + out, "'two' is not a whole number");
   expect_refused(kAsked + " --shard auto/3" + out, "no scheduler says the number");
   expect_refused(kAsked + " --shard 1/3", "--shard requires --out");
+  {
+    const Variable index("JOB_COMPLETION_INDEX", "0");
+    expect_refused(kAsked + out, "JOB_COMPLETION_INDEX=0: nothing says of how many; give auto/N");
+  }
   const Variable index("CI_NODE_INDEX", "0"), count("CI_NODE_TOTAL", "2");
   expect_refused(kAsked + out, "CI_NODE_INDEX=0: there is no shard 0 of 2");
 }

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const CampaignIdentity kCampaign = {"properties", {"--cases", "2"}, "digest"};
+const CampaignIdentity kCampaign = {"properties", {"--cases", "2"}, "1", {}};
 
 /// A folder that is not there yet, and goes with the test.
 fs::path fresh_folder(const std::string& name) {
