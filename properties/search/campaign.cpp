@@ -373,14 +373,15 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
 
 CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
                                    const Candidate& candidate) {
-  const auto& [laws, options] = asked_[number];
+  const CampaignOptions& options = asked_[number].options;
+  const Law& asked = *asked_[number].laws[law];
   CampaignResult result = std::move(results_[number][law]);
   const auto& declared = candidate.declared.valid;
   result.wants_hits = declared && !declared->is_usual();
   const auto shrunk = [&](const CampaignPart& part, const Break& broken) {
     candidate.begin_anew();
     const std::uint64_t seed = parse_replay(broken.replay).seed;
-    LawSearch search(*laws[law], candidate, options, part.source);
+    LawSearch search(asked, candidate, options, part.source);
     search.replay(seed, !answers_nothing_[number]);
     if (search.failure) return *std::move(search.failure);
     return Failure{part.source.make(seed), part.verdict, broken.replay};  // interrupted
@@ -411,7 +412,7 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
   for (const CampaignPart& part : result.parts) {
     if (!part.undecided_seed || result.finding() != Finding::kUndecided) continue;
     candidate.begin_anew();
-    LawSearch search(*laws[law], candidate, options, part.source);
+    LawSearch search(asked, candidate, options, part.source);
     search.replay_undecided(*part.undecided_seed);
     result.failure = std::move(search.failure);
     break;
