@@ -127,6 +127,12 @@ std::unique_ptr<Units> units_of(const ShardArguments& arguments) {
 
 int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted) {
   const Shard& shard = units.shard();
+  for (const char* name :
+       {"--format", "--report", "--view", "--certificates", "--save", "--corpus", "--baseline"}) {
+    const CLI::Option* const option = arguments.command->get_option_no_throw(name);
+    if (option == nullptr || option->count() == 0) continue;
+    print_error(fmt::format("raycheck: {} is for merge: a shard reports nothing\n", name));
+  }
   if (!was_interrupted) {
     print_error(fmt::format("raycheck: shard {} of {} is done; once all are: raycheck merge {}\n",
                             shard.number, shard.of, arguments.out));

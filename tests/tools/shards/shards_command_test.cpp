@@ -283,6 +283,8 @@ TEST(Shards, are_told_by_schedulers) {
     EXPECT_EQ(lines_of(outcome.err).front(), "raycheck: " + told.said);
     EXPECT_EQ(outcome.out, "");
   }
+  expect_parts(run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("told"), 0).err,
+               {"--format is for merge: a shard reports nothing"});
   // Without --out nothing of this is meant.
   const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
   EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));
