@@ -32,7 +32,7 @@ std::span<const KnownReport> known_reports();
 struct FoundReport {
   /// The first law that breaks, at which source, and after how many of its cases; empty: none.
   std::string law, source;
-  int cases = 0;
+  std::int64_t cases = 0;
   std::vector<std::string> sentences;  ///< Of any law, each once.
 };
 properties::Candidate candidate_of(const KnownReport& report);

@@ -235,8 +235,8 @@ TEST(Campaign, GoesOnAfterABreak) {
 }
 
 /// How many cases each part of a campaign has, by its name.
-std::map<std::string, int> cases_of(const CampaignOptions& asked) {
-  std::map<std::string, int> cases;
+std::map<std::string, std::int64_t> cases_of(const CampaignOptions& asked) {
+  std::map<std::string, std::int64_t> cases;
   Law law = *find_law("class");
   law.judge = [](Trial&, Verdict&) {};
   for (const CampaignPart& part : run_campaign(law, kGood, asked).parts) {

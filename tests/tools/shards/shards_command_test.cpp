@@ -206,18 +206,18 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
   std::ofstream(source, std::ios::app) << "// another\n";
   expect_refused("merge " + its, "holds units of another " + source + ", which has changed since");
   // In a folder, with a header, all of it.
-  const std::string folder = fresh_folder("sources"), units = fresh_folder("of_sources");
-  fs::create_directories(folder + "/deeper");
-  fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp", folder + "/right.cpp");
-  std::ofstream(folder + "/deeper/mine.h") << "// mine\n";
-  std::ofstream(folder + "/right.cpp", std::ios::app) << "#include \"deeper/mine.h\"\n";
-  for (const std::string& named : {folder, folder + "/right.cpp"}) {
+  const std::string sources = fresh_folder("sources"), units = fresh_folder("of_sources");
+  fs::create_directories(sources + "/deeper");
+  fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp", sources + "/right.cpp");
+  std::ofstream(sources + "/deeper/mine.h") << "// mine\n";
+  std::ofstream(sources + "/right.cpp", std::ios::app) << "#include \"deeper/mine.h\"\n";
+  for (const std::string& named : {sources, sources + "/right.cpp"}) {
     fs::remove_all(units);
     const std::string line =
         "properties --filter class --source rays --cases 60 --candidate source:" + named;
     run(line + " --shard 1/1 --out " + units, 0);
     run(line + " --shard 1/1 --out " + units, 0);
-    std::ofstream(folder + "/deeper/mine.h", std::ios::app) << "// more\n";
+    std::ofstream(sources + "/deeper/mine.h", std::ios::app) << "// more\n";
     expect_refused(line + " --shard 1/1 --out " + units, "deeper/mine.h, which has changed since");
   }
 }
