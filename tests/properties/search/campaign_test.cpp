@@ -246,7 +246,7 @@ std::map<std::string, std::int64_t> cases_of(const CampaignOptions& asked) {
 }
 
 TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
-  std::map<std::string, int> before;
+  std::map<std::string, std::int64_t> before;
   for (const Level level : {Level::kOrdinary, Level::kDemanding, Level::kExtreme}) {
     CampaignOptions asked = options(2400);
     asked.level = level;
