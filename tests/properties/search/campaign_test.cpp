@@ -250,7 +250,7 @@ TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
   for (const Level level : {Level::kOrdinary, Level::kDemanding, Level::kExtreme}) {
     CampaignOptions asked = options(2400);
     asked.level = level;
-    std::map<std::string_view, int> of_source;
+    std::map<std::string_view, std::int64_t> of_source;
     const auto parts = cases_of(asked);
     for (const auto& [source_name, cases] : parts) {
       const ChosenSource part = chosen_source(source_name);
