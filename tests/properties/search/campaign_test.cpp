@@ -259,7 +259,7 @@ TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
       of_source[part.source->name] += cases;
     }
     const int share = 2400 / static_cast<int>(of_source.size());
-    int all = 0;
+    std::int64_t all = 0;
     for (const auto& [source_name, cases] : of_source) {
       EXPECT_GE(cases, share) << source_name;
       all += cases;
