@@ -163,11 +163,13 @@ class RangeSearch {
   std::vector<Rank> some_between(Rank from, Rank to) const {
     constexpr int kParts = kPointsBetween / 2 + 1;
     std::vector<Rank> ranks;
-    for (int k = 1; k < kParts; ++k) {
+    // Modulo 2^64, for a part of a large range times k may not fit; the sum does.
+    const auto part = static_cast<std::uint64_t>(to / kParts - from / kParts);
+    for (std::uint64_t k = 1; k < kParts; ++k) {
       const double share = static_cast<double>(k) / kParts;
       const double even = number(from) * (1 - share) + number(to) * share;
       ranks.push_back(rank_of(candidate_.precision, even));
-      ranks.push_back(from + k * (to / kParts - from / kParts));
+      ranks.push_back(static_cast<Rank>(static_cast<std::uint64_t>(from) + k * part));
     }
     return between(from, to, std::move(ranks));
   }
