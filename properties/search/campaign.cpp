@@ -260,21 +260,19 @@ Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_
     for (auto& unit : broken_in) unit = kNoUnit;
     series_.push_back({source, std::move(tried), 0, std::move(broken_in)});
   }
-  number_units();
-  while (unit_count_ > kMostUnits + series_.size()) {
-    unit_cases_ *= 2;
-    number_units();
+  std::int64_t pieces = 0;
+  for (const Series& series : series_) pieces += (series.most() - 1) / kUnitCases + 1;
+  unit_cases_ = static_cast<int>(kUnitCases * pieces_of_unit(pieces));
+  for (Series& series : series_) {
+    series.first_unit = unit_count_;
+    unit_count_ += static_cast<std::size_t>((series.most() - 1) / unit_cases_ + 1);
   }
 }
 
-void Campaigns::number_units() {
-  unit_count_ = 0;
-  for (Series& series : series_) {
-    int most = 0;
-    for (const Tried& law : series.tried) most = std::max(most, law.cases);
-    series.first_unit = unit_count_;
-    unit_count_ += static_cast<std::size_t>((most - 1) / unit_cases_ + 1);
-  }
+int Campaigns::Series::most() const {
+  int most = 0;
+  for (const Tried& law : tried) most = std::max(most, law.cases);
+  return most;
 }
 
 Campaigns::Unit Campaigns::unit(std::size_t number) const {
@@ -364,8 +362,9 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
   }
   for (std::size_t k = 0; k < asked_.size(); ++k) {
     if (answers[k]) has_answered_[k] = true;
-    if (fails[k] && !has_answered_[k] && ++units_failed_[k] == kUnitsToFail) {
-      answers_nothing_[k] = true;
+    if (fails[k] && !has_answered_[k]) {
+      // Each request without a reply takes all the time that there is for one.
+      answers_nothing_[k] = silent[k] || ++units_failed_[k] == kUnitsToFail;
     }
     if (silent[k] && ++units_silent_[k] == kUnitsToFail) is_silent_[k] = true;
   }
@@ -379,7 +378,6 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
   const auto& declared = candidate.declared.valid;
   result.wants_hits = declared && !declared->is_usual();
   const auto shrunk = [&](const CampaignPart& part, const Break& broken) {
-    candidate.begin_anew();
     const std::uint64_t seed = parse_replay(broken.replay).seed;
     LawSearch search(asked, candidate, options, part.source);
     search.replay(seed, !answers_nothing_[number]);
@@ -411,7 +409,6 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
   if (result.failure) return result;
   for (const CampaignPart& part : result.parts) {
     if (!part.undecided_seed || result.finding() != Finding::kUndecided) continue;
-    candidate.begin_anew();
     LawSearch search(asked, candidate, options, part.source);
     search.replay_undecided(*part.undecided_seed);
     result.failure = std::move(search.failure);

@@ -144,11 +144,17 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most);
 
 /// A unit of work has so many cases of a series, so that threads end together,
 inline constexpr int kUnitCases = 64;
-/// or a multiple by a power of two, so that a campaign has hardly more units than this.
-inline constexpr std::size_t kMostUnits = 1 << 14;
+/// or so many such pieces of a large campaign, a power of two, that there are hardly more units
+/// than these.
+inline constexpr std::int64_t kMostUnits = 1 << 14;
+constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
+  std::int64_t pieces = 1;
+  while (all_pieces / pieces > kMostUnits) pieces *= 2;
+  return pieces;
+}
 
 /// Who only fails in the first of so many units is asked no more, nor who gives no reply in time in
-/// so many.
+/// so many, or in the first.
 inline constexpr std::size_t kUnitsToFail = 3;
 
 /// The laws that a candidate is held to, and how.
@@ -194,13 +200,13 @@ class Campaigns {
     std::size_t first_unit;
     /// The first unit in which each of these is broken: later ones do not count.
     std::vector<std::atomic<std::size_t>> broken_in;
+    int most() const;  ///< Cases of any law.
   };
   struct Unit {
     Series& series;
     int number;  ///< In the series.
   };
   Unit unit(std::size_t number) const;
-  void number_units();
 
   std::vector<LawsOfCandidate> asked_;
   mutable std::vector<Series> series_;  ///< In the order of sources and severities.

@@ -143,13 +143,16 @@ void Judgement::run(const RunControl& control, Units* units, std::uint64_t& rays
                     const std::function<void()>& tell) {
   const std::uint64_t rays = scenes_.given().rays_judged();
   const std::uint64_t chunks = (rays + kChunk - 1) / kChunk;
-  std::uint64_t at_once = 1;  // chunks of a unit
-  while (chunks / at_once > properties::kMostUnits) at_once *= 2;
+  const auto at_once = static_cast<std::uint64_t>(  // chunks of a unit
+      properties::pieces_of_unit(static_cast<std::int64_t>(chunks)));
   using Unit = std::vector<ChunkVerdicts>;
   run_units<Unit>(
       static_cast<std::int64_t>((chunks + at_once - 1) / at_once), units, control,
       [&](std::int64_t k) {
         Unit unit;
+        for (const Candidate& one : candidates_.local()) {
+          if (units != nullptr) one.begin_anew();
+        }
         const std::uint64_t first = static_cast<std::uint64_t>(k) * at_once;
         for (std::uint64_t chunk = first; chunk < std::min(first + at_once, chunks); ++chunk) {
           unit.push_back(judge(chunk * kChunk));

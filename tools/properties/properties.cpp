@@ -66,7 +66,6 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   report.precision = candidate.precision;
   report.domain = candidate;
   report.implementation = implementation;
-  candidate.begin_anew();
   if (!implementation.methods && report.finding == properties::Finding::kBroken) {
     report.explanations =
         properties::causes(telling_cases(report.result, properties::kCasesOfACause), candidate);
@@ -202,6 +201,7 @@ class Study {
   /// What they came to, in the order of laws.
   std::vector<CampaignReport> finished(const properties::RunControl& control) {
     std::vector<CampaignReport> reports;
+    for (const Candidate& one : candidates_.local()) one.begin_anew();
     for (std::size_t k = 0; k < order_.size(); ++k) {
       const auto& [law, candidate, number] = order_[k];
       const Candidate& own = candidates_.local()[candidate];
@@ -350,7 +350,8 @@ int cases_for(const PropertiesOptions& options, double seconds,
     run_properties(tried, control);
     const double took = passed() - before;
     const double left = seconds - passed();
-    if (took < kShare * left && !control.interrupted()) continue;
+    const bool is_largest = tried.cases > kMostCases / 4;
+    if (took < kShare * left && !is_largest && !control.interrupted()) continue;
     const double times = std::max(1.0, kMargin * left / took);
     return static_cast<int>(std::min(tried.cases * times, kMostCases));
   }

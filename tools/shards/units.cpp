@@ -36,9 +36,9 @@ std::string bytes_of(const fs::path& file) {
 }
 
 /// Of what a unit's file holds: a packed result, and its size.
-std::string digest_of(const CampaignIdentity& campaign, std::int64_t unit, std::size_t size,
+std::string digest_of(const std::string& campaign, std::int64_t unit, std::size_t size,
                       const std::string& result) {
-  return tools::digest({campaign.digest(), std::to_string(unit), std::to_string(size), result});
+  return digest({campaign, std::to_string(unit), std::to_string(size), result});
 }
 
 /// As users know it.
@@ -49,8 +49,9 @@ std::string shown(const fs::path& folder) {
 
 /// What differs of the units of a folder.
 std::string difference(const CampaignIdentity& other, const CampaignIdentity& campaign) {
-  if (other.text() != campaign.text())
+  if (other.text() != campaign.text()) {
     return fmt::format("{}, not of {}", other.text(), campaign.text());
+  }
   if (other.version != campaign.version) {
     return fmt::format("raycheck {}, not of {}", other.version, campaign.version);
   }
@@ -116,12 +117,16 @@ CampaignIdentity campaign_in(const fs::path& folder) {
 
 Units::Units(CampaignIdentity campaign, fs::path folder, Shard shard)
     : campaign_(std::move(campaign)),
+      digest_(campaign_.digest()),
       folders_({folder}),
       shard_(std::move(shard)),
       is_merged_(false) {}
 
 Units::Units(CampaignIdentity campaign, std::vector<fs::path> folders)
-    : campaign_(std::move(campaign)), folders_(std::move(folders)), is_merged_(true) {
+    : campaign_(std::move(campaign)),
+      digest_(campaign_.digest()),
+      folders_(std::move(folders)),
+      is_merged_(true) {
   for (const fs::path& folder : folders_) require_same(campaign_, folder);
 }
 
@@ -139,7 +144,7 @@ void Units::make_folder() const {
                           {"arguments", campaign_.arguments},
                           {"version", campaign_.version},
                           {"files", campaign_.files},
-                          {"digest", campaign_.digest()}}));
+                          {"digest", digest_}}));
   }
   require_same(campaign_, folder);
 }
@@ -160,7 +165,7 @@ std::vector<std::int64_t> Units::open(std::int64_t count) {
       files_[unit].push_back(entry.path());
     }
   }
-  if (is_merged_ && found() < count) refuse_missing(count);
+  if (is_merged_ && std::ssize(files_) < count) refuse_missing(count);
   std::vector<std::int64_t> mine;
   for (std::int64_t unit = 0; unit < count; ++unit) {
     if (is_merged_ || shard_.has(unit)) mine.push_back(unit);
@@ -171,7 +176,7 @@ std::vector<std::int64_t> Units::open(std::int64_t count) {
 void Units::refuse_missing(std::int64_t count) const {
   std::int64_t first = 0;
   while (files_.count(first) > 0) ++first;
-  const std::int64_t others = count - found() - 1;
+  const std::int64_t others = count - std::ssize(files_) - 1;
   throw std::invalid_argument(
       fmt::format("{}: unit {} of {} is missing{}; what is missing is done by {}, kept there",
                   shown(folders_.front()), first + 1, count,
@@ -179,8 +184,7 @@ void Units::refuse_missing(std::int64_t count) const {
 }
 
 std::string Units::name_of(std::int64_t unit) const {
-  return fmt::format("{:06}-{:.16}{}", unit,
-                     tools::digest({campaign_.digest(), std::to_string(unit)}), kUnitEnding);
+  return fmt::format("{:06}-{:.16}{}", unit, digest({digest_, std::to_string(unit)}), kUnitEnding);
 }
 
 std::string Units::contents(const fs::path& file, std::int64_t unit) const {
@@ -191,7 +195,7 @@ std::string Units::contents(const fs::path& file, std::int64_t unit) const {
   bytes.get();
   // Checked before it is unpacked: a size that was changed is not believed.
   const std::string packed_result{std::istreambuf_iterator<char>(bytes), {}};
-  if (stated == digest_of(campaign_, unit, size, packed_result)) {
+  if (stated == digest_of(digest_, unit, size, packed_result)) {
     return unpacked(packed_result, size);
   }
   throw std::invalid_argument(
@@ -204,10 +208,10 @@ std::optional<std::string> Units::read(std::int64_t unit) const {
   const std::vector<fs::path>& copies = found->second;
   try {
     std::string first = contents(copies.front(), unit);
-    for (const fs::path& copy : copies) {
-      if (contents(copy, unit) == first) continue;
-      throw std::invalid_argument(
-          fmt::format("{} and {}: contradict each other", copies.front().string(), copy.string()));
+    for (std::size_t k = 1; k < copies.size(); ++k) {
+      if (contents(copies[k], unit) == first) continue;
+      throw std::invalid_argument(fmt::format("{} and {}: contradict each other",
+                                              copies.front().string(), copies[k].string()));
     }
     return first;
   } catch (const std::invalid_argument&) {
@@ -220,7 +224,7 @@ void Units::write(std::int64_t unit, const std::string& result) const {
   OutputFile file("out", (folders_.front() / name_of(unit)).string());
   const std::string bytes = packed(result);
   file.append(
-      fmt::format("{} {}\n", digest_of(campaign_, unit, result.size(), bytes), result.size()));
+      fmt::format("{} {}\n", digest_of(digest_, unit, result.size(), bytes), result.size()));
   file.append(bytes);
   file.place();
 }

@@ -49,7 +49,6 @@ class Units {
   /// Whether all units are seen, so that there is something to report.
   bool are_all() const { return is_merged_ || shard_.of == 1; }
   const Shard& shard() const { return shard_; }
-  std::int64_t found() const { return static_cast<std::int64_t>(files_.size()); }
 
   /// What a unit's file has, or empty if it is missing or, where it can be done again, damaged.
   /// Errors, to be merged: std::invalid_argument naming the file that is damaged, or two that
@@ -65,6 +64,7 @@ class Units {
   [[noreturn]] void refuse_missing(std::int64_t count) const;
 
   CampaignIdentity campaign_;
+  std::string digest_;  ///< Its own.
   std::vector<std::filesystem::path> folders_;
   Shard shard_;
   bool is_merged_;

@@ -116,8 +116,9 @@ std::vector<StressUnit> units_of(const std::vector<Series>& all, int cases) {
   for (const Series& one : all) {
     if (!one.curves.empty()) severities += static_cast<std::int64_t>(one.severities.size());
   }
-  std::int64_t most = properties::kUnitCases;
-  while (severities * (cases / most) > static_cast<std::int64_t>(properties::kMostUnits)) most *= 2;
+  const std::int64_t most =
+      properties::kUnitCases *
+      properties::pieces_of_unit(severities * (cases / properties::kUnitCases));
   std::vector<StressUnit> units;
   for (std::size_t series = 0; series < all.size(); ++series) {
     if (all[series].curves.empty()) continue;
@@ -199,13 +200,22 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   tbb::enumerable_thread_specific<Candidates> candidates([&] { return Candidates(all.size()); });
   using Results = std::vector<StressResult>;
   std::size_t next = 0;
+  properties::RunControl allowed = control;
+  // Who is silent three times is asked no more, which must not depend on threads.
+  if (kept == nullptr && std::any_of(options.implementations.begin(), options.implementations.end(),
+                                     [](const Implementation& one) { return !one.methods; })) {
+    allowed.threads = 1;
+  }
   run_units<Results>(
-      static_cast<std::int64_t>(units.size()), kept, control,
+      static_cast<std::int64_t>(units.size()), kept, allowed,
       [&](std::int64_t k) {
         const auto& [series, at, first, cases] = units[static_cast<std::size_t>(k)];
         const Series& its = all[series];
         auto& own = candidates.local()[series];
         if (own.empty()) own = its.candidates();
+        for (const properties::Candidate& one : own) {
+          if (kept != nullptr) one.begin_anew();
+        }
         const int severity = its.severities[at];
         return stress({its.family, severity}, its.stage, own,
                       {first, cases, options.seed + static_cast<std::uint64_t>(severity)}, control);

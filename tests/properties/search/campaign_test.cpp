@@ -135,8 +135,8 @@ TEST(Campaign, HasUnitsOfMoreCasesWhereItIsLarger) {
   Campaigns small({{{find_law("class")}, few}});
   const Campaigns large({{{find_law("class")}, many}});
   EXPECT_EQ(small.unit_count(), 4u);
-  EXPECT_GT(large.unit_count(), kMostUnits / 2);
-  EXPECT_LE(large.unit_count(), kMostUnits + 1);
+  EXPECT_GT(large.unit_count(), std::size_t{kMostUnits / 2});
+  EXPECT_LE(large.unit_count(), std::size_t{kMostUnits + 1});
   // Its first unit has more cases than all of the small one: they begin alike.
   std::vector<scene::Scene> asked[2];
   for (const bool is_large : {false, true}) {

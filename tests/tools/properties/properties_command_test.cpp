@@ -129,12 +129,12 @@ TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
 /// However fast the machine is, the cases that it says can be asked for again.
 TEST(PropertiesCommand, takes_a_time_and_says_how_many_cases_fill_it) {
   const std::string asked = "properties --filter class --source rays --intersect cross ";
-  const std::string timed = run(asked + "--for 1s", 0).out;
+  const auto [exit_code, timed, err] = run(asked + "--for 1s");
   const std::string last = lines_of(timed).back(), says = "1s is --cases ";
   ASSERT_TRUE(last.starts_with(says)) << last;
   const std::string count = last.substr(says.size(), last.find(';') - says.size());
   EXPECT_EQ(last, says + count + "; of each source: " + count + " rays");
-  EXPECT_EQ(timed, run(asked + "--cases " + count, 0).out + last + "\n");
+  EXPECT_EQ(timed, run(asked + "--cases " + count, exit_code).out + last + "\n");
   expect_refused(asked + "--for 5", "--for 5: give a whole number of s, m or h");
   expect_refused(asked + "--for 1s --cases 3", "--cases excludes --for");
 }

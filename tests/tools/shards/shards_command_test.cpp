@@ -249,6 +249,21 @@ TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
   EXPECT_EQ(run("merge --format json " + folder, 1).out, whole);
 }
 
+/// Each request without a reply takes a second: laws in tens, sources in tens, and a few requests.
+TEST(Shards, ask_who_never_replies_a_few_times) {
+  const std::string starts = fresh_folder("starts");
+  const std::string hangs = temporary_file(
+      "hangs.py", "import raycheck_candidate as rc\nopen('" + starts +
+                      "', 'a').write('x')\ndef intersect(*asked):\n    while True: pass\n"
+                      "rc.run('hangs', intersect=intersect)\n");
+  const std::string asked = "properties --candidate 'command:python3 " + hangs +
+                            "' --sandbox none --i-know --timeout 1 --threads ";
+  const std::string by_one = run(asked + "1", 1).out;
+  EXPECT_TRUE(has(by_one, "answers nothing: intersect: "));
+  EXPECT_LE(contents(starts).size(), 12u);  // a process for each
+  EXPECT_EQ(run(asked + "2", 1).out, by_one);
+}
+
 TEST(Shards, are_told_by_schedulers) {
   struct Told {
     std::vector<std::pair<const char*, std::string>> variables;
