@@ -362,11 +362,13 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
   }
   for (std::size_t k = 0; k < asked_.size(); ++k) {
     if (answers[k]) has_answered_[k] = true;
-    if (fails[k] && !has_answered_[k]) {
-      // Each request without a reply takes all the time that there is for one.
-      answers_nothing_[k] = silent[k] || ++units_failed_[k] == kUnitsToFail;
+    if (fails[k] && !has_answered_[k] && ++units_failed_[k] == kUnitsToFail) {
+      answers_nothing_[k] = true;
     }
-    if (silent[k] && ++units_silent_[k] == kUnitsToFail) is_silent_[k] = true;
+    // Each request without a reply takes all the time that there is for one.
+    if (silent[k] && (!has_answered_[k] || ++units_silent_[k] == kUnitsToFail)) {
+      is_silent_[k] = true;
+    }
   }
 }
 
