@@ -87,9 +87,14 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   const scene::Measured error = error_between(first, second, by.factor, is_hit);
   const double bound = 2 * trial.bound(Quantity::kParameter);
   if (is_hit) {
-    // Parameters at different roots are a chord apart, however accurate both are.
-    const bool is_other_root = error.in(trial.precision()).value > bound &&
-                               first.is_at_other_root() != second.is_at_other_root();
+    // Parameters at different roots are a chord apart, however accurate both are; two at the other
+    // root agree, but are not right, and it is the right one that the condition number is of.
+    const bool is_above = error.in(trial.precision()).value > bound;
+    const bool is_at_other = is_above && first.is_at_other_root();
+    const bool is_other_root = is_above && is_at_other != second.is_at_other_root();
+    if (is_at_other && !is_other_root) {
+      return verdict.not_right(Quantity::kRoot, root_expected(at));
+    }
     trial.judge(verdict,
                 {Quantity::kRoot, root_expected(at), place,
                  is_other_root ? Wrong::kWrongRoot : Wrong::kNot},

@@ -113,6 +113,23 @@ TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
   for (const double share : excuse.witness) EXPECT_LE(std::abs(share), kExcusedChange);
 }
 
+/// The smaller root lies behind the origin by a rounding: who answers it is wrong by a chord, which
+/// the law of roots judges, however its two answers differ.
+TEST(Trial, ComparesNoAnswersAtTheOtherRoot) {
+  const Case inside = ray_case({{-0x1.fffffffffffffp-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
+  for (const bool is_at_other : {true, false}) {
+    Candidate candidate;
+    candidate.intersect = [&](Candidate::Rays rays, Candidate::Spheres, const Conventions&) {
+      const scene::Vector3& d = rays[0].direction;
+      const double turned = d.x == 1 ? 1 : 2;
+      return std::vector(1, SphereHits{{0, {is_at_other ? -0x1p-53 * turned : turned, {}}}});
+    };
+    const Verdict axes = judge("axes", inside, candidate);
+    EXPECT_EQ(axes.discrepancies() == 0, is_at_other);
+    EXPECT_EQ(judge("nearest-root", inside, candidate).discrepancies() == 0, !is_at_other);
+  }
+}
+
 TEST(Trial, JudgesATangentByItsConvention) {
   const HitAnswer hit{5, {0, 1, 0}};
   for (const auto& [tangent, answer_is_right, judged] :
