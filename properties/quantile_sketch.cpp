@@ -57,21 +57,47 @@ void QuantileSketch::merge(const QuantileSketch& other) {
   if (&other == this) return merge(QuantileSketch(other));
   max_ = std::max(max_, other.max_);
   count_ += other.count_;
-  for (const auto& [end, count] : other.bins_) bins_[end] += count;
+  count(bins_, other.bins_);
   for (const double end : other.waiting_) wait(end);
 }
 
 void QuantileSketch::wait(double upper_end) {
   waiting_.push_back(upper_end);
   if (waiting_.size() < kMostWaiting) return;
-  for (const double end : waiting_) ++bins_[end];
+  count(bins_, bins_of(waiting_));
   waiting_.clear();
 }
 
-std::map<double, std::uint64_t> QuantileSketch::counted() const {
-  std::map all(bins_.begin(), bins_.end());
-  for (const double end : waiting_) ++all[end];
-  return all;
+std::vector<QuantileSketch::Bin> QuantileSketch::bins_of(std::vector<double> ends) {
+  std::sort(ends.begin(), ends.end());
+  std::vector<Bin> bins;
+  for (const double end : ends) {
+    if (bins.empty() || bins.back().end != end) bins.push_back({end, 0});
+    ++bins.back().count;
+  }
+  return bins;
+}
+
+void QuantileSketch::count(std::vector<Bin>& bins, std::span<const Bin> others) {
+  const auto is_before = [](const Bin& a, const Bin& b) { return a.end < b.end; };
+  std::vector<Bin> fresh;
+  auto at = bins.begin();
+  for (const Bin& other : others) {
+    at = std::lower_bound(at, bins.end(), other, is_before);
+    if (at != bins.end() && at->end == other.end) {
+      at->count += other.count;
+    } else {
+      fresh.push_back(other);
+    }
+  }
+  const auto middle = bins.insert(bins.end(), fresh.begin(), fresh.end());
+  std::inplace_merge(bins.begin(), middle, bins.end(), is_before);
+}
+
+std::vector<QuantileSketch::Bin> QuantileSketch::counted() const {
+  std::vector<Bin> bins = bins_;
+  count(bins, bins_of(waiting_));
+  return bins;
 }
 
 std::string QuantileSketch::packed() const {
@@ -92,7 +118,8 @@ void QuantileSketch::unpack(const std::string& bins) {
   std::uint64_t key = 0;
   for (auto at = bins.begin(); at != bins.end();) {
     key += take(at);
-    bins_[std::bit_cast<double>(std::rotl(key, kZeros))] = take(at);
+    const double end = std::bit_cast<double>(std::rotl(key, kZeros));
+    bins_.push_back({end, take(at)});
   }
 }
 

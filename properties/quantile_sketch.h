@@ -2,10 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
+#include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace raycheck::properties {
@@ -53,16 +52,26 @@ class QuantileSketch {
   }
 
  private:
+  /// Numbers of one upper end.
+  struct Bin {
+    double end;
+    std::uint64_t count;
+    bool operator==(const Bin&) const = default;
+  };
+
   void wait(double upper_end);
-  /// The bins that were hit, and how often.
-  std::map<double, std::uint64_t> counted() const;
+  /// The bins that were hit, by their ends.
+  std::vector<Bin> counted() const;
+  static std::vector<Bin> bins_of(std::vector<double> ends);
+  /// Adds others to bins, both sorted.
+  static void count(std::vector<Bin>& bins, std::span<const Bin> others);
   /// The same in two or three bytes a bin.
   std::string packed() const;
   /// Domain: what packed() made.
   void unpack(const std::string& bins);
 
-  std::unordered_map<double, std::uint64_t> bins_;  ///< By their upper ends.
-  std::vector<double> waiting_;                     ///< Upper ends that are not yet counted there.
+  std::vector<Bin> bins_;        ///< Sorted.
+  std::vector<double> waiting_;  ///< Upper ends that are not yet counted there.
   std::uint64_t count_ = 0;
   double max_ = 0;
 };

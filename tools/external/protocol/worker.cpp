@@ -22,6 +22,7 @@
 #include "scene/precision.h"
 #include "tools/external/protocol/frames.h"
 #include "tools/external/protocol/words.h"
+#include "tools/external/sandbox/awake.h"
 
 namespace {
 
@@ -331,6 +332,8 @@ int main(int argc, char** argv) {
       reply << "error " << request->id << " " << error.what() << "\n";
     }
     reply.send();
+    pollfd input = {STDIN_FILENO, POLLIN, 0};
+    raycheck::tools::poll_awake(&input, 1);
   }
   return 0;
 }

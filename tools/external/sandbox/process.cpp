@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "scene/interruption.h"
+#include "tools/external/sandbox/awake.h"
 #include "tools/external/sandbox/process_tree.h"
 
 namespace raycheck::tools {
@@ -263,7 +264,9 @@ std::string Process::exchange(std::string_view request,
     std::array<pollfd, 3> streams = {{{output_.number(), POLLIN, 0},
                                       {error_.number(), POLLIN, 0},
                                       {request.empty() ? -1 : input_.number(), POLLOUT, 0}}};
-    if (poll(streams.data(), streams.size(), static_cast<int>(left)) < 0 && errno != EINTR) {
+    int ready = request.empty() ? poll_awake(streams.data(), streams.size()) : 0;
+    if (ready == 0) ready = poll(streams.data(), streams.size(), static_cast<int>(left));
+    if (ready < 0 && errno != EINTR) {
       fail(FailureKind::kSystem, std::strerror(errno));
     }
     if (streams[1].revents != 0) listen(error_, said_);
