@@ -14,6 +14,18 @@ double magnitude(const Bounds& x) { return std::max(std::abs(x.low), std::abs(x.
 constexpr double kUnitRoundoff = 0x1p-53;
 /// Covers what computing bounds in doubles loses.
 constexpr double kSlack = 1.01;
+/// The form by h takes longer: only where its bound is so much smaller.
+constexpr double kMomentGain = 0.25;
+
+/// e of h = f x g.
+double moment_error(const FilteredSphere& sphere, const PlaneSizes& sizes, double rho) {
+  const double u = std::abs(sphere.u), v = std::abs(sphere.v), w = std::abs(sphere.w);
+  const auto& [N, X, Y, delta, A, E_a] = sizes;
+  const auto of = [&, d = delta](double x, double y, double z, double t) {
+    return 3 * kUnitRoundoff * (x * y + z * t) + rho * (y + t) + d * (x + z) + 2 * rho * d;
+  };
+  return kSlack * std::hypot(of(v, N, w, Y), of(w, X, u, N), of(u, Y, v, X));
+}
 
 }  // namespace
 
@@ -54,9 +66,19 @@ FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const 
   const double I_b = (N + X + Y) * rho + delta * (u + v + w + 3 * rho);
   const double B = kSlack * (N * w + Y * v + X * u + I_b);
   const double E_b = kSlack * (4 * kUnitRoundoff * B + I_b);
-  const double E =
+  const double by_roots =
       kSlack * (2.2 * B * E_b + 2.2 * kUnitRoundoff * B * B +
                 c * (1.1 * E_a + 2.2 * kUnitRoundoff * A) + 1.1 * half_width(plan.seen.power) * A);
+  const double e = moment_error(sphere, sizes, rho);
+  const Bounds radius_sq = square(plan.seen.radius);
+  sphere.radius_sq = middle(radius_sq);
+  const double S = std::sqrt(sphere.radius_sq * A);
+  const double by_moment =
+      kSlack * (4 * S * e + e * e + 18 * kUnitRoundoff * S * S +
+                sphere.radius_sq * (1.1 * E_a + 2.2 * kUnitRoundoff * A) +
+                1.1 * half_width(radius_sq) * A);
+  sphere.by_moment = e <= S / 8 && by_moment < kMomentGain * by_roots;
+  const double E = sphere.by_moment ? by_moment : by_roots;
   sphere.decided = kDecidedBeyond * E;
   sphere.root_margin = kSlack * (E_b + 0.52 * std::sqrt(E / kDecidedBeyond) +
                                  4 * kUnitRoundoff * (B + std::sqrt(B * B + c * A)));

@@ -9,6 +9,8 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
+#include "reference/visibility/visibility_formula.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::reference {
 namespace HWY_NAMESPACE {
@@ -19,6 +21,15 @@ using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A number of visibility_formula.h.
+struct Lanes {
+  V raw;
+};
+HWY_INLINE Lanes operator*(Lanes x, Lanes y) { return {hn::Mul(x.raw, y.raw)}; }
+HWY_INLINE Lanes mul_add(Lanes x, Lanes y, Lanes z) { return {hn::MulAdd(x.raw, y.raw, z.raw)}; }
+HWY_INLINE Lanes mul_sub(Lanes x, Lanes y, Lanes z) { return {hn::MulSub(x.raw, y.raw, z.raw)}; }
+HWY_INLINE Lanes sub_mul(Lanes x, Lanes y, Lanes z) { return {hn::NegMulAdd(x.raw, y.raw, z.raw)}; }
 
 HWY_INLINE void mark_undecided(D d, M undecided, int row, int column, Tile& tile) {
   std::uint8_t bits[8] = {};
@@ -68,8 +79,8 @@ HWY_INLINE Met choose_root(D d, const Roots& roots, V root_margin, const TileRay
 
 enum class Answer { kNearest, kClass };
 
-template <Certified kCertified, Answer kAnswer, bool kRootsMatter>
-HWY_INLINE void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRays& rays,
+template <Certified kCertified, Answer kAnswer, bool kRootsMatter, bool kByMoment>
+void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRays& rays,
                              Tile& tile) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -77,22 +88,26 @@ HWY_INLINE void sweep_sphere(const SphereInTile& entry, double margin_so_far, co
   const V decided = hn::Set(d, kCertified == Certified::kYes ? sphere.decided : 0);
   const V root_margin = hn::Set(d, sphere.root_margin);
   const V order_margin = hn::Set(d, sphere.root_margin + margin_so_far);
-  const V u = hn::Set(d, sphere.u);
-  const V power = hn::Set(d, sphere.power);
+  const auto all = [d](double x) { return Lanes{hn::Set(d, x)}; };
+  const Lanes u = all(sphere.u), v = all(sphere.v), w = all(sphere.w);
+  const Lanes power = all(sphere.power), radius_sq = all(sphere.radius_sq);
   const V here = hn::Set(d, sphere.index);
   const int first = entry.pixels.i_begin / lanes * lanes;
   for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
     const double beta = rays.beta[static_cast<std::size_t>(row)];
-    const V row_b = hn::Set(d, rays.near * sphere.w + beta * sphere.v);
-    const V row_a = hn::Set(d, rays.near * rays.near + beta * beta);
+    const RowTerms<double> shared = row_terms(rays.near, beta, sphere.u, sphere.v, sphere.w);
+    const RowTerms<Lanes> terms = {all(shared.b), all(shared.a), all(shared.moment_sq),
+                                   all(shared.n_u), all(shared.beta_u)};
     for (int column = first; column < entry.pixels.i_end; column += lanes) {
-      const V alpha = hn::LoadU(d, rays.alpha + column);
-      const V b = hn::MulAdd(alpha, u, row_b);
-      const V a = hn::MulAdd(alpha, alpha, row_a);
-      const V disc = hn::MulSub(b, b, hn::Mul(power, a));
+      const Lanes alpha{hn::LoadU(d, rays.alpha + column)};
+      const Lanes line_b = b_of(alpha, u, terms.b), line_a = a_of(alpha, terms.a);
+      const V b = line_b.raw, a = line_a.raw;
+      const V disc = (kByMoment ? discriminant_by_moment(alpha, v, w, terms, line_a, radius_sq)
+                                : discriminant(line_b, line_a, power))
+                         .raw;
       M met = hn::Gt(disc, decided);
       M undecided = kCertified == Certified::kYes ? hn::Le(hn::Abs(disc), decided)
-                                                  : hn::Lt(power, power);  // none
+                                                  : hn::Lt(b, b);  // none
       if (hn::AllFalse(d, hn::Or(met, undecided))) continue;
       const std::size_t at = static_cast<std::size_t>(row * Tile::kWidth + column);
       V numerator = b;
@@ -135,6 +150,20 @@ void leave_to_exact(const TileRectangle& pixels, Tile& tile) {
   }
 }
 
+/// Sweeps a sphere in the form that suits it.
+template <Certified kCertified, Answer kAnswer>
+void sweep_by_form(const SphereInTile& entry, double margin_so_far, const TileRays& rays,
+                   Tile& tile) {
+  const FilteredSphere& sphere = *entry.sphere;
+  if (kCertified == Certified::kYes && sphere.exact) return leave_to_exact(entry.pixels, tile);
+  const auto sweep = sphere.roots_matter
+                         ? (sphere.by_moment ? sweep_sphere<kCertified, kAnswer, true, true>
+                                             : sweep_sphere<kCertified, kAnswer, true, false>)
+                         : (sphere.by_moment ? sweep_sphere<kCertified, kAnswer, false, true>
+                                             : sweep_sphere<kCertified, kAnswer, false, false>);
+  sweep(entry, margin_so_far, rays, tile);
+}
+
 /// The largest numerator of the tile: infinity while a pixel sees nothing.
 double largest_numerator(const Tile& tile) {
   const D d;
@@ -158,13 +187,7 @@ void sweep_all(std::span<const SphereInTile> spheres, const TileRays& rays, Tile
       const double farthest = largest_numerator(tile) + 2 * margin_so_far;
       if (sphere.nearest_distance * rays.least_length * (1 - 0x1p-40) > farthest) return;
     }
-    if (kCertified == Certified::kYes && sphere.exact) {
-      leave_to_exact(spheres[k].pixels, tile);
-    } else if (sphere.roots_matter) {
-      sweep_sphere<kCertified, Answer::kNearest, true>(spheres[k], margin_so_far, rays, tile);
-    } else {
-      sweep_sphere<kCertified, Answer::kNearest, false>(spheres[k], margin_so_far, rays, tile);
-    }
+    sweep_by_form<kCertified, Answer::kNearest>(spheres[k], margin_so_far, rays, tile);
     if (!sphere.exact) margin_so_far = std::max(margin_so_far, sphere.root_margin);
   }
 }
@@ -177,13 +200,7 @@ void sweep_uncertified(std::span<const SphereInTile> spheres, const TileRays& ra
 }
 
 void sweep_class(const SphereInTile& entry, const TileRays& rays, Tile& tile) {
-  if (entry.sphere->exact) {
-    leave_to_exact(entry.pixels, tile);
-  } else if (entry.sphere->roots_matter) {
-    sweep_sphere<Certified::kYes, Answer::kClass, true>(entry, 0, rays, tile);
-  } else {
-    sweep_sphere<Certified::kYes, Answer::kClass, false>(entry, 0, rays, tile);
-  }
+  sweep_by_form<Certified::kYes, Answer::kClass>(entry, 0, rays, tile);
 }
 
 HWY_INLINE void store_first(D d, V values, int count, double* to) {

@@ -23,6 +23,15 @@
 //   E  = 2.2 B E_b + 2.2 u0 B^2 + |c^| (1.1 E_a + 2.2 u0 A) + 1.1 rho_c A:
 //        b^b^ is off by E_b (|b^| + |b|) and a rounding of at most 1.03 B^2, c^a^ by |c^| E_a +
 //        rho_c A and a rounding, the difference by a rounding of both.
+// Where r is small beside |f| both terms of disc are larger than it by |f|^2/r^2. There disc = r^2 a
+// - |h|^2, h = f x g, is better: with R^2 for the computed r^2, known to within rho_r,
+//   e  = |(e_1, e_2, e_3)|, e_k = 3 u0 P_k + I_k, for the component x y - z t of h with P_k = |x||y| +
+//        |z||t| and I_k = rho (|y| + |t|) + delta (|x| + |z|) + 2 rho delta: |h^ - h| <= e
+//   S  = sqrt(R^2 A)
+//   E  = 4 S e + e^2 + 18 u0 S^2 + R^2 (1.1 E_a + 2.2 u0 A) + 1.1 rho_r A:
+//        |h|^2 is off by 2 |h| e + e^2 and three roundings, r^2 a as c a above,
+// which holds where |h| <= 2 S. Otherwise disc < -3 S^2, and with e <= S/8 disc^ < -2 S^2: the ray
+// misses, and is not taken for a hit. Of the two forms a sphere takes the one with the smaller E.
 // The sign of disc^ is certain where |disc^| > kDecidedBeyond E. There disc is above
 // (kDecidedBeyond - 1) E, so that q^ is off by at most E / (2 sqrt((kDecidedBeyond - 1) E)) < 0.51
 // sqrt(E / kDecidedBeyond) and its rounding, and
@@ -40,7 +49,7 @@
 
 namespace raycheck::reference {
 
-inline constexpr double kDecidedBeyond = 0x1p16;
+inline constexpr double kDecidedBeyond = 0x1p6;
 inline constexpr double kLeastBound = 0x1p-900;
 inline constexpr double kLargestBound = 0x1p900;
 
@@ -48,11 +57,13 @@ inline constexpr double kLargestBound = 0x1p900;
 struct FilteredSphere {
   double u = 0, v = 0, w = 0;
   double power = 0;             ///< c
+  double radius_sq = 0;         ///< R^2
   double decided = 0;           ///< kDecidedBeyond E
   double root_margin = 0;       ///< E_m
   double nearest_distance = 0;  ///< No ray meets it at a smaller t.
   std::int32_t index = 0;       ///< In the scene.
   bool roots_matter = true;     ///< Some line may meet it other than in front, at b - q.
+  bool by_moment = false;       ///< disc = r^2 a - |f x g|^2
   bool exact = false;           ///< No bound holds: the filter skips its pixels.
 };
 

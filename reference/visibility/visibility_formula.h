@@ -1,0 +1,62 @@
+// The arithmetic of the filter of certified visibility, in any type of number that has mul_add(x, y,
+// z) = x y + z, mul_sub(x, y, z) = x y - z and sub_mul(x, y, z) = z - x y, each rounded once: vectors
+// of doubles, and what records operations for proofs/. Internal to reference/. The names and the
+// bound are those of visibility_kernel.h. Compiled once for each of Highway's targets, hence the guard.
+
+#if defined(RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_
+#undef RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_
+#else
+#define RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::reference::HWY_NAMESPACE {
+
+/// What the pixels of a row share; `N` doubles.
+template <class N>
+struct RowTerms {
+  N b;          ///< n w + beta v
+  N a;          ///< n^2 + beta^2
+  N moment_sq;  ///< (n v - beta w)^2
+  N n_u, beta_u;
+};
+
+template <class N>
+HWY_INLINE RowTerms<N> row_terms(const N& near, const N& beta, const N& u, const N& v, const N& w) {
+  const N moment = near * v - beta * w;
+  return {near * w + beta * v, near * near + beta * beta, moment * moment, near * u, beta * u};
+}
+
+/// b = f.g and a = |g|^2
+template <class N>
+HWY_INLINE N b_of(const N& alpha, const N& u, const N& row_b) {
+  return mul_add(alpha, u, row_b);
+}
+template <class N>
+HWY_INLINE N a_of(const N& alpha, const N& row_a) {
+  return mul_add(alpha, alpha, row_a);
+}
+
+/// b^2 - c a
+template <class N>
+HWY_INLINE N discriminant(const N& b, const N& a, const N& power) {
+  return mul_sub(b, b, power * a);
+}
+
+/// r^2 a - |f x g|^2, the same number: where r is small beside |f|, nothing of its size cancels.
+template <class N>
+HWY_INLINE N discriminant_by_moment(const N& alpha, const N& v, const N& w, const RowTerms<N>& row, const N& a,
+                         const N& radius_sq) {
+  const N second = mul_sub(alpha, w, row.n_u);
+  const N third = sub_mul(alpha, v, row.beta_u);
+  const N moment_sq = mul_add(third, third, mul_add(second, second, row.moment_sq));
+  return mul_sub(radius_sq, a, moment_sq);
+}
+
+}  // namespace raycheck::reference::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_
