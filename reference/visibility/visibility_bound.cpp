@@ -73,10 +73,9 @@ FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const 
   const Bounds radius_sq = square(plan.seen.radius);
   sphere.radius_sq = middle(radius_sq);
   const double S = std::sqrt(sphere.radius_sq * A);
-  const double by_moment =
-      kSlack * (4 * S * e + e * e + 18 * kUnitRoundoff * S * S +
-                sphere.radius_sq * (1.1 * E_a + 2.2 * kUnitRoundoff * A) +
-                1.1 * half_width(radius_sq) * A);
+  const double by_moment = kSlack * (4 * S * e + e * e + 18 * kUnitRoundoff * S * S +
+                                     sphere.radius_sq * (1.1 * E_a + 2.2 * kUnitRoundoff * A) +
+                                     1.1 * half_width(radius_sq) * A);
   sphere.by_moment = e <= S / 8 && by_moment < kMomentGain * by_roots;
   const double E = sphere.by_moment ? by_moment : by_roots;
   sphere.decided = kDecidedBeyond * E;

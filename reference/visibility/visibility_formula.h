@@ -1,7 +1,8 @@
-// The arithmetic of the filter of certified visibility, in any type of number that has mul_add(x, y,
-// z) = x y + z, mul_sub(x, y, z) = x y - z and sub_mul(x, y, z) = z - x y, each rounded once: vectors
-// of doubles, and what records operations for proofs/. Internal to reference/. The names and the
-// bound are those of visibility_kernel.h. Compiled once for each of Highway's targets, hence the guard.
+// The arithmetic of the filter of certified visibility, in any type of number that has mul_add(x,
+// y, z) = x y + z, mul_sub(x, y, z) = x y - z and sub_mul(x, y, z) = z - x y, each rounded once:
+// vectors of doubles, and what records operations for proofs/. Internal to reference/. The names
+// and the bound are those of visibility_kernel.h. Compiled once for each of Highway's targets,
+// hence the guard.
 
 #if defined(RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_REFERENCE_VISIBILITY_FORMULA_H_
@@ -48,8 +49,8 @@ HWY_INLINE N discriminant(const N& b, const N& a, const N& power) {
 
 /// r^2 a - |f x g|^2, the same number: where r is small beside |f|, nothing of its size cancels.
 template <class N>
-HWY_INLINE N discriminant_by_moment(const N& alpha, const N& v, const N& w, const RowTerms<N>& row, const N& a,
-                         const N& radius_sq) {
+HWY_INLINE N discriminant_by_moment(const N& alpha, const N& v, const N& w, const RowTerms<N>& row,
+                                    const N& a, const N& radius_sq) {
   const N second = mul_sub(alpha, w, row.n_u);
   const N third = sub_mul(alpha, v, row.beta_u);
   const N moment_sq = mul_add(third, third, mul_add(second, second, row.moment_sq));

@@ -81,7 +81,7 @@ enum class Answer { kNearest, kClass };
 
 template <Certified kCertified, Answer kAnswer, bool kRootsMatter, bool kByMoment>
 void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRays& rays,
-                             Tile& tile) {
+                  Tile& tile) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
   const FilteredSphere& sphere = *entry.sphere;
@@ -106,8 +106,8 @@ void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRay
                                 : discriminant(line_b, line_a, power))
                          .raw;
       M met = hn::Gt(disc, decided);
-      M undecided = kCertified == Certified::kYes ? hn::Le(hn::Abs(disc), decided)
-                                                  : hn::Lt(b, b);  // none
+      M undecided =
+          kCertified == Certified::kYes ? hn::Le(hn::Abs(disc), decided) : hn::Lt(b, b);  // none
       if (hn::AllFalse(d, hn::Or(met, undecided))) continue;
       const std::size_t at = static_cast<std::size_t>(row * Tile::kWidth + column);
       V numerator = b;

@@ -23,10 +23,11 @@
 //   E  = 2.2 B E_b + 2.2 u0 B^2 + |c^| (1.1 E_a + 2.2 u0 A) + 1.1 rho_c A:
 //        b^b^ is off by E_b (|b^| + |b|) and a rounding of at most 1.03 B^2, c^a^ by |c^| E_a +
 //        rho_c A and a rounding, the difference by a rounding of both.
-// Where r is small beside |f| both terms of disc are larger than it by |f|^2/r^2. There disc = r^2 a
-// - |h|^2, h = f x g, is better: with R^2 for the computed r^2, known to within rho_r,
-//   e  = |(e_1, e_2, e_3)|, e_k = 3 u0 P_k + I_k, for the component x y - z t of h with P_k = |x||y| +
-//        |z||t| and I_k = rho (|y| + |t|) + delta (|x| + |z|) + 2 rho delta: |h^ - h| <= e
+// Where r is small beside |f| both terms of disc are larger than it by |f|^2/r^2. There disc = r^2
+// a - |h|^2, h = f x g, is better: with R^2 for the computed r^2, known to within rho_r,
+//   e  = |(e_1, e_2, e_3)|, e_k = 3 u0 P_k + I_k, for the component x y - z t of h with
+//        P_k = |x||y| + |z||t| and I_k = rho (|y| + |t|) + delta (|x| + |z|) + 2 rho delta:
+//        |h^ - h| <= e
 //   S  = sqrt(R^2 A)
 //   E  = 4 S e + e^2 + 18 u0 S^2 + R^2 (1.1 E_a + 2.2 u0 A) + 1.1 rho_r A:
 //        |h|^2 is off by 2 |h| e + e^2 and three roundings, r^2 a as c a above,
