@@ -54,6 +54,61 @@ scene::Scene in_view(std::int64_t spheres, std::int64_t size) {
   return scene;
 }
 
+namespace {
+
+constexpr std::int64_t kSide = 1024;
+
+/// A row of pixels whose plane, y = 0, passes the sphere's surface at the eye, `above` of its
+/// radius from it: 0, and all rays are exactly tangent.
+scene::Scene tangent_row(double above) {
+  scene::Scene scene;
+  scene.camera = scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0},     -1, std::nullopt, -0.75, 0.75,
+                               -0.5,      0.5,        kSide * kSide, 1};
+  scene.spheres = {{{0, -2, 0}, 2 * (1 - above)}};
+  scene.conventions.origin = scene::Origin::kFocal;
+  scene.conventions.samples = scene::Samples::kCentres;
+  return scene;
+}
+
+/// A hundred spheres in view, moved along x.
+scene::Scene moved(double x) {
+  scene::Scene scene = in_view(100);
+  scene.camera->eye.x += x;
+  scene.camera->look_at.x += x;
+  for (scene::Sphere& sphere : scene.spheres) sphere.centre.x += x;
+  return scene;
+}
+
+/// The same seen through a narrow window from so many times as far.
+scene::Scene from_afar(double times) {
+  scene::Scene scene = in_view(100);
+  scene::Camera& camera = *scene.camera;
+  const scene::Vector3 back = camera.eye - camera.look_at;
+  camera.eye = {camera.look_at.x + times * back.x, camera.look_at.y + times * back.y,
+                camera.look_at.z + times * back.z};
+  for (double* edge : {&camera.left, &camera.right, &camera.bottom, &camera.top}) *edge /= times;
+  return scene;
+}
+
+}  // namespace
+
+std::vector<HardScene> hard_scenes() {
+  std::vector<HardScene> scenes = {
+      {"tangent", tangent_row(0)},   {"near-tangent", tangent_row(-1e-12)},
+      {"at-origin", moved(0)},       {"far-world", moved(1e7)},
+      {"near-camera", from_afar(4)}, {"far-camera", from_afar(1e7)},
+      {"distinct", in_view(1000)}};
+  scene::Scene equal = in_view(1), nested = equal;
+  for (int k = 1; k < 1000; ++k) {
+    equal.spheres.push_back(equal.spheres.front());
+    nested.spheres.push_back({equal.spheres.front().centre, 1 - 0x1p-11 * k});
+  }
+  scenes.push_back({"one", in_view(1)});
+  scenes.push_back({"equal", equal});
+  scenes.push_back({"nested", nested});
+  return scenes;
+}
+
 scene::Scene unrelated_rays() {
   // Not a multiple of 512: loads from one array would wait for stores to another at equal addresses
   // modulo 4096.

@@ -24,6 +24,13 @@ scene::Scene camera_of(std::int64_t width, std::int64_t height);
 scene::Scene scene_in_view();
 /// Spheres of radius 0.2 to 1, 5 to 60 from the eye, centres in view.
 scene::Scene in_view(std::int64_t spheres, std::int64_t size = 1024);
+/// Scenes in which doubles are not enough, or make no difference, and one without that to compare
+/// with; 2^20 pixels each.
+struct HardScene {
+  std::string name;
+  scene::Scene scene;
+};
+std::vector<HardScene> hard_scenes();
 /// Practically unrelated rays from anywhere, aimed near a sphere so that a third miss it.
 scene::Scene unrelated_rays();
 /// The given rays of a scene.
