@@ -74,13 +74,14 @@ void Visibility::Impl::set_plane() {
 }
 
 void Visibility::Impl::take_spheres() {
-  std::vector<std::size_t> order;
+  std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
-    if (!plan.spheres[k].pixels.empty()) order.push_back(k);
+    const scene::SpherePlan& planned = plan.spheres[k];
+    if (!planned.pixels.empty()) order.emplace_back(planned.nearest_distance, k);
   }
-  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
-    return plan.spheres[a].nearest_distance < plan.spheres[b].nearest_distance;
-  });
+  std::sort(order.begin(), order.end());
+  spheres.reserve(order.size());
+  rectangles.reserve(order.size());
   const auto& [plane, lengths] = plan.eye.scaling();
   const scene::Point3& eye = scene.camera->eye;
   const bool from_pixels = plan.conventions.origin == scene::Origin::kPixel;
@@ -88,7 +89,7 @@ void Visibility::Impl::take_spheres() {
                           (!from_pixels || std::isnormal(start_factor)) &&
                           fits(std::sqrt(sizes.A), plane) &&
                           fits(std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}), 0);
-  for (const std::size_t k : order) {
+  for (const auto& [distance, k] : order) {
     scene::poll();
     const scene::EyeSphere& seen = plan.spheres[k].seen;
     const bool answers_fit = fits(std::sqrt(seen.distance_sq.high) + seen.radius.high, lengths);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <map>
 #include <stdexcept>
-#include <tuple>
+#include <unordered_set>
+#include <utility>
 
 #include "scene/interruption.h"
 #include "scene/validate.h"
@@ -140,6 +141,8 @@ bool contains(const Sphere& by, const Sphere& sphere) {
   return (apart + Bounds::exactly(sphere.radius)).high < by.radius;
 }
 
+constexpr std::size_t kHashFactor = 0x9e3779b97f4a7c15;
+
 void leave_out_hidden(const std::vector<Sphere>& spheres, std::vector<SpherePlan>& plans) {
   const auto leave_out = [&](std::size_t sphere, std::size_t by) {
     plans[sphere].left_out = LeftOut::kHidden;
@@ -147,27 +150,35 @@ void leave_out_hidden(const std::vector<Sphere>& spheres, std::vector<SpherePlan
     plans[sphere].pixels = {};
   };
   // Of equal spheres the first in the file wins.
-  using Key = std::tuple<double, double, double, double>;
-  std::map<Key, std::size_t> first;
+  const auto hash = [&](std::size_t k) {
+    const auto& [centre, radius] = spheres[k];
+    std::size_t bits = 0;
+    for (const double x : {centre.x, centre.y, centre.z, radius}) {
+      bits = bits * kHashFactor + std::hash<double>()(x);
+    }
+    return bits;
+  };
+  const auto equal = [&](std::size_t a, std::size_t b) { return spheres[a] == spheres[b]; };
+  std::unordered_set<std::size_t, decltype(hash), decltype(equal)> distinct(spheres.size(), hash,
+                                                                            equal);
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     if (plans[k].left_out) continue;
-    const auto& [centre, radius] = spheres[k];
-    const auto [found, is_new] = first.emplace(Key(centre.x, centre.y, centre.z, radius), k);
-    if (!is_new) leave_out(k, found->second);
+    const auto [found, is_new] = distinct.insert(k);
+    if (!is_new) leave_out(k, *found);
   }
   // Spheres that every ray meets at the near root, those that look largest.
-  std::vector<std::size_t> occluders;
+  std::vector<std::pair<double, std::size_t>> by_size;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
-    if (!plans[k].left_out && !plans[k].reaches_behind && plans[k].seen.power.low > 0) {
-      occluders.push_back(k);
+    const EyeSphere& seen = plans[k].seen;
+    if (!plans[k].left_out && !plans[k].reaches_behind && seen.power.low > 0) {
+      by_size.emplace_back(-seen.radius.high / std::sqrt(seen.distance_sq.high), k);
     }
   }
-  const auto size = [&](std::size_t k) {
-    return plans[k].seen.radius.high / std::sqrt(plans[k].seen.distance_sq.high);
-  };
-  std::stable_sort(occluders.begin(), occluders.end(),
-                   [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
-  occluders.resize(std::min(occluders.size(), kMostOccluders));
+  const std::size_t count = std::min(by_size.size(), kMostOccluders);
+  std::partial_sort(by_size.begin(), by_size.begin() + static_cast<std::ptrdiff_t>(count),
+                    by_size.end());
+  std::vector<std::size_t> occluders;
+  for (std::size_t o = 0; o < count; ++o) occluders.push_back(by_size[o].second);
   std::vector<PixelRectangle> covered;
   for (const std::size_t by : occluders) covered.push_back(plans[by].pixels);
   for (std::size_t k = 0; k < spheres.size(); ++k) {
