@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "scene/arithmetic.h"
 #include "scene/interruption.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
@@ -157,6 +158,10 @@ std::vector<Command> make_program(CLI::App& program, std::span<const LinkedComma
 int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linked) {
   hold_standard_streams();
   catch_signals();
+  if (const std::string defect = scene::arithmetic_defect(); !defect.empty()) {
+    print_error("raycheck: " + defect + ": no bound would hold\n");
+    return kExitBadInput;
+  }
   CLI::App app;
   const std::vector<Command> commands = make_program(app, linked);
   for (const Command& command : commands) {

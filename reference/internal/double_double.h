@@ -118,13 +118,25 @@ inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
           DoubleDouble::up(a.radius_ + b.radius_ + rounding)};
 }
 
+/// What is left of a product beside the rounded one of the high parts, whose error is given.
+template <class N>
+N rest_of_product(const N& error, const N& a_high, const N& a_low, const N& b_high,
+                  const N& b_low) {
+  return error + (a_high * b_low + a_low * b_high);
+}
+/// What q, the rounded quotient of the high parts, leaves of a, given what it leaves of a's high part.
+template <class N>
+N remainder_of_quotient(const N& of_high, const N& a_low, const N& q, const N& b_low) {
+  return (of_high + a_low) - q * b_low;
+}
+
 /// A product of two doubles is exact. Else, with |low| <= u |high| and in units of
 /// u^2 |a.high b.high|: what is left out, a.low b.low, is 1; the roundings of two products are 1
 /// each; of their sum, below 2u, 2; of r, below 3u, 3.
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const double p = a.high_ * b.high_;
   const double error = std::fma(a.high_, b.high_, -p);
-  const double r = error + (a.high_ * b.low_ + a.low_ * b.high_);
+  const double r = rest_of_product(error, a.high_, a.low_, b.high_, b.low_);
   const bool is_exact = a.low_ == 0 && b.low_ == 0;
   const double rounding = is_exact ? 0 : kDoubleDoubleError * std::abs(p);
   const double carried =
@@ -143,7 +155,8 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
 /// Operands carry |a'/b' - a/b| <= (a.radius + |a/b| b.radius)/(|b| - b.radius).
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double q = a.high_ / b.high_;
-  const double remainder = (std::fma(-q, b.high_, a.high_) + a.low_) - q * b.low_;
+  const double remainder =
+      remainder_of_quotient(std::fma(-q, b.high_, a.high_), a.low_, q, b.low_);
   const bool is_exact = a.low_ == 0 && b.low_ == 0 && remainder == 0;
   const double rounding = is_exact ? 0 : kDoubleDoubleError * std::abs(q);
   const double size = std::abs(b.high_);

@@ -12,8 +12,6 @@ using scene::Bounds;
 double magnitude(const Bounds& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
 constexpr double kUnitRoundoff = 0x1p-53;
-/// Covers what computing bounds in doubles loses.
-constexpr double kSlack = 1.01;
 /// The form by h takes longer: only where its bound is so much smaller.
 constexpr double kMomentGain = 0.25;
 
@@ -22,9 +20,9 @@ double moment_error(const FilteredSphere& sphere, const PlaneSizes& sizes, doubl
   const double u = std::abs(sphere.u), v = std::abs(sphere.v), w = std::abs(sphere.w);
   const auto& [N, X, Y, delta, A, E_a] = sizes;
   const auto of = [&, d = delta](double x, double y, double z, double t) {
-    return 3 * kUnitRoundoff * (x * y + z * t) + rho * (y + t) + d * (x + z) + 2 * rho * d;
+    return kMomentRoundings * kUnitRoundoff * (x * y + z * t) + rho * (y + t) + d * (x + z) + 2 * rho * d;
   };
-  return kSlack * std::hypot(of(v, N, w, Y), of(w, X, u, N), of(u, Y, v, X));
+  return kSlack * (of(v, N, w, Y) + of(w, X, u, N) + of(u, Y, v, X));
 }
 
 }  // namespace
@@ -45,7 +43,7 @@ PlaneSizes plane_sizes(const std::vector<Bounds>& alpha, const std::vector<Bound
   const double I_a =
       2 * (sizes.N + sizes.X + sizes.Y) * sizes.delta + 3 * sizes.delta * sizes.delta;
   sizes.A = kSlack * (sizes.N * sizes.N + sizes.X * sizes.X + sizes.Y * sizes.Y + I_a);
-  sizes.E_a = kSlack * (4 * kUnitRoundoff * sizes.A + I_a);
+  sizes.E_a = kSlack * (kSumRoundings * kUnitRoundoff * sizes.A + I_a);
   return sizes;
 }
 
@@ -65,16 +63,16 @@ FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const 
   const double c = std::abs(sphere.power);
   const double I_b = (N + X + Y) * rho + delta * (u + v + w + 3 * rho);
   const double B = kSlack * (N * w + Y * v + X * u + I_b);
-  const double E_b = kSlack * (4 * kUnitRoundoff * B + I_b);
+  const double E_b = kSlack * (kSumRoundings * kUnitRoundoff * B + I_b);
   const double by_roots =
-      kSlack * (2.2 * B * E_b + 2.2 * kUnitRoundoff * B * B +
-                c * (1.1 * E_a + 2.2 * kUnitRoundoff * A) + 1.1 * half_width(plan.seen.power) * A);
+      kSlack * (2.2 * B * E_b + kDiscRoundings * kUnitRoundoff * B * B +
+                c * (1.1 * E_a + kDiscRoundings * kUnitRoundoff * A) + 1.1 * half_width(plan.seen.power) * A);
   const double e = moment_error(sphere, sizes, rho);
   const Bounds radius_sq = square(plan.seen.radius);
   sphere.radius_sq = middle(radius_sq);
   const double S = std::sqrt(sphere.radius_sq * A);
-  const double by_moment = kSlack * (4 * S * e + e * e + 18 * kUnitRoundoff * S * S +
-                                     sphere.radius_sq * (1.1 * E_a + 2.2 * kUnitRoundoff * A) +
+  const double by_moment = kSlack * (4 * S * e + e * e + kByMomentRoundings * kUnitRoundoff * S * S +
+                                     sphere.radius_sq * 1.1 * E_a +
                                      1.1 * half_width(radius_sq) * A);
   sphere.by_moment = e <= S / 8 && by_moment < kMomentGain * by_roots;
   const double E = sphere.by_moment ? by_moment : by_roots;

@@ -12,6 +12,14 @@
 
 namespace raycheck::reference {
 
+// Units of u0 in the bound, which proofs/ proves of the formulas, fused or not.
+inline constexpr double kSumRoundings = 5;        ///< Of b and a, of B and A.
+inline constexpr double kDiscRoundings = 3;       ///< Of b^2 - c a, of B^2 + |c| A.
+inline constexpr double kMomentRoundings = 3;     ///< Of a component of f x g, of P_k.
+inline constexpr double kByMomentRoundings = 28;  ///< Of r^2 a - |f x g|^2, of S^2.
+/// Covers what computing bounds in doubles loses, and terms of second order.
+inline constexpr double kSlack = 1.01;
+
 inline double middle(const scene::Bounds& x) { return x.low / 2 + x.high / 2; }
 
 inline double half_width(const scene::Bounds& x) {

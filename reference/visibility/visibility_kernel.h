@@ -10,27 +10,25 @@
 // c a. The numerators m = b -+ q order the spheres of one pixel; m = t l, where t = |Q - E|, l =
 // sqrt(a).
 //
-// The bound, for all pixels of an image at once. ^ marks computed values, u0 = 2^-53 is the unit
+// The bound, for all pixels of an image at once; its roundings are proved in proofs/. ^ marks computed values, u0 = 2^-53 is the unit
 // roundoff; n, alpha, beta are known to within delta, u, v, w to within rho, c to within rho_c
 // (halves of the widths of scene::EyeSpace's bounds); N, X, Y, |u|, |v|, |w| bound their
 // magnitudes.
 //   B  = N|w| + Y|v| + X|u| + I_b,  I_b = (N + Y + X) rho + delta (|u| + |v| + |w| + 3 rho):
-//        |b|, |b^| < 1.01 B, and as no term passes more than 3 roundings, fused or not,
-//        |b^ - b| <= E_b = 4 u0 B + I_b
+//        |b|, |b^| < 1.01 B and |b^ - b| <= E_b = 5 u0 B + I_b
 //   A  = N^2 + X^2 + Y^2 + I_a,  I_a = 2 (N + X + Y) delta + 3 delta^2:
-//        |a^ - a| <= E_a = 4 u0 A + I_a
+//        |a^ - a| <= E_a = 5 u0 A + I_a
 //   |disc^ - disc| <= E, where
-//   E  = 2.2 B E_b + 2.2 u0 B^2 + |c^| (1.1 E_a + 2.2 u0 A) + 1.1 rho_c A:
-//        b^b^ is off by E_b (|b^| + |b|) and a rounding of at most 1.03 B^2, c^a^ by |c^| E_a +
-//        rho_c A and a rounding, the difference by a rounding of both.
+//   E  = 2.2 B E_b + 3 u0 B^2 + |c^| (1.1 E_a + 3 u0 A) + 1.1 rho_c A:
+//        b^b^ is off by E_b (|b^| + |b|), c^a^ by |c^| E_a + rho_c A, and three roundings follow.
 // Where r is small beside |f| both terms of disc are larger than it by |f|^2/r^2. There disc = r^2
 // a - |h|^2, h = f x g, is better: with R^2 for the computed r^2, known to within rho_r,
-//   e  = |(e_1, e_2, e_3)|, e_k = 3 u0 P_k + I_k, for the component x y - z t of h with
+//   e  = e_1 + e_2 + e_3, e_k = 3 u0 P_k + I_k, for the component x y - z t of h with
 //        P_k = |x||y| + |z||t| and I_k = rho (|y| + |t|) + delta (|x| + |z|) + 2 rho delta:
 //        |h^ - h| <= e
 //   S  = sqrt(R^2 A)
-//   E  = 4 S e + e^2 + 18 u0 S^2 + R^2 (1.1 E_a + 2.2 u0 A) + 1.1 rho_r A:
-//        |h|^2 is off by 2 |h| e + e^2 and three roundings, r^2 a as c a above,
+//   E  = 4 S e + e^2 + 28 u0 S^2 + R^2 1.1 E_a + 1.1 rho_r A:
+//        |h|^2 is off by 2 |h| e + e^2, r^2 a as c a above, and seven roundings follow,
 // which holds where |h| <= 2 S. Otherwise disc < -3 S^2, and with e <= S/8 disc^ < -2 S^2: the ray
 // misses, and is not taken for a hit. Of the two forms a sphere takes the one with the smaller E.
 // The sign of disc^ is certain where |disc^| > kDecidedBeyond E. There disc is above

@@ -27,13 +27,20 @@ inline constexpr double kBoundsWiden = 0x1p-52;
 inline constexpr double kBoundsTiny = 0x1p-960;
 inline constexpr int kBoundsMaxUlp = 3;
 
+/// Below any real that rounds to x, a normal double.
+template <class N>
+N lowered(const N& x, const N& magnitude, double widen = kBoundsWiden) {
+  return x - magnitude * N(widen);
+}
+
 inline double bound_below(double x) {
   constexpr double kMost = std::numeric_limits<double>::max();
   if (x > kMost) return kMost;
   if (!(x >= -kMost)) return -std::numeric_limits<double>::infinity();
-  const double least =
-      std::abs(x) < kBoundsTiny && x != 0 ? std::numeric_limits<double>::denorm_min() : 0;
-  return x - (std::abs(x) * kBoundsWiden + least);
+  if (std::abs(x) < kBoundsTiny && x != 0) {
+    return x - (std::abs(x) * kBoundsWiden + std::numeric_limits<double>::denorm_min());
+  }
+  return lowered(x, std::abs(x));
 }
 inline double bound_above(double x) { return -bound_below(-x); }
 

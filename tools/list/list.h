@@ -1,9 +1,13 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
+#include "proofs/bounds.h"
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "tools/report/view.h"
@@ -19,18 +23,39 @@ struct Catalogue {
 };
 Catalogue catalogue();
 
-/// The format whose u and ulp a method's bounds count, given its unit roundoff.
-constexpr scene::Precision precision_of(double roundoff) {
-  return roundoff >= scene::unit_roundoff(scene::Precision::kSingle) ? scene::Precision::kSingle
-                                                                     : scene::Precision::kDouble;
-}
-/// Converts a bound in u or ulp of doubles to those of a format.
-constexpr double in_own_unit(double bound, scene::Precision precision) {
-  return bound * (properties::kDoubleRoundoff / scene::unit_roundoff(precision));
-}
+
+/// What a method promises of a quantity, in u or ulp of the format that it computes in.
+struct Promise {
+  std::string_view name;  ///< Of the quantity.
+  double max;
+  std::string unit;
+};
+std::vector<Promise> promises_of(const fast::PixelRayMethod& method);
+std::vector<Promise> promises_of(const fast::IntersectMethod& method);
 
 std::string list_text(const Catalogue& catalogue, const ViewOptions& options);
 std::string list_json(const Catalogue& catalogue, const ViewOptions& options);
+
+/// How far a proved bound was used by random inputs.
+struct ProvedBound {
+  const proofs::Bound* bound;
+  double observed;  ///< In its unit.
+};
+/// Every bound on an error: those proved, and those that methods promise and laws try.
+struct BoundsReport {
+  std::vector<ProvedBound> proved;
+  int samples;
+  Catalogue catalogue;
+};
+BoundsReport bounds_report();
+
+std::string bounds_text(const BoundsReport& report, const ViewOptions& options);
+std::string bounds_json(const BoundsReport& report, const ViewOptions& options);
+
+inline constexpr View<BoundsReport> kBoundsViews[] = {
+    {"text", bounds_text},
+    {"json", bounds_json},
+};
 
 inline constexpr View<Catalogue> kListViews[] = {
     {"text", list_text},

@@ -8,9 +8,15 @@ namespace raycheck::tools {
 
 CommandRun add_list(CLI::App& command) {
   const auto format = std::make_shared<std::string>();
+  const auto bounds = std::make_shared<bool>(false);
   add_format(command, *format, kListViews);
-  return [format] {
-    print_view(kListViews, *format, catalogue());
+  command.add_flag("--bounds", *bounds, "the bounds on errors instead: which are proved, and how");
+  return [format, bounds] {
+    if (*bounds) {
+      print_view(kBoundsViews, *format, bounds_report());
+    } else {
+      print_view(kListViews, *format, catalogue());
+    }
     return kExitNothingFound;
   };
 }

@@ -6,14 +6,11 @@
 namespace raycheck::tools {
 namespace {
 
-using properties::Quantity;
-
-/// A bound in u or ulp of the method's own precision.
-Json bound_json(Quantity quantity, double bound, double roundoff) {
-  const scene::Precision precision = precision_of(roundoff);
-  return {{"quantity", info(quantity).name},
-          {"unit", unit_name(quantity, precision)},
-          {"max", in_own_unit(bound, precision)}};
+template <class Method>
+Json promised_json(const Method& method) {
+  return list_json(promises_of(method), [](const Promise& one) {
+    return Json{{"quantity", one.name}, {"unit", one.unit}, {"max", one.max}};
+  });
 }
 
 Json lengths_json(const fast::Domain& domain) {
@@ -21,27 +18,17 @@ Json lengths_json(const fast::Domain& domain) {
 }
 
 Json ray_method_json(const fast::PixelRayMethod* method) {
-  const double unit = method->unit_roundoff;
-  Json bounds = Json::array();
-  if (method->pixel_points) {
-    bounds.push_back(bound_json(Quantity::kPixelPoint, method->max_point_ulp, unit));
-  }
-  bounds.push_back(bound_json(Quantity::kDirection, method->max_direction_ulp, unit));
-  bounds.push_back(bound_json(Quantity::kUnitDefect, method->max_unit_defect_ulp, unit));
   return {{"name", method->name},
           {"sentence", method->sentence},
-          {"bounds", bounds},
+          {"bounds", promised_json(*method)},
           {"lengths", lengths_json(method->domain)},
           {"not_kept_on", method->not_kept}};
 }
 
 Json intersect_method_json(const fast::IntersectMethod* method) {
-  const double unit = method->unit_roundoff;
   return {{"name", method->name},
           {"sentence", method->sentence},
-          {"bounds",
-           {bound_json(Quantity::kParameter, method->max_ulp, unit),
-            bound_json(Quantity::kHitPoint, method->max_point_ulp, unit)}},
+          {"bounds", promised_json(*method)},
           {"exact_class", method->exact_class},
           {"lengths", lengths_json(method->domain)},
           {"not_kept_on", method->not_kept}};
@@ -76,6 +63,24 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
                          {"origin", scene::kOriginNames},   {"root", scene::kRootNames},
                          {"tangent", scene::kTangentNames}, {"interval", scene::kEndsNames},
                          {"t_unit", scene::kTUnitNames},    {"culling", scene::kCullingNames}};
+  return json_text(json);
+}
+
+std::string bounds_json(const BoundsReport& report, const ViewOptions& /*options*/) {
+  Json json = json_header("list");
+  json["proved"] = list_json(report.proved, [](const ProvedBound& one) {
+    const proofs::Bound& bound = *one.bound;
+    return Json{{"name", bound.name},       {"what", bound.what},
+                {"formula", bound.where},   {"script", "proofs/" + std::string(bound.name) + ".gappa"},
+                {"max", bound.value},       {"unit", bound.unit},
+                {"observed", one.observed}};
+  });
+  json["samples"] = report.samples;
+  const auto promised = [](const auto* method) {
+    return Json{{"method", method->name}, {"bounds", promised_json(*method)}};
+  };
+  json["ray_methods"] = list_json(report.catalogue.ray_methods, promised);
+  json["intersection_methods"] = list_json(report.catalogue.intersect_methods, promised);
   return json_text(json);
 }
 

@@ -1,0 +1,440 @@
+#include "proofs/bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "fast/internal/triple.h"
+#include "reference/enclosure.h"
+#include "reference/internal/double_double.h"
+#include "reference/visibility/visibility_bound.h"
+#include "reference/visibility/visibility_formula.h"
+#include "scene/plan/bounds.h"
+
+namespace raycheck::proofs {
+namespace {
+
+using reference::Enclosure;
+namespace fast_formula = fast::HWY_NAMESPACE;
+namespace filter = reference::HWY_NAMESPACE;
+
+/// A double as vectors compute, or as they do without fused operations.
+template <bool kFused>
+struct Plain {
+  double x;
+  explicit Plain(double value) : x(value) {}
+  friend Plain operator+(Plain a, Plain b) { return Plain(a.x + b.x); }
+  friend Plain operator-(Plain a, Plain b) { return Plain(a.x - b.x); }
+  friend Plain operator*(Plain a, Plain b) { return Plain(a.x * b.x); }
+  friend Plain operator/(Plain a, Plain b) { return Plain(a.x / b.x); }
+  friend Plain operator-(Plain a) { return Plain(-a.x); }
+  friend Plain sqrt(Plain a) { return Plain(std::sqrt(a.x)); }
+  friend Plain mul_add(Plain a, Plain b, Plain c) {
+    return kFused ? Plain(std::fma(a.x, b.x, c.x)) : a * b + c;
+  }
+  friend Plain mul_sub(Plain a, Plain b, Plain c) { return mul_add(a, b, -c); }
+  friend Plain sub_mul(Plain a, Plain b, Plain c) { return mul_add(-a, b, c); }
+};
+
+// The formulas. computed() calls the code's own in any number; exact() says what that is to be, and
+// calls `note` for each magnitude that the bound is a share of: it proves errors where all of these
+// are at most kMost in size, and the formulas are homogeneous. Where a bound is relative, what is
+// noted is above 0.
+
+template <class N, std::size_t kCount>
+using Inputs = std::array<N, kCount>;
+
+struct FilterB {
+  static constexpr std::array kInputs = {"n", "beta", "alpha", "u", "v", "w"};
+  static constexpr bool kIsRelative = false;
+  static constexpr double kMost = 1;
+  template <class N>
+  static N computed(const Inputs<N, 6>& x) {
+    return filter::b_of(x[2], x[3], filter::row_terms(x[0], x[1], x[3], x[4], x[5]).b);
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 6>& x, const Note& note) {
+    const N ahead = note(x[0] * x[5]), up = note(x[1] * x[4]), across = note(x[2] * x[3]);
+    return note(across + note(ahead + up));
+  }
+};
+
+struct FilterA {
+  static constexpr std::array kInputs = {"n", "beta", "alpha"};
+  static constexpr bool kIsRelative = false;
+  static constexpr double kMost = 1;
+  template <class N>
+  static N computed(const Inputs<N, 3>& x) {
+    return filter::a_of(x[2], filter::row_terms(x[0], x[1], x[0], x[0], x[0]).a);
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 3>& x, const Note& note) {
+    const N ahead = note(x[0] * x[0]), up = note(x[1] * x[1]), across = note(x[2] * x[2]);
+    return note(across + note(ahead + up));
+  }
+};
+
+struct FilterDiscriminant {
+  static constexpr std::array kInputs = {"b", "a", "c"};
+  static constexpr bool kIsRelative = false;
+  static constexpr double kMost = 1;
+  template <class N>
+  static N computed(const Inputs<N, 3>& x) {
+    return filter::discriminant(x[0], x[1], x[2]);
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 3>& x, const Note& note) {
+    const N square = note(x[0] * x[0]), product = note(x[2] * x[1]);
+    return note(square + -product);
+  }
+};
+
+struct FilterMoment {
+  static constexpr std::array kInputs = {"alpha", "w", "n", "u"};
+  static constexpr bool kIsRelative = false;
+  static constexpr double kMost = 1;
+  template <class N>
+  static N computed(const Inputs<N, 4>& x) {
+    return filter::moment_of(x[0], x[1], x[1], filter::row_terms(x[2], x[2], x[3], x[1], x[1]))
+        .second;
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 4>& x, const Note& note) {
+    const N first = note(x[0] * x[1]), second = note(x[2] * x[3]);
+    return note(first + -second);
+  }
+};
+
+struct FilterByMoment {
+  static constexpr std::array kInputs = {"h1", "h2", "h3", "a", "R2"};
+  static constexpr bool kIsRelative = false;
+  static constexpr double kMost = 4;  ///< |h|^2 is at most 4 S^2.
+  template <class N>
+  static N computed(const Inputs<N, 5>& x) {
+    return filter::discriminant_by_moment(filter::Moment<N>{x[1], x[2]}, x[0] * x[0], x[3], x[4]);
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 5>& x, const Note& note) {
+    const N first = note(x[0] * x[0]), second = note(x[1] * x[1]), third = note(x[2] * x[2]);
+    const N all = note(third + note(second + first));
+    return note(note(x[4] * x[3]) + -all);
+  }
+};
+
+struct FastDot {
+  static constexpr std::array kInputs = {"x", "y", "z"};
+  static constexpr bool kIsRelative = true;
+  static constexpr double kMost = 1;
+  template <class N>
+  static N computed(const Inputs<N, 3>& x) {
+    const fast_formula::Triple<N> v = {x[0], x[1], x[2]};
+    return dot(v, v);
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 3>& x, const Note& note) {
+    return note(x[0] * x[0]) + (note(x[1] * x[1]) + note(x[2] * x[2]));
+  }
+};
+
+/// Of |d|.
+struct FastNorm : FastDot {
+  template <class N>
+  static N computed(const Inputs<N, 3>& x) {
+    return norm(fast_formula::Triple<N>{x[0], x[1], x[2]});
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 3>& x, const Note& note) {
+    return sqrt(FastDot::exact(x, note));
+  }
+};
+
+/// Of a coordinate of d/|d|.
+struct FastUnit : FastDot {
+  template <class N>
+  static N computed(const Inputs<N, 3>& x) {
+    const fast_formula::Triple<N> v = {x[0], x[1], x[2]};
+    return (v / norm(v)).x;
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 3>& x, const Note& note) {
+    return note(x[0]) / FastNorm::exact(x, note);
+  }
+};
+
+/// T.D of given T and D, of the largest of its products and sums.
+struct FastAxialDistance {
+  static constexpr std::array kInputs = {"Tx", "Ty", "Tz", "Dx", "Dy", "Dz"};
+  static constexpr bool kIsRelative = false;
+  static constexpr double kMost = 1;
+  template <class N>
+  static N computed(const Inputs<N, 6>& x) {
+    return dot(fast_formula::Triple<N>{x[0], x[1], x[2]},
+               fast_formula::Triple<N>{x[3], x[4], x[5]});
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 6>& x, const Note& note) {
+    const N first = note(x[0] * x[3]), second = note(x[1] * x[4]), third = note(x[2] * x[5]);
+    return note(first + note(second + third));
+  }
+};
+
+/// A coordinate of T x D, of the larger of its products.
+struct FastMoment {
+  static constexpr std::array kInputs = {"Ty", "Tz", "Dy", "Dz"};
+  static constexpr bool kIsRelative = false;
+  static constexpr double kMost = 1;
+  template <class N>
+  static N computed(const Inputs<N, 4>& x) {
+    return cross(fast_formula::Triple<N>{x[0], x[0], x[1]},
+                 fast_formula::Triple<N>{x[2], x[2], x[3]})
+        .x;
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 4>& x, const Note& note) {
+    return note(x[0] * x[3]) - note(x[1] * x[2]);
+  }
+};
+
+template <class N, std::size_t... k>
+auto terms(Script& script, const auto& names, std::index_sequence<k...> /*all*/) {
+  return Inputs<N, sizeof...(k)>{N(script, names[k])...};
+}
+
+constexpr double kUnit = 0x1p-53;
+
+/// The formula, fused and not, against what it is to be.
+template <class F>
+Script traced(double bound, std::optional<Mutation> mutation) {
+  Script script(Rounding::kRelative, mutation);
+  constexpr auto kAll = std::make_index_sequence<F::kInputs.size()>();
+  const auto note = [&](const Term<false>& term) {
+    script.suppose(F::kIsRelative ? term.name() + " in [1b-2000, 1b2000]"
+                                  : "|" + term.name() + "| <= " + in_hexadecimal(F::kMost));
+    return term;
+  };
+  const std::string exact = F::exact(terms<Term<false>>(script, F::kInputs, kAll), note).name();
+  for (const bool is_fused : {true, false}) {
+    if (!is_fused && !script.has_fused()) break;
+    script.fuse(is_fused);
+    const std::string computed = F::computed(terms<Term<true>>(script, F::kInputs, kAll)).name();
+    const std::string most = in_hexadecimal(bound * kUnit);
+    script.prove(F::kIsRelative ? computed + " -/ " + exact + " in [-" + most + ", " + most + "]"
+                                : "|" + computed + " - " + exact + "| <= " + most);
+  }
+  return script;
+}
+
+/// Random numbers of a few binades.
+class Random {
+ public:
+  double number() {
+    const double size = std::ldexp(1 + share(), static_cast<int>(bits_() % 7) - 3);
+    return bits_() % 2 == 0 ? size : -size;
+  }
+  double share() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+
+ private:
+  std::mt19937_64 bits_{1};
+};
+
+constexpr int kBits = 300;
+
+/// The largest error in u of the scale: of what is noted, or of the exact value.
+template <class F>
+double observed_of(int samples) {
+  constexpr std::size_t kCount = F::kInputs.size();
+  constexpr auto kAll = std::make_index_sequence<kCount>();
+  Random random;
+  double largest = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    std::array<double, kCount> x;
+    for (double& one : x) one = random.number();
+    const auto inputs = [&]<class N, std::size_t... k>(auto make, N*, std::index_sequence<k...>) {
+      return Inputs<N, kCount>{make(x[k])...};
+    };
+    const auto enclosed = [](double one) { return Enclosure(one, kBits); };
+    Enclosure scale(0.0, kBits);
+    const auto note = [&](const Enclosure& term) {
+      if (abs(term).upper() > scale.upper()) scale = abs(term);
+      return term;
+    };
+    const Enclosure exact =
+        F::exact(inputs(enclosed, static_cast<Enclosure*>(nullptr), kAll), note);
+    if (F::kIsRelative) scale = abs(exact);
+    const Enclosure unit = scale * Enclosure(kUnit / F::kMost, kBits);
+    const auto compare = [&]<bool kFused>(std::bool_constant<kFused>) {
+      using N = Plain<kFused>;
+      const auto plain = [](double one) { return N(one); };
+      const double got = F::computed(inputs(plain, static_cast<N*>(nullptr), kAll)).x;
+      largest = std::max(largest, (abs(Enclosure(got, kBits) - exact) / unit).lower());
+    };
+    compare(std::true_type());
+    compare(std::false_type());
+  }
+  return largest;
+}
+
+using Exactly = Term<false>;
+using Rounded = Term<true>;
+
+/// Ends that move outward, of a real z and the double x that it rounds to.
+Script traced_widening(double bound, std::optional<Mutation> mutation) {
+  Script script(Rounding::kToDouble, mutation);
+  for (const auto& [x, z, magnitude, range] :
+       {std::array{"x", "z", "x", "[1, 2]"}, {"y", "w", "(-y)", "[-2, -1]"}}) {
+    script.define(x, std::string("rnd(") + z + ")");
+    script.suppose(std::string(z) + " in " + range);
+    const std::string low =
+        scene::lowered(Rounded(script, x), Rounded(script, magnitude), bound * scene::kBoundsWiden).name();
+    const std::string by =
+        (Rounded(script, magnitude) * Rounded(bound * scene::kBoundsWiden)).name();
+    // Beyond -2 the ulp is twice as large, and the last rounding, too.
+    const int most = scene::kBoundsMaxUlp + (range[1] == '-' ? 1 : 0);
+    script.prove(low + " - " + z + " in [-" + std::to_string(most) + "b-52, 0]");
+    script.rewrite(low + " - " + z + " -> (" + low + " - (" + x + " - " + by + ")) + (" + x +
+                   " - " + z + ") - " + by);
+  }
+  return script;
+}
+
+double observed_widening(int samples) {
+  Random random;
+  double largest = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    // Halfway between two doubles, the real is farthest from where it rounds to.
+    const double x = random.number();
+    const double gap = std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x);
+    largest = std::max(largest, gap / 2 / (std::abs(x) * scene::kBoundsWiden));
+  }
+  return largest;
+}
+
+/// Two numbers of high and low parts, |high| from 1 to 2.
+void define_pairs(Script& script) {
+  for (const char* high : {"ah", "bh"}) script.suppose(std::string(high) + " in [1, 2]");
+  for (const char* low : {"al", "bl"}) script.suppose("|" + std::string(low) + "| <= 1b-53");
+}
+
+Script traced_product(double bound, std::optional<Mutation> mutation) {
+  Script script(Rounding::kToDouble, mutation);
+  const auto name = [&](const char* of) { return Rounded(script, of); };
+  script.define("p", "rnd(ah * bh)");
+  script.define("error", "ah * bh - p");  // exact: fma
+  define_pairs(script);
+  const std::string rest =
+      reference::rest_of_product(name("error"), name("ah"), name("al"), name("bh"), name("bl"))
+          .name();
+  script.define("left", "(ah * bl + al * bh) + al * bl");
+  script.prove("|((error + left) - " + rest + ") / p| <= " + in_hexadecimal(bound * reference::kDoubleDoubleError));
+  script.rewrite("(error + left) - " + rest + " -> ((error + (ah * bl + al * bh)) - " + rest +
+                 ") + al * bl");
+  return script;
+}
+
+Script traced_quotient(double bound, std::optional<Mutation> mutation) {
+  Script script(Rounding::kToDouble, mutation);
+  const auto name = [&](const char* of) { return Rounded(script, of); };
+  script.define("q", "rnd(ah / bh)");
+  script.define("of_high", "ah - q * bh");  // exact: fma
+  define_pairs(script);
+  const Rounded remainder =
+      reference::remainder_of_quotient(name("of_high"), name("al"), name("q"), name("bl"));
+  const std::string r = remainder.name(), rest = (remainder / name("bh")).name();
+  script.define("X", "(of_high + al) - q * bl");
+  script.define("M", "X / (bh + bl)");
+  script.prove("|(" + rest + " - M) / q| <= " + in_hexadecimal(bound * reference::kDoubleDoubleError));
+  script.rewrite("of_high -> bh * (ah / bh - q) { bh <> 0 }");
+  script.rewrite(rest + " - M -> (" + rest + " - " + r + " / bh) + ((" + r +
+                 " - X) / bh + X * bl / (bh * (bh + bl))) { bh <> 0, bh + bl <> 0 }");
+  script.rewrite("$ q in (1)");
+  return script;
+}
+
+/// Of random numbers of two parts, the largest error of an operation as a share of its leading part.
+template <class Operate>
+double observed_pairs(int samples, const Operate& operate) {
+  Random random;
+  double largest = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    double high[2], low[2];
+    for (int k = 0; k < 2; ++k) {
+      high[k] = 1 + random.share();
+      low[k] = (random.share() - 0.5) * 0x1p-52;
+    }
+    const auto [leading, rest, exact] = operate(high, low);
+    const Enclosure error = Enclosure(leading, kBits) + Enclosure(rest, kBits) - exact;
+    const double unit = reference::kDoubleDoubleError * leading;
+    largest = std::max(largest, (abs(error) / Enclosure(unit, kBits)).lower());
+  }
+  return largest;
+}
+struct PairResult {
+  double leading, rest;
+  Enclosure exact;
+};
+Enclosure sum(double x, double y) { return Enclosure(x, kBits) + Enclosure(y, kBits); }
+
+double observed_product(int samples) {
+  return observed_pairs(samples, [](const double* high, const double* low) {
+    const double p = high[0] * high[1];
+    const double rest = reference::rest_of_product(std::fma(high[0], high[1], -p), high[0], low[0],
+                                                   high[1], low[1]);
+    return PairResult{p, rest, sum(high[0], low[0]) * sum(high[1], low[1])};
+  });
+}
+
+double observed_quotient(int samples) {
+  return observed_pairs(samples, [](const double* high, const double* low) {
+    const double q = high[0] / high[1];
+    const double remainder =
+        reference::remainder_of_quotient(std::fma(-q, high[1], high[0]), low[0], q, low[1]);
+    return PairResult{q, remainder / high[1], sum(high[0], low[0]) / sum(high[1], low[1])};
+  });
+}
+
+template <class F>
+Bound stage(std::string_view name, std::string_view what, std::string_view where, double value) {
+  // Terms of second order are among what kSlack covers.
+  return {name, what, where, value, "u",
+          [](double bound, std::optional<Mutation> mutation) {
+            return traced<F>(bound * reference::kSlack, mutation);
+          },
+          observed_of<F>};
+}
+
+constexpr std::string_view kFormula = "reference/visibility/visibility_formula.h";
+constexpr std::string_view kPairs = "reference/internal/double_double.h";
+constexpr std::string_view kTriple = "fast/internal/triple.h";
+
+}  // namespace
+
+std::span<const Bound> bounds() {
+  static const std::array all = {
+      stage<FilterB>("filter-b", "b of the image filter, of B", kFormula, reference::kSumRoundings),
+      stage<FilterA>("filter-a", "a of the image filter, of A", kFormula, reference::kSumRoundings),
+      stage<FilterDiscriminant>("filter-discriminant", "b^2 - c a of given b, c, a, of B^2 + |c| A",
+                                kFormula, reference::kDiscRoundings),
+      stage<FilterMoment>("filter-moment", "a component of f x g, of its products' sizes", kFormula,
+                          reference::kMomentRoundings),
+      stage<FilterByMoment>("filter-by-moment", "r^2 a - |h|^2 of given r^2, a, h, of S^2",
+                            kFormula, reference::kByMomentRoundings),
+      Bound{"bounds-widening",
+            "how far a real is from the double that it rounds to, of what that is lowered by",
+            "scene/plan/bounds.h", 1, "widening", traced_widening, observed_widening},
+      Bound{"double-double-product", "a product of double-doubles, of it", kPairs, 1, "2^-102",
+            traced_product, observed_product},
+      Bound{"double-double-quotient", "a quotient of double-doubles, of it", kPairs, 1, "2^-102",
+            traced_quotient, observed_quotient},
+      stage<FastDot>("a", "a = |d|^2", kTriple, 3),
+      stage<FastNorm>("norm", "|d|", kTriple, 2.5),
+      stage<FastUnit>("unit-direction", "a coordinate of d/|d|", kTriple, 3.5),
+      stage<FastAxialDistance>("axial-distance", "v = T.D, of its largest product or sum", kTriple,
+                               5),
+      stage<FastMoment>("moment", "a coordinate of T x D, of its larger product", kTriple, 4),
+  };
+  return all;
+}
+
+}  // namespace raycheck::proofs

@@ -1,0 +1,137 @@
+#include "proofs/term.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <regex>
+
+namespace raycheck::proofs {
+std::string in_hexadecimal(double x) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%a", x);
+  return digits;
+}
+
+Script::Script(Rounding rounding, std::optional<Mutation> mutation)
+    : rounding_(rounding), mutation_(mutation) {}
+
+void Script::define(const std::string& name, const std::string& term) {
+  lines_.push_back({name, term, {}});
+}
+
+std::string Script::named(const std::string& term, const char* prefix,
+                          std::optional<std::size_t> operation) {
+  for (const Line& line : lines_) {
+    if (line.term == term) return line.name;
+  }
+  lines_.push_back({prefix + std::to_string(lines_.size()), term, operation});
+  return lines_.back().name;
+}
+
+std::string Script::rounded(char op, const std::string& x, const std::string& y,
+                            const std::string& z) {
+  const std::size_t operation = operations_++;
+  if (mutation_ && mutation_->operation == operation) op = mutation_->instead;
+  const bool is_fused = !z.empty();
+  has_fused_ = has_fused_ || is_fused;
+  std::string term;
+  if (rounding_ == Rounding::kRelative && is_fused) {
+    const std::string minus = op == '-' ? "-" : "";
+    term = op == '*' ? "mul(" + x + ", " + y + ")" : "mul_add(" + x + ", " + y + ", " + minus + z + ")";
+  } else if (op == 's' || op == ' ') {
+    term = op == ' ' ? x : "rnd(sqrt(" + x + "))";
+  } else if (rounding_ == Rounding::kToDouble || op == '/') {
+    term = "rnd(" + x + " " + op + " " + y + ")";
+  } else {
+    const std::string name = op == '+' ? "add" : op == '-' ? "sub" : "mul";
+    term = name + "(" + x + ", " + y + ")";
+  }
+  return named(term, "t", operation);
+}
+
+std::string Script::exact(const std::string& term) { return named(term, "M", {}); }
+
+namespace {
+
+/// Calls visit(name) for every name of letters, digits and underscores in a term, from the left.
+template <class Visit>
+void for_each_name(const std::string& term, const Visit& visit) {
+  static const std::regex kName("[A-Za-z_]\\w*");
+  for (std::sregex_iterator at(term.begin(), term.end(), kName), end; at != end; ++at) {
+    visit(at->str());
+  }
+}
+
+}  // namespace
+
+std::vector<Script::Line> Script::live() const {
+  std::vector<Line> kept;
+  const std::function<void(const std::string&)> keep = [&](const std::string& name) {
+    const auto is_named = [&](const Line& line) { return line.name == name; };
+    const auto line = std::find_if(lines_.begin(), lines_.end(), is_named);
+    if (line == lines_.end() || std::any_of(kept.begin(), kept.end(), is_named)) return;
+    for_each_name(line->term, keep);
+    kept.push_back(*line);
+  };
+  for (const std::string& one : goals_) for_each_name(one, keep);
+  for_each_name(hints_, keep);
+  return kept;
+}
+
+std::vector<std::size_t> Script::operations() const {
+  std::vector<std::size_t> all;
+  for (const Line& line : live()) {
+    if (line.operation) all.push_back(*line.operation);
+  }
+  return all;
+}
+
+std::string Script::text() const {
+  std::string all =
+      rounding_ == Rounding::kToDouble
+          ? "@rnd = float<ieee_64, ne>;\n"
+          : "@add = add_rel<53>; @sub = sub_rel<53>; @mul = mul_rel<53>; @mul_add = fma_rel<53>;\n"
+            "@rnd = float<53, -20000, ne>;\n";
+  // By what depends on what: compilers make operands in different orders.
+  std::map<std::string, std::string> renamed;
+  const auto names = [&](const std::string& term) {
+    std::string result;
+    std::size_t from = 0;
+    static const std::regex kMade("\\b[tM][0-9]+\\b");
+    for (std::sregex_iterator at(term.begin(), term.end(), kMade), end; at != end; ++at) {
+      const auto known = renamed.find(at->str());
+      result += term.substr(from, static_cast<std::size_t>(at->position()) - from);
+      result += known == renamed.end() ? at->str() : known->second;
+      from = static_cast<std::size_t>(at->position() + at->length());
+    }
+    return result + term.substr(from);
+  };
+  std::vector<std::string> suppositions = hypotheses_;
+  std::vector<std::string> in_order;
+  for (const Line& line : live()) {
+    const std::string term = names(line.term);
+    if (line.name.size() > 1 && std::isdigit(static_cast<unsigned char>(line.name[1])) != 0) {
+      renamed[line.name] = line.name.front() + std::to_string(renamed.size() + 1);
+    }
+    all += names(line.name) + " = " + term + ";\n";
+    const auto of_line = [&](const std::string& one) {
+      bool is_of = false;
+      for_each_name(one, [&](const std::string& name) { is_of = is_of || name == line.name; });
+      return is_of;
+    };
+    const auto rest = std::stable_partition(suppositions.begin(), suppositions.end(), of_line);
+    in_order.insert(in_order.end(), suppositions.begin(), rest);
+    suppositions.erase(suppositions.begin(), rest);
+  }
+  in_order.insert(in_order.end(), suppositions.begin(), suppositions.end());
+  const auto joined = [&](const std::vector<std::string>& list) {
+    std::string text;
+    for (const std::string& one : list) text += (text.empty() ? "" : " /\\\n  ") + names(one);
+    return text;
+  };
+  return all + "{ " + joined(in_order) + "\n->\n  " + joined(goals_) + " }\n" + names(hints_);
+}
+
+}  // namespace raycheck::proofs

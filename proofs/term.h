@@ -1,0 +1,106 @@
+#pragma once
+
+// A type of number that writes down, in the language of Gappa, what is done to it: a formula that is
+// a template over its number is traced by being called. Gappa: Daumas and Melquiond, Certification
+// of bounds on expressions involving rounded operators, 2010.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace raycheck::proofs {
+
+/// How an operation rounds: by a relative error of at most u, whatever the exponent, which is true
+/// of doubles where nothing under- or overflows; or to a double.
+enum class Rounding { kRelative, kToDouble };
+
+std::string in_hexadecimal(double x);
+
+/// The one operation that a mutated formula does otherwise: of all that round, by number.
+struct Mutation {
+  std::size_t operation;
+  char instead;  ///< '+', '-', '*' or, of what has one operand, ' ' for none.
+};
+
+/// A script in the making.
+class Script {
+ public:
+  explicit Script(Rounding rounding, std::optional<Mutation> mutation = {});
+
+  /// Names an operation's result and returns the name; x op y, x y + z for 'f', sqrt(x) for 's'.
+  std::string rounded(char op, const std::string& x, const std::string& y = "",
+                      const std::string& z = "");
+  std::string exact(const std::string& term);
+  /// Whatever else is to be defined, hypotheses, goals, and how Gappa may rewrite.
+  void define(const std::string& name, const std::string& term);
+  void suppose(const std::string& hypothesis) { hypotheses_.push_back(hypothesis); }
+  void prove(const std::string& goal) { goals_.push_back(goal); }
+  void rewrite(const std::string& hint) { hints_ += hint + ";\n"; }
+
+  /// From now on x y + z is rounded once, as at first, or twice.
+  void fuse(bool is_fused) { is_fused_ = is_fused; }
+  bool is_fused() const { return is_fused_; }
+  bool has_fused() const { return has_fused_; }  ///< Whether any was.
+
+  /// The operations that round and on which a goal depends.
+  std::vector<std::size_t> operations() const;
+  std::string text() const;
+
+ private:
+  struct Line {
+    std::string name, term;
+    std::optional<std::size_t> operation;
+  };
+  /// The name of a term: the one that it has, or a new one.
+  std::string named(const std::string& term, const char* prefix,
+                    std::optional<std::size_t> operation);
+  /// The lines on which goals, hypotheses and hints depend.
+  std::vector<Line> live() const;
+
+  Rounding rounding_;
+  std::optional<Mutation> mutation_;
+  std::vector<Line> lines_;
+  std::string hints_;
+  std::vector<std::string> hypotheses_, goals_;
+  std::size_t operations_ = 0;
+  bool is_fused_ = true, has_fused_ = false;
+};
+
+/// A number of a script, rounded as doubles are or exact.
+template <bool kRounded>
+class Term {
+ public:
+  Term(Script& script, std::string name) : script_(&script), name_(std::move(name)) {}
+  explicit Term(double constant) : name_(in_hexadecimal(constant)) {}
+  const std::string& name() const { return name_; }
+
+  friend Term operator+(const Term& x, const Term& y) { return made('+', x, y); }
+  friend Term operator-(const Term& x, const Term& y) { return made('-', x, y); }
+  friend Term operator*(const Term& x, const Term& y) { return made('*', x, y); }
+  friend Term operator/(const Term& x, const Term& y) { return made('/', x, y); }
+  friend Term operator-(const Term& x) { return {*x.script_, "(-" + x.name_ + ")"}; }
+  friend Term sqrt(const Term& x) {
+    Script& script = *x.script_;
+    return {script, kRounded ? script.rounded('s', x.name_) : script.exact("sqrt(" + x.name_ + ")")};
+  }
+  friend Term mul_add(const Term& x, const Term& y, const Term& z) {
+    if (!kRounded || !x.script_->is_fused()) return x * y + z;
+    return {*x.script_, x.script_->rounded('f', x.name_, y.name_, z.name_)};
+  }
+  friend Term mul_sub(const Term& x, const Term& y, const Term& z) { return mul_add(x, y, -z); }
+  friend Term sub_mul(const Term& x, const Term& y, const Term& z) { return mul_add(-x, y, z); }
+
+ private:
+  static Term made(char op, const Term& x, const Term& y) {
+    Script& script = x.script_ != nullptr ? *x.script_ : *y.script_;
+    return {script, kRounded ? script.rounded(op, x.name_, y.name_)
+                             : script.exact(x.name_ + " " + op + " " + y.name_)};
+  }
+
+  Script* script_ = nullptr;
+  std::string name_;
+};
+
+}  // namespace raycheck::proofs

@@ -1,0 +1,93 @@
+// The bounds that decisions stand on, proved by Gappa of the formulas themselves: each script is what
+// a formula writes down when it is called.
+
+#include "proofs/bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "tests/library/shell.h"
+
+namespace raycheck::proofs {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kScripts = fs::path(RAYCHECK_SOURCE_DIR) / "proofs";
+
+bool has_gappa() { return tests::shell("command -v gappa").code == 0; }
+
+/// What Gappa says of a script: nothing where it is proved.
+std::string complaint(const std::string& script) {
+  const fs::path file = fs::path(testing::TempDir()) / "raycheck_bound.gappa";
+  std::ofstream(file) << script;
+  const tests::Ended ended = tests::shell("timeout 20 gappa " + file.string());
+  fs::remove(file);
+  return ended.code == 0 ? ended.text : ended.text + "not proved";
+}
+
+/// The script, under a comment that says what it is about.
+std::string commented(const Bound& bound) {
+  return "# " + std::string(bound.what) + ": " + std::string(bound.where) + "\n" +
+         bound.script(bound.value, {}).text();
+}
+
+TEST(Bounds, AreProvedOfTheFormulasAsTheyAre) {
+  std::set<std::string> names;
+  for (const Bound& bound : bounds()) {
+    const fs::path file = kScripts / (std::string(bound.name) + ".gappa");
+    names.insert(file.filename());
+    const std::string script = commented(bound);
+    EXPECT_EQ(tests::text_of(file), script) << bound.name;
+    if (has_gappa()) {
+      EXPECT_EQ(complaint(script), "") << bound.name;
+    }
+  }
+  for (const auto& entry : fs::directory_iterator(kScripts)) {
+    if (entry.path().extension() != ".gappa") continue;
+    EXPECT_TRUE(names.contains(entry.path().filename())) << entry.path() << " is of no bound";
+  }
+  if (!has_gappa()) GTEST_SKIP() << "there is no gappa to prove bounds by";
+}
+
+/// Each operation of each formula done otherwise, and each constant halved.
+TEST(Bounds, AreRefusedOfMutatedFormulas) {
+  if (!has_gappa()) GTEST_SKIP() << "there is no gappa to refuse anything";
+  int mutants = 0;
+  for (const Bound& bound : bounds()) {
+    const Script script = bound.script(bound.value, {});
+    EXPECT_NE(complaint(bound.script(bound.value / 2, {}).text()), "") << bound.name << " halved";
+    for (const std::size_t operation : script.operations()) {
+      for (const char instead : {'-', '+'}) {
+        const std::string mutant = bound.script(bound.value, Mutation{operation, instead}).text();
+        if (mutant == script.text()) continue;
+        EXPECT_NE(complaint(mutant), "") << bound.name << " with " << mutant;
+        ++mutants;
+        break;
+      }
+    }
+  }
+  EXPECT_GE(mutants, 20);
+}
+
+TEST(Bounds, AreNotIdle) {
+  for (const Bound& bound : bounds()) {
+    const double observed = bound.observed(2000);
+    EXPECT_LE(observed, bound.value) << bound.name;
+    EXPECT_GE(observed, bound.value / 8) << bound.name;
+  }
+}
+
+/// The file that the first test compares with, for who changes a formula.
+TEST(Bounds, DISABLED_WriteTheirScripts) {
+  for (const Bound& bound : bounds()) {
+    std::ofstream(kScripts / (std::string(bound.name) + ".gappa")) << commented(bound);
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::proofs
