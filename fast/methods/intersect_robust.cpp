@@ -2,30 +2,18 @@
 #define HWY_TARGET_INCLUDE "fast/methods/intersect_robust.cpp"
 #include <hwy/foreach_target.h>
 
-#include <cmath>
 #include <cstring>
 
 #include "fast/internal/error_free.h"
-#include "fast/internal/intersect_batch.h"
 #include "fast/internal/robust.h"
+#include "fast/internal/robust_guess.h"
 #include "scene/validate.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-// The first step: coefficients in doubles, then one Newton step from a residual in pairs.
-//
-// It answers where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2, and f^2 differs from r^2
-// by more than kSurfaceShare r^2 + K M^2, M = |C|_1 + r, K = min(kReachShare + kSmallShare (M/r)^2,
-// kMostReach); and where disc > kLeastDiscriminant and a + f^2, r^2 < kLargestSquare, so that no
-// product overflows, a > 2^-700, for a hit r^2 > 2^-700, and anything that underflows is negligible
-// beside the margins.
-//
-// Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 12u a (f^2 + r^2) + u |disc^|, less than a
-// hundredth of what is required; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b requires no more of
-// b: with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while |b^ - b| <= 4u f|d|.
-// With disc < 0 the ray misses whatever b is.
+// The first step: robust_guess.h, then one Newton step from a residual in pairs.
 //
 // The first root s0, of relative error e. Let t = disc/(a r^2) <= 1 and x = f/r, so that t > 0.99
 // (2^-13 + 2^-31 x^2); then t^2.5 > 2^-39.8 x and t > 2^-21.1 x. On a hit |m| <= |d| r, hence f|d|
@@ -56,15 +44,6 @@ namespace {
 //
 // All in all s is off by less than 2^-56 of itself before it is rounded: 0.63 ulp. Q = L + s d is
 // made from fl(L + s0 d), its rounding error and the correction of s, and rounded once.
-constexpr double kDiscriminantShare = 0x1p-13;
-constexpr double kFarShare = 0x1p-31;
-constexpr double kSurfaceShare = 0x1p-26;
-constexpr double kReachShare = 0x1p-32;
-constexpr double kSmallShare = 0x1p-66;
-constexpr double kMostReach = 0x1p-24;
-constexpr double kLeastDiscriminant = 0x1p-300;
-constexpr double kLargestSquare = 0x1p400;
-
 /// A coordinate of L + s0 d, and of C less that, as unevaluated sums.
 template <class N>
 struct Reached {
@@ -81,70 +60,19 @@ HWY_INLINE Reached<N> reached(N origin, N s0, N direction, N centre) {
   return {point.x, rest, away.x, away.error - rest};
 }
 
-/// What depends on the sphere alone.
+/// With the square of the radius as the residual takes it.
 template <class N>
-struct Ball {
-  HWY_INLINE explicit Ball(const SphereOf<N>& sphere)
-      : centre(sphere.centre),
-        square(sphere.radius * sphere.radius),
-        doubt(N(kDiscriminantShare) * square),
-        scale(N(2) * square),
-        coarse(coarse_square(sphere.radius, scale)) {
-    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + sphere.radius;
-    const N ratio = reach / sphere.radius;
-    const N share = smaller(N(kReachShare) + N(kSmallShare) * (ratio * ratio), N(kMostReach));
-    const N margin = N(kSurfaceShare) * square + share * (reach * reach);
-    // With NaN comparisons fail: nothing is certain.
-    const N known = select(square < N(kLargestSquare), square, N(std::nan("")));
-    inside = known - margin;
-    outside = known + margin;
-  }
+struct Target : Ball<N> {
+  HWY_INLINE explicit Target(const SphereOf<N>& sphere)
+      : Ball<N>(sphere), scale(N(2) * this->square), coarse(coarse_square(sphere.radius, scale)) {}
 
-  Triple<N> centre;
-  N square;
-  N doubt, scale;
+  N scale;
   Rounded<N> coarse;  ///< The square, in units of ulp(scale).
-  N inside, outside;  ///< f^2 below/above: the origin is inside/outside.
 };
-
-/// The class where it is certain, and the first root.
-template <class N>
-struct Guess {
-  MaskOf<N> hit;
-  MaskOf<N> certain;
-  N s0;
-  N slope;  ///< Of |T - s d|^2 at the root.
-};
-
-template <class N>
-Guess<N> guess(const RayOf<N>& ray, const Ball<N>& ball, scene::Root root) {
-  const auto& [origin, direction] = ray;
-  const Triple<N> T = ball.centre - origin;
-  const N a = dot(direction, direction);
-  const N b = dot(T, direction);
-  const N distance_sq = dot(T, T);
-  const N c = distance_sq - ball.square;
-  const Triple<N> moment = cross(T, direction);
-  const N discriminant = a * ball.square - dot(moment, moment);
-  const N doubt = larger(a * (ball.doubt + N(kFarShare) * distance_sq), N(kLeastDiscriminant));
-  const auto outside = distance_sq > ball.outside;
-  const auto behind = b < N(0);
-  const MaskOf<N> certain = (absolute(discriminant) > doubt) &
-                            (a + distance_sq < N(kLargestSquare)) &
-                            (outside | (distance_sq < ball.inside));
-  const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
-  const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
-  if (!any(hit)) return {hit, certain, N(0), N(0)};
-  const N half_slope = square_root(discriminant);
-  const N q = absolute(b) + half_slope;
-  const MaskOf<N> through_c = outside | behind;
-  const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
-  return {hit, certain, s0, select(outside, N(-2), N(2)) * half_slope};
-}
 
 /// Newton's step from s0, and the point there.
 template <class N>
-ChosenOf<N> correct(const RayOf<N>& ray, const Ball<N>& ball, const Guess<N>& found) {
+ChosenOf<N> correct(const RayOf<N>& ray, const Target<N>& ball, const Guess<N>& found) {
   const auto& [origin, direction] = ray;
   const Reached<N> x = reached(origin.x, found.s0, direction.x, ball.centre.x);
   const Reached<N> y = reached(origin.y, found.s0, direction.y, ball.centre.y);
@@ -177,7 +105,7 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchInput& input, const HitArrays& answers) {
   const BatchInput asked = input;
   const HitArrays to = answers;
-  const Ball<Lanes> ball(sphere_of<Lanes>(asked.sphere));
+  const Target<Lanes> ball(sphere_of<Lanes>(asked.sphere));
   for (std::size_t first = 0; first < asked.count; first += kBlock) {
     const std::size_t last = first + kBlock < asked.count ? first + kBlock : asked.count;
     for (std::size_t k = first; k < last; k += kLaneCount) {
@@ -242,7 +170,7 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rul
                                                   const scene::Sphere& sphere,
                                                   scene::HitRule rule) {
   const auto asked = HWY_NAMESPACE::ray_of<double>(ray);
-  const HWY_NAMESPACE::Ball<double> ball(HWY_NAMESPACE::sphere_of<double>(sphere));
+  const HWY_NAMESPACE::Target<double> ball(HWY_NAMESPACE::sphere_of<double>(sphere));
   const auto found = HWY_NAMESPACE::guess(asked, ball, rule.root);
   if (found.hit) return plain(HWY_NAMESPACE::correct(asked, ball, found)).at;
   if (found.certain) return std::nullopt;

@@ -1,0 +1,109 @@
+// The first step of `robust`: hit or miss where doubles decide it, and the first root. Internal to
+// fast/. Compiled once for each of Highway's targets (fast/internal/lanes.h).
+
+#if defined(RAYCHECK_FAST_INTERNAL_ROBUST_GUESS_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCHECK_FAST_INTERNAL_ROBUST_GUESS_H_
+#undef RAYCHECK_FAST_INTERNAL_ROBUST_GUESS_H_
+#else
+#define RAYCHECK_FAST_INTERNAL_ROBUST_GUESS_H_
+#endif
+
+#include <cmath>
+
+#include "fast/internal/intersect_batch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
+
+// A class is certain where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2, and f^2 differs
+// from r^2 by more than kSurfaceShare r^2 + K M^2, M = |C|_1 + r, K = min(kReachShare + kSmallShare
+// (M/r)^2, kMostReach); and where disc > kLeastDiscriminant and a + f^2, r^2 < kLargestSquare, so
+// that no product overflows, a > 2^-700, for a hit r^2 > 2^-700, and anything that underflows is
+// negligible beside the margins.
+//
+// Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 12u a (f^2 + r^2) + u |disc^|, less than a
+// hundredth of what is required; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b requires no more of
+// b: with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while |b^ - b| <= 4u f|d|.
+// With disc < 0 the ray misses whatever b is.
+
+/// What is required of disc and f^2 - r^2 in N's format. Signs alone require no more than 16u of
+/// each term (tests/fast/small_formats_test.cpp); these values are what s requires of doubles.
+template <class N>
+struct Margins {
+  static constexpr double kDiscriminantShare = 0x1p-13;
+  static constexpr double kFarShare = 0x1p-31;
+  static constexpr double kSurfaceShare = 0x1p-26;
+  static constexpr double kReachShare = 0x1p-32;
+  static constexpr double kSmallShare = 0x1p-66;
+  static constexpr double kMostReach = 0x1p-24;
+  static constexpr double kLeastDiscriminant = 0x1p-300;
+  static constexpr double kLargestSquare = 0x1p400;
+};
+
+/// What depends on the sphere alone.
+template <class N>
+struct Ball {
+  using Required = Margins<N>;
+
+  HWY_INLINE explicit Ball(const SphereOf<N>& sphere)
+      : centre(sphere.centre),
+        square(sphere.radius * sphere.radius),
+        doubt(N(Required::kDiscriminantShare) * square) {
+    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + sphere.radius;
+    const N ratio = reach / sphere.radius;
+    const N share = smaller(N(Required::kReachShare) + N(Required::kSmallShare) * (ratio * ratio),
+                            N(Required::kMostReach));
+    const N margin = N(Required::kSurfaceShare) * square + share * (reach * reach);
+    // With NaN comparisons fail: nothing is certain.
+    const N known = select(square < N(Required::kLargestSquare), square, N(std::nan("")));
+    inside = known - margin;
+    outside = known + margin;
+  }
+
+  Triple<N> centre;
+  N square;
+  N doubt;
+  N inside, outside;  ///< f^2 below/above: the origin is inside/outside.
+};
+
+/// The class where it is certain, and the first root.
+template <class N>
+struct Guess {
+  MaskOf<N> hit;
+  MaskOf<N> certain;
+  N s0;
+  N slope;  ///< Of |T - s d|^2 at the root.
+};
+
+template <class N>
+Guess<N> guess(const RayOf<N>& ray, const Ball<N>& ball, scene::Root root) {
+  using Required = Margins<N>;
+  const auto& [origin, direction] = ray;
+  const Triple<N> T = ball.centre - origin;
+  const N a = dot(direction, direction);
+  const N b = dot(T, direction);
+  const N distance_sq = dot(T, T);
+  const N c = distance_sq - ball.square;
+  const Triple<N> moment = cross(T, direction);
+  const N discriminant = a * ball.square - dot(moment, moment);
+  const N doubt = larger(a * (ball.doubt + N(Required::kFarShare) * distance_sq),
+                         N(Required::kLeastDiscriminant));
+  const auto outside = distance_sq > ball.outside;
+  const auto behind = b < N(0);
+  const MaskOf<N> certain = (absolute(discriminant) > doubt) &
+                            (a + distance_sq < N(Required::kLargestSquare)) &
+                            (outside | (distance_sq < ball.inside));
+  const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
+  const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
+  if (!any(hit)) return {hit, certain, N(0), N(0)};
+  const N half_slope = square_root(discriminant);
+  const N q = absolute(b) + half_slope;
+  const MaskOf<N> through_c = outside | behind;
+  const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
+  return {hit, certain, s0, select(outside, N(-2), N(2)) * half_slope};
+}
+
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // RAYCHECK_FAST_INTERNAL_ROBUST_GUESS_H_

@@ -1,0 +1,21 @@
+; Q = L + s D, s = v - d or v + d, lies on the sphere, where T = C - L, v = T.D, d^2 = r^2 -
+; (|T|^2 - v^2), |D| = 1. docs/problem.md, Sphere. Both signs of d at once.
+(set-logic QF_NRA)
+(define-fun dot ((ax Real) (ay Real) (az Real) (bx Real) (by Real) (bz Real)) Real
+  (+ (* ax bx) (* ay by) (* az bz)))
+(declare-const Lx Real) (declare-const Ly Real) (declare-const Lz Real)
+(declare-const Cx Real) (declare-const Cy Real) (declare-const Cz Real)
+(declare-const Dx Real) (declare-const Dy Real) (declare-const Dz Real)
+(declare-const r Real) (declare-const d Real)
+(assert (= (dot Dx Dy Dz Dx Dy Dz) 1))
+(define-fun Tx () Real (- Cx Lx))
+(define-fun Ty () Real (- Cy Ly))
+(define-fun Tz () Real (- Cz Lz))
+(define-fun v () Real (dot Tx Ty Tz Dx Dy Dz))
+(assert (= (* d d) (- (* r r) (- (dot Tx Ty Tz Tx Ty Tz) (* v v)))))
+(define-fun s () Real (+ v d))
+(define-fun x () Real (- (+ Lx (* s Dx)) Cx))
+(define-fun y () Real (- (+ Ly (* s Dy)) Cy))
+(define-fun z () Real (- (+ Lz (* s Dz)) Cz))
+(assert (not (= (dot x y z x y z) (* r r))))
+(check-sat)

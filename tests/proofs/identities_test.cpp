@@ -1,0 +1,73 @@
+// The identities that formulas and proofs rest on, by a solver of real arithmetic.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "tests/library/shell.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kIdentities = fs::path(RAYCHECK_SOURCE_DIR) / "proofs/identities";
+
+/// A sign or comparison of each file, and the wrong one, with which there is a counterexample.
+const std::map<std::string, std::pair<std::string, std::string>> kMistakes = {
+    {"hit_point", {"(- (dot Tx Ty Tz Tx Ty Tz) (* v v))", "(+ (dot Tx Ty Tz Tx Ty Tz) (* v v))"}},
+    {"lagrange", {"(- (* a r r) (dot mx", "(+ (* a r r) (dot mx"}},
+    {"newton_slope", {"(* 4 (- (* b b)", "(* 4 (+ (* b b)"}},
+    {"newton_step", {"(- (* a (- s0 s)", "(+ (* a (- s0 s)"}},
+    {"pixel_distance", {"(- (dot Ux Uy Uz Ux Uy Uz) 1)", "(+ (dot Ux Uy Uz Ux Uy Uz) 1)"}},
+    {"roots_by_q", {"(* a smaller) (- b h)) (= (+", "(* a smaller) (+ b h)) (= (+"}},
+    {"second_axis", {"(- (* px Wy) (* py Wx))", "(+ (* px Wy) (* py Wx))"}},
+    {"signs_of_roots", {"(< b 0)) (< larger 0)", "(< b 0)) (> larger 0)"}},
+    {"third_axis", {"(- (* Wy Uz) (* Wz Uy))", "(+ (* Wy Uz) (* Wz Uy))"}},
+};
+
+/// The command of a solver that gives up after so many seconds; empty where there is none.
+std::string solver(int seconds) {
+  const std::string limit = std::to_string(1000 * seconds);
+  if (shell("command -v z3").code == 0) return "z3 -t:" + limit + " ";
+  if (shell("command -v cvc5").code == 0) return "cvc5 --tlimit-per=" + limit + " ";
+  return {};
+}
+
+TEST(Identities, HoldForAllReals) {
+  if (solver(1).empty()) GTEST_SKIP() << "neither z3 nor cvc5 is there to check identities";
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(kIdentities)) {
+    EXPECT_EQ(shell(solver(60) + entry.path().string()).text, "unsat\n") << entry.path();
+    names.insert(entry.path().stem());
+  }
+  for (const auto& [name, mistake] : kMistakes) EXPECT_TRUE(names.contains(name)) << name;
+  EXPECT_EQ(names.size(), kMistakes.size());
+}
+
+TEST(Identities, AreNotFoundOfWrongSigns) {
+  if (solver(1).empty()) GTEST_SKIP() << "neither z3 nor cvc5 is there to check identities";
+  const fs::path changed = fs::path(testing::TempDir()) / "raycheck_identity.smt2";
+  int counterexamples = 0;
+  for (const auto& [name, mistake] : kMistakes) {
+    const auto& [right, wrong] = mistake;
+    std::string text = text_of(kIdentities / (name + ".smt2"));
+    const std::size_t at = text.find(right);
+    ASSERT_NE(at, std::string::npos) << name;
+    ASSERT_EQ(text.find(right, at + 1), std::string::npos) << name;
+    std::ofstream(changed) << text.replace(at, right.size(), wrong);
+    const std::string found = shell(solver(5) + changed.string()).text;
+    EXPECT_TRUE(found == "sat\n" || found == "unknown\n") << name << ": " << found;
+    counterexamples += found == "sat\n" ? 1 : 0;
+  }
+  fs::remove(changed);
+  EXPECT_GT(counterexamples, 4);
+}
+
+}  // namespace
+}  // namespace raycheck::tests
