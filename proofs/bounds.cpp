@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "fast/internal/robust_guess.h"
 #include "fast/internal/triple.h"
 #include "reference/enclosure.h"
 #include "reference/internal/double_double.h"
@@ -202,6 +203,72 @@ auto terms(Script& script, const auto& names, std::index_sequence<k...> /*all*/)
   return Inputs<N, sizeof...(k)>{N(script, names[k])...};
 }
 
+/// Of robust's first step: a ray and a sphere, of which r^2 is given.
+struct RobustStep {
+  static constexpr std::array kInputs = {"Cx", "Cy", "Cz", "Ox", "Oy",
+                                         "Oz", "dx", "dy", "dz", "R2"};
+  static constexpr bool kIsRelative = false;
+  static constexpr double kMost = 1;
+  template <class N>
+  static fast_formula::Coefficients<N> coefficients(const Inputs<N, 10>& x) {
+    return fast_formula::coefficients<N>({{x[3], x[4], x[5]}, {x[6], x[7], x[8]}},
+                                         {x[0], x[1], x[2]}, x[9]);
+  }
+  template <class N>
+  static std::array<N, 3> to_centre(const Inputs<N, 10>& x) {
+    return {x[0] - x[3], x[1] - x[4], x[2] - x[5]};
+  }
+};
+
+/// Of f |d|.
+struct RobustB : RobustStep {
+  template <class N>
+  static N computed(const Inputs<N, 10>& x) {
+    return coefficients(x).b;
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 10>& x, const Note& note) {
+    const auto T = to_centre(x);
+    const N first = note(T[0] * x[6]), second = note(T[1] * x[7]), third = note(T[2] * x[8]);
+    return note(first + note(second + third));
+  }
+};
+
+/// Of f^2 + r^2.
+struct RobustC : RobustStep {
+  template <class N>
+  static N computed(const Inputs<N, 10>& x) {
+    return coefficients(x).c;
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 10>& x, const Note& note) {
+    const auto T = to_centre(x);
+    const N first = note(T[0] * T[0]), second = note(T[1] * T[1]), third = note(T[2] * T[2]);
+    const N f_sq = note(first + note(second + third));
+    return note(f_sq - note(x[9]));
+  }
+};
+
+/// Of a (f^2 + r^2).
+struct RobustDiscriminant : RobustStep {
+  template <class N>
+  static N computed(const Inputs<N, 10>& x) {
+    return coefficients(x).discriminant;
+  }
+  template <class N, class Note>
+  static N exact(const Inputs<N, 10>& x, const Note& note) {
+    const auto T = to_centre(x);
+    const auto component = [&](std::size_t j, std::size_t k) {
+      const N first = note(T[j] * x[6 + k]), second = note(T[k] * x[6 + j]);
+      return note(first - second);
+    };
+    const N mx = component(1, 2), my = component(2, 0), mz = component(0, 1);
+    const N moment_sq = note(mx * mx + note(my * my + mz * mz));
+    const N xx = note(x[6] * x[6]), yy = note(x[7] * x[7]), zz = note(x[8] * x[8]);
+    return note(note(note(xx + note(yy + zz)) * note(x[9])) - moment_sq);
+  }
+};
+
 constexpr double kUnit = 0x1p-53;
 
 /// The formula, fused and not, against what it is to be.
@@ -251,7 +318,7 @@ double observed_of(int samples) {
   for (int sample = 0; sample < samples; ++sample) {
     std::array<double, kCount> x;
     for (double& one : x) one = random.number();
-    const auto inputs = [&]<class N, std::size_t... k>(auto make, N*, std::index_sequence<k...>) {
+    const auto given = [&]<class N, std::size_t... k>(auto make, N*, std::index_sequence<k...>) {
       return Inputs<N, kCount>{make(x[k])...};
     };
     const auto enclosed = [](double one) { return Enclosure(one, kBits); };
@@ -260,14 +327,13 @@ double observed_of(int samples) {
       if (abs(term).upper() > scale.upper()) scale = abs(term);
       return term;
     };
-    const Enclosure exact =
-        F::exact(inputs(enclosed, static_cast<Enclosure*>(nullptr), kAll), note);
+    const Enclosure exact = F::exact(given(enclosed, static_cast<Enclosure*>(nullptr), kAll), note);
     if (F::kIsRelative) scale = abs(exact);
     const Enclosure unit = scale * Enclosure(kUnit / F::kMost, kBits);
     const auto compare = [&]<bool kFused>(std::bool_constant<kFused>) {
       using N = Plain<kFused>;
       const auto plain = [](double one) { return N(one); };
-      const double got = F::computed(inputs(plain, static_cast<N*>(nullptr), kAll)).x;
+      const double got = F::computed(given(plain, static_cast<N*>(nullptr), kAll)).x;
       largest = std::max(largest, (abs(Enclosure(got, kBits) - exact) / unit).lower());
     };
     compare(std::true_type());
@@ -287,9 +353,8 @@ Script traced_widening(double bound, std::optional<Mutation> mutation) {
     script.define(x, std::string("rnd(") + z + ")");
     script.suppose(std::string(z) + " in " + range);
     const std::string low =
-        scene::lowered(Rounded(script, x), Rounded(script, magnitude), bound * scene::kBoundsWiden).name();
-    const std::string by =
-        (Rounded(script, magnitude) * Rounded(bound * scene::kBoundsWiden)).name();
+        scene::lowered(Rounded(script, x), Rounded(script, magnitude), bound * kUnit).name();
+    const std::string by = (Rounded(script, magnitude) * Rounded(bound * kUnit)).name();
     // Beyond -2 the ulp is twice as large, and the last rounding, too.
     const int most = scene::kBoundsMaxUlp + (range[1] == '-' ? 1 : 0);
     script.prove(low + " - " + z + " in [-" + std::to_string(most) + "b-52, 0]");
@@ -306,7 +371,7 @@ double observed_widening(int samples) {
     // Halfway between two doubles, the real is farthest from where it rounds to.
     const double x = random.number();
     const double gap = std::nextafter(std::abs(x), HUGE_VAL) - std::abs(x);
-    largest = std::max(largest, gap / 2 / (std::abs(x) * scene::kBoundsWiden));
+    largest = std::max(largest, gap / 2 / (std::abs(x) * kUnit));
   }
   return largest;
 }
@@ -327,7 +392,7 @@ Script traced_product(double bound, std::optional<Mutation> mutation) {
       reference::rest_of_product(name("error"), name("ah"), name("al"), name("bh"), name("bl"))
           .name();
   script.define("left", "(ah * bl + al * bh) + al * bl");
-  script.prove("|((error + left) - " + rest + ") / p| <= " + in_hexadecimal(bound * reference::kDoubleDoubleError));
+  script.prove("|((error + left) - " + rest + ") / p| <= " + in_hexadecimal(bound * kUnit * kUnit));
   script.rewrite("(error + left) - " + rest + " -> ((error + (ah * bl + al * bh)) - " + rest +
                  ") + al * bl");
   return script;
@@ -344,7 +409,7 @@ Script traced_quotient(double bound, std::optional<Mutation> mutation) {
   const std::string r = remainder.name(), rest = (remainder / name("bh")).name();
   script.define("X", "(of_high + al) - q * bl");
   script.define("M", "X / (bh + bl)");
-  script.prove("|(" + rest + " - M) / q| <= " + in_hexadecimal(bound * reference::kDoubleDoubleError));
+  script.prove("|(" + rest + " - M) / q| <= " + in_hexadecimal(bound * kUnit * kUnit));
   script.rewrite("of_high -> bh * (ah / bh - q) { bh <> 0 }");
   script.rewrite(rest + " - M -> (" + rest + " - " + r + " / bh) + ((" + r +
                  " - X) / bh + X * bl / (bh * (bh + bl))) { bh <> 0, bh + bl <> 0 }");
@@ -352,7 +417,8 @@ Script traced_quotient(double bound, std::optional<Mutation> mutation) {
   return script;
 }
 
-/// Of random numbers of two parts, the largest error of an operation as a share of its leading part.
+/// Of random numbers of two parts, the largest error of an operation as a share of its leading
+/// part.
 template <class Operate>
 double observed_pairs(int samples, const Operate& operate) {
   Random random;
@@ -365,7 +431,7 @@ double observed_pairs(int samples, const Operate& operate) {
     }
     const auto [leading, rest, exact] = operate(high, low);
     const Enclosure error = Enclosure(leading, kBits) + Enclosure(rest, kBits) - exact;
-    const double unit = reference::kDoubleDoubleError * leading;
+    const double unit = kUnit * kUnit * leading;
     largest = std::max(largest, (abs(error) / Enclosure(unit, kBits)).lower());
   }
   return largest;
@@ -397,15 +463,21 @@ double observed_quotient(int samples) {
 template <class F>
 Bound stage(std::string_view name, std::string_view what, std::string_view where, double value) {
   // Terms of second order are among what kSlack covers.
-  return {name, what, where, value, "u",
+  return {name,
+          what,
+          where,
+          value,
+          "u",
           [](double bound, std::optional<Mutation> mutation) {
             return traced<F>(bound * reference::kSlack, mutation);
           },
           observed_of<F>};
 }
 
+constexpr double kOfPairs = reference::kDoubleDoubleError / (kUnit * kUnit);
 constexpr std::string_view kFormula = "reference/visibility/visibility_formula.h";
 constexpr std::string_view kPairs = "reference/internal/double_double.h";
+constexpr std::string_view kRobust = "fast/internal/robust_guess.h";
 constexpr std::string_view kTriple = "fast/internal/triple.h";
 
 }  // namespace
@@ -421,12 +493,17 @@ std::span<const Bound> bounds() {
       stage<FilterByMoment>("filter-by-moment", "r^2 a - |h|^2 of given r^2, a, h, of S^2",
                             kFormula, reference::kByMomentRoundings),
       Bound{"bounds-widening",
-            "how far a real is from the double that it rounds to, of what that is lowered by",
-            "scene/plan/bounds.h", 1, "widening", traced_widening, observed_widening},
-      Bound{"double-double-product", "a product of double-doubles, of it", kPairs, 1, "2^-102",
+            "what is more than a double may be off from a real that rounds to it",
+            "scene/plan/bounds.h", scene::kBoundsWiden / kUnit, "u", traced_widening,
+            observed_widening},
+      Bound{"double-double-product", "a product of double-doubles, of it", kPairs, kOfPairs, "u^2",
             traced_product, observed_product},
-      Bound{"double-double-quotient", "a quotient of double-doubles, of it", kPairs, 1, "2^-102",
-            traced_quotient, observed_quotient},
+      Bound{"double-double-quotient", "a quotient of double-doubles, of it", kPairs, kOfPairs,
+            "u^2", traced_quotient, observed_quotient},
+      stage<RobustB>("robust-b", "b of robust's first step, of f |d|", kRobust, 8),
+      stage<RobustC>("robust-c", "its c, of f^2 + r^2 given r^2", kRobust, 13),
+      stage<RobustDiscriminant>("robust-discriminant", "its discriminant, of a (f^2 + r^2)",
+                                kRobust, 45),
       stage<FastDot>("a", "a = |d|^2", kTriple, 3),
       stage<FastNorm>("norm", "|d|", kTriple, 2.5),
       stage<FastUnit>("unit-direction", "a coordinate of d/|d|", kTriple, 3.5),

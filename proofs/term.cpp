@@ -39,7 +39,8 @@ std::string Script::rounded(char op, const std::string& x, const std::string& y,
   std::string term;
   if (rounding_ == Rounding::kRelative && is_fused) {
     const std::string minus = op == '-' ? "-" : "";
-    term = op == '*' ? "mul(" + x + ", " + y + ")" : "mul_add(" + x + ", " + y + ", " + minus + z + ")";
+    term = op == '*' ? "mul(" + x + ", " + y + ")"
+                     : "mul_add(" + x + ", " + y + ", " + minus + z + ")";
   } else if (op == 's' || op == ' ') {
     term = op == ' ' ? x : "rnd(sqrt(" + x + "))";
   } else if (rounding_ == Rounding::kToDouble || op == '/') {

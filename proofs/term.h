@@ -1,8 +1,8 @@
 #pragma once
 
-// A type of number that writes down, in the language of Gappa, what is done to it: a formula that is
-// a template over its number is traced by being called. Gappa: Daumas and Melquiond, Certification
-// of bounds on expressions involving rounded operators, 2010.
+// A type of number that writes down, in the language of Gappa, what is done to it: a formula that
+// is a template over its number is traced by being called. Gappa: Daumas and Melquiond,
+// Certification of bounds on expressions involving rounded operators, 2010.
 
 #include <cstddef>
 #include <optional>
@@ -83,7 +83,8 @@ class Term {
   friend Term operator-(const Term& x) { return {*x.script_, "(-" + x.name_ + ")"}; }
   friend Term sqrt(const Term& x) {
     Script& script = *x.script_;
-    return {script, kRounded ? script.rounded('s', x.name_) : script.exact("sqrt(" + x.name_ + ")")};
+    return {script,
+            kRounded ? script.rounded('s', x.name_) : script.exact("sqrt(" + x.name_ + ")")};
   }
   friend Term mul_add(const Term& x, const Term& y, const Term& z) {
     if (!kRounded || !x.script_->is_fused()) return x * y + z;

@@ -153,7 +153,8 @@ std::string room_of(const std::string& file) {
 /// Every file below the product's folders.
 std::vector<fs::path> files() {
   std::vector<fs::path> result;
-  for (const char* top : {"scene", "reference", "fast", "properties", "proofs", "tools", "library"}) {
+  for (const char* top :
+       {"scene", "reference", "fast", "properties", "proofs", "tools", "library"}) {
     const fs::recursive_directory_iterator below(root() / top);
     result.insert(result.end(), begin(below), end(below));
   }

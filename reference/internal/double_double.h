@@ -124,7 +124,8 @@ N rest_of_product(const N& error, const N& a_high, const N& a_low, const N& b_hi
                   const N& b_low) {
   return error + (a_high * b_low + a_low * b_high);
 }
-/// What q, the rounded quotient of the high parts, leaves of a, given what it leaves of a's high part.
+/// What q, the rounded quotient of the high parts, leaves of a, given what it leaves of a's high
+/// part.
 template <class N>
 N remainder_of_quotient(const N& of_high, const N& a_low, const N& q, const N& b_low) {
   return (of_high + a_low) - q * b_low;
@@ -155,8 +156,7 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
 /// Operands carry |a'/b' - a/b| <= (a.radius + |a/b| b.radius)/(|b| - b.radius).
 inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double q = a.high_ / b.high_;
-  const double remainder =
-      remainder_of_quotient(std::fma(-q, b.high_, a.high_), a.low_, q, b.low_);
+  const double remainder = remainder_of_quotient(std::fma(-q, b.high_, a.high_), a.low_, q, b.low_);
   const bool is_exact = a.low_ == 0 && b.low_ == 0 && remainder == 0;
   const double rounding = is_exact ? 0 : kDoubleDoubleError * std::abs(q);
   const double size = std::abs(b.high_);

@@ -20,7 +20,8 @@ double moment_error(const FilteredSphere& sphere, const PlaneSizes& sizes, doubl
   const double u = std::abs(sphere.u), v = std::abs(sphere.v), w = std::abs(sphere.w);
   const auto& [N, X, Y, delta, A, E_a] = sizes;
   const auto of = [&, d = delta](double x, double y, double z, double t) {
-    return kMomentRoundings * kUnitRoundoff * (x * y + z * t) + rho * (y + t) + d * (x + z) + 2 * rho * d;
+    return kMomentRoundings * kUnitRoundoff * (x * y + z * t) + rho * (y + t) + d * (x + z) +
+           2 * rho * d;
   };
   return kSlack * (of(v, N, w, Y) + of(w, X, u, N) + of(u, Y, v, X));
 }
@@ -64,16 +65,16 @@ FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const 
   const double I_b = (N + X + Y) * rho + delta * (u + v + w + 3 * rho);
   const double B = kSlack * (N * w + Y * v + X * u + I_b);
   const double E_b = kSlack * (kSumRoundings * kUnitRoundoff * B + I_b);
-  const double by_roots =
-      kSlack * (2.2 * B * E_b + kDiscRoundings * kUnitRoundoff * B * B +
-                c * (1.1 * E_a + kDiscRoundings * kUnitRoundoff * A) + 1.1 * half_width(plan.seen.power) * A);
+  const double by_roots = kSlack * (2.2 * B * E_b + kDiscRoundings * kUnitRoundoff * B * B +
+                                    c * (1.1 * E_a + kDiscRoundings * kUnitRoundoff * A) +
+                                    1.1 * half_width(plan.seen.power) * A);
   const double e = moment_error(sphere, sizes, rho);
   const Bounds radius_sq = square(plan.seen.radius);
   sphere.radius_sq = middle(radius_sq);
   const double S = std::sqrt(sphere.radius_sq * A);
-  const double by_moment = kSlack * (4 * S * e + e * e + kByMomentRoundings * kUnitRoundoff * S * S +
-                                     sphere.radius_sq * 1.1 * E_a +
-                                     1.1 * half_width(radius_sq) * A);
+  const double by_moment =
+      kSlack * (4 * S * e + e * e + kByMomentRoundings * kUnitRoundoff * S * S +
+                sphere.radius_sq * 1.1 * E_a + 1.1 * half_width(radius_sq) * A);
   sphere.by_moment = e <= S / 8 && by_moment < kMomentGain * by_roots;
   const double E = sphere.by_moment ? by_moment : by_roots;
   sphere.decided = kDecidedBeyond * E;

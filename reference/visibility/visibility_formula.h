@@ -29,7 +29,8 @@ struct RowTerms {
 template <class N>
 HWY_INLINE RowTerms<N> row_terms(const N& near, const N& beta, const N& u, const N& v, const N& w) {
   const N moment = near * v - beta * w;
-  return {near * w + beta * v, near * near + beta * beta, moment, moment * moment, near * u, beta * u};
+  return {
+      near * w + beta * v, near * near + beta * beta, moment, moment * moment, near * u, beta * u};
 }
 
 /// b = f.g and a = |g|^2

@@ -102,8 +102,8 @@ void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRay
       const Lanes alpha{hn::LoadU(d, rays.alpha + column)};
       const Lanes line_b = b_of(alpha, u, terms.b), line_a = a_of(alpha, terms.a);
       const V b = line_b.raw, a = line_a.raw;
-      const V disc = (kByMoment ? discriminant_by_moment(moment_of(alpha, v, w, terms), terms.moment_sq,
-                                                    line_a, radius_sq)
+      const V disc = (kByMoment ? discriminant_by_moment(moment_of(alpha, v, w, terms),
+                                                         terms.moment_sq, line_a, radius_sq)
                                 : discriminant(line_b, line_a, power))
                          .raw;
       M met = hn::Gt(disc, decided);

@@ -10,10 +10,10 @@
 // c a. The numerators m = b -+ q order the spheres of one pixel; m = t l, where t = |Q - E|, l =
 // sqrt(a).
 //
-// The bound, for all pixels of an image at once; its roundings are proved in proofs/. ^ marks computed values, u0 = 2^-53 is the unit
-// roundoff; n, alpha, beta are known to within delta, u, v, w to within rho, c to within rho_c
-// (halves of the widths of scene::EyeSpace's bounds); N, X, Y, |u|, |v|, |w| bound their
-// magnitudes.
+// The bound, for all pixels of an image at once; its roundings are proved in proofs/. ^ marks
+// computed values, u0 = 2^-53 is the unit roundoff; n, alpha, beta are known to within delta, u, v,
+// w to within rho, c to within rho_c (halves of the widths of scene::EyeSpace's bounds); N, X, Y,
+// |u|, |v|, |w| bound their magnitudes.
 //   B  = N|w| + Y|v| + X|u| + I_b,  I_b = (N + Y + X) rho + delta (|u| + |v| + |w| + 3 rho):
 //        |b|, |b^| < 1.01 B and |b^ - b| <= E_b = 5 u0 B + I_b
 //   A  = N^2 + X^2 + Y^2 + I_a,  I_a = 2 (N + X + Y) delta + 3 delta^2:

@@ -1,5 +1,5 @@
-// The bounds that decisions stand on, proved by Gappa of the formulas themselves: each script is what
-// a formula writes down when it is called.
+// The bounds that decisions stand on, proved by Gappa of the formulas themselves: each script is
+// what a formula writes down when it is called.
 
 #include "proofs/bounds.h"
 
@@ -55,7 +55,7 @@ TEST(Bounds, AreProvedOfTheFormulasAsTheyAre) {
 }
 
 /// Each operation of each formula done otherwise, and each constant halved.
-TEST(Bounds, AreRefusedOfMutatedFormulas) {
+TEST(LongBounds, AreRefusedOfMutatedFormulas) {
   if (!has_gappa()) GTEST_SKIP() << "there is no gappa to refuse anything";
   int mutants = 0;
   for (const Bound& bound : bounds()) {

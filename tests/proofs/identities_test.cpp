@@ -20,6 +20,10 @@ const fs::path kIdentities = fs::path(RAYCHECK_SOURCE_DIR) / "proofs/identities"
 
 /// A sign or comparison of each file, and the wrong one, with which there is a counterexample.
 const std::map<std::string, std::pair<std::string, std::string>> kMistakes = {
+    {"filter_by_moment", {"(* 4 S e1)", "(* 3 S e1)"}},
+    {"filter_by_roots", {"(* 2.2 B Eb)", "(* 1.1 B Eb)"}},
+    {"filter_miss", {"(/ S 8)", "S"}},
+    {"filter_root", {"(* 0.51 x)) (>", "(* 0.5 x)) (>"}},
     {"hit_point", {"(- (dot Tx Ty Tz Tx Ty Tz) (* v v))", "(+ (dot Tx Ty Tz Tx Ty Tz) (* v v))"}},
     {"lagrange", {"(- (* a r r) (dot mx", "(+ (* a r r) (dot mx"}},
     {"newton_slope", {"(* 4 (- (* b b)", "(* 4 (+ (* b b)"}},

@@ -10,12 +10,12 @@ constexpr int kSamples = 2000;
 
 /// A promise in u or ulp of doubles, in those of the format that the method computes in.
 Promise promise(Quantity quantity, double bound, double roundoff) {
-  const scene::Precision precision =
-      roundoff >= scene::unit_roundoff(scene::Precision::kSingle) ? scene::Precision::kSingle
-                                                                  : scene::Precision::kDouble;
+  const scene::Precision precision = roundoff >= scene::unit_roundoff(scene::Precision::kSingle)
+                                         ? scene::Precision::kSingle
+                                         : scene::Precision::kDouble;
   return {info(quantity).name,
           bound * (properties::kDoubleRoundoff / scene::unit_roundoff(precision)),
-          unit_name(quantity, precision)};
+          std::string(unit_name(quantity, precision))};
 }
 
 }  // namespace

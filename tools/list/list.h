@@ -23,7 +23,6 @@ struct Catalogue {
 };
 Catalogue catalogue();
 
-
 /// What a method promises of a quantity, in u or ulp of the format that it computes in.
 struct Promise {
   std::string_view name;  ///< Of the quantity.

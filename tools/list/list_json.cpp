@@ -70,10 +70,11 @@ std::string bounds_json(const BoundsReport& report, const ViewOptions& /*options
   Json json = json_header("list");
   json["proved"] = list_json(report.proved, [](const ProvedBound& one) {
     const proofs::Bound& bound = *one.bound;
-    return Json{{"name", bound.name},       {"what", bound.what},
-                {"formula", bound.where},   {"script", "proofs/" + std::string(bound.name) + ".gappa"},
-                {"max", bound.value},       {"unit", bound.unit},
-                {"observed", one.observed}};
+    return Json{
+        {"name", bound.name},      {"what", bound.what},
+        {"formula", bound.where},  {"script", "proofs/" + std::string(bound.name) + ".gappa"},
+        {"max", bound.value},      {"unit", bound.unit},
+        {"observed", one.observed}};
   });
   json["samples"] = report.samples;
   const auto promised = [](const auto* method) {

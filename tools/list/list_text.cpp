@@ -57,9 +57,8 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
   text += "\nintersection methods (--intersect):\n";
   for (const auto* method : catalogue.intersect_methods) {
     text += fmt::format("  {:<17} {}\n  {:<17} bounds: {}{}{}{}", method->name, method->sentence,
-                        "", promised_text(*method),
-                        method->exact_class ? "; exact class" : "", lengths(method->domain),
-                        caveat(method->not_kept));
+                        "", promised_text(*method), method->exact_class ? "; exact class" : "",
+                        lengths(method->domain), caveat(method->not_kept));
   }
   text += fmt::format(
       "\nBounds hold up to condition number {}, in proportion beyond, for lengths from {:.3g} to "
@@ -102,7 +101,8 @@ std::string bounds_text(const BoundsReport& report, const ViewOptions& /*options
                         bound->value / observed);
   }
   text += fmt::format(
-      "Observed: the largest error of {} random inputs of a few binades; u = 2^-53. Assumed: doubles "
+      "Observed: the largest error of {} random inputs of a few binades; u = 2^-53. Assumed: "
+      "doubles "
       "round to\nnearest, keep subnormals and have correct square roots, which is checked when "
       "raycheck starts; and nothing\nelse under- or overflows, which callers ensure.\n"
       "\npromised, and tried by the laws (none is proved as a whole):\n",

@@ -148,8 +148,8 @@ Computed computed(const reference::FilteredSphere& sphere, double alpha, double 
   const auto row = formula::row_terms(N{near}, N{beta}, u, v, w);
   const N b = formula::b_of(x, u, row.b), a = formula::a_of(x, row.a);
   const N disc = sphere.by_moment
-                     ? formula::discriminant_by_moment(formula::moment_of(x, v, w, row), row.moment_sq, a,
-                                                       N{sphere.radius_sq})
+                     ? formula::discriminant_by_moment(formula::moment_of(x, v, w, row),
+                                                       row.moment_sq, a, N{sphere.radius_sq})
                      : formula::discriminant(b, a, N{sphere.power});
   return {b.x, disc.x};
 }
