@@ -82,6 +82,26 @@ TEST(Bounds, AreNotIdle) {
   }
 }
 
+/// Coq checks the proofs that Gappa writes for it. Its library has rounding to doubles, and not
+/// Gappa's relative operators, nor its rule for negated doubles.
+TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
+  if (!has_gappa() || tests::shell("command -v coqc").code != 0) {
+    GTEST_SKIP() << "there is no gappa, or no coq, to check proofs by";
+  }
+  const fs::path folder = fs::path(testing::TempDir()) / "raycheck_coq";
+  fs::create_directories(folder);
+  const std::string folder_first = "cd '" + folder.string() + "' && ";
+  for (const std::string name : {"double-double-product", "double-double-quotient"}) {
+    const std::string script = (kScripts / (name + ".gappa")).string();
+    const tests::Ended ended =
+        tests::shell(folder_first + "gappa -Bcoq " + script + " > proof.v && coqc -q proof.v");
+    EXPECT_EQ(ended.code, 0) << ended.text;
+    EXPECT_TRUE(fs::exists(folder / "proof.vo")) << name;
+    fs::remove(folder / "proof.vo");
+  }
+  fs::remove_all(folder);
+}
+
 /// The file that the first test compares with, for who changes a formula.
 TEST(Bounds, DISABLED_WriteTheirScripts) {
   for (const Bound& bound : bounds()) {
