@@ -2,6 +2,7 @@
 // are too wide, the exact field for zeros and ties.
 
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "reference/internal/ray_impl.h"
@@ -25,11 +26,22 @@ auto by_balls(const ExactRay& ray, const Value& value, int bits) {
   return value(lift, line_of(lift, ray.source()));
 }
 
+/// The double nearest to a number, where double-doubles tell. A separate function, likewise.
+[[gnu::noinline]] std::optional<double> nearest_of(const DoubleDouble& value) {
+  const NearestGuard guard;
+  return value.nearest();
+}
+template <class Finish>
+constexpr bool kRounds = std::is_same_v<Finish, Round>;
+
 /// Applies narrow() or round_to_nearest() to value(lift, line), a number; compare(m) is the exact
 /// sign of value - m.
 template <class Value, class Compare, class Finish>
 auto finish_number(const ExactRay& ray, const Value& value, Compare compare, Finish finish) {
   const DoubleDouble first = by_double_doubles(ray, value);
+  if constexpr (kRounds<Finish>) {
+    if (const auto nearest = nearest_of(first)) return finish(*nearest, compare);
+  }
   return finish(
       first.is_within(finish.relative_bits) ? first.enclosure() : by_balls(ray, value, kFirstBits),
       [&](int bits) { return by_balls(ray, value, bits); }, compare);
@@ -41,12 +53,15 @@ Result finish_vector(const ExactRay& ray, const Value& value, Compare compare, F
   const DoubleDoubleKernel::Vector_3 first = by_double_doubles(ray, value);
   std::optional<EnclosureKernel::Vector_3> balls;
   const auto coordinate = [&](int k) {
+    const auto compare_this = [&, k](const Rational& m) { return compare(k, m); };
+    if constexpr (kRounds<Finish>) {
+      if (const auto nearest = nearest_of(first[k])) return finish(*nearest, compare_this);
+    }
     const bool is_narrow = first[k].is_within(finish.relative_bits);
     if (!is_narrow && !balls) balls = by_balls(ray, value, kFirstBits);
     return finish(
         is_narrow ? first[k].enclosure() : (*balls)[k],
-        [&, k](int bits) { return by_balls(ray, value, bits)[k]; },
-        [&, k](const Rational& m) { return compare(k, m); });
+        [&, k](int bits) { return by_balls(ray, value, bits)[k]; }, compare_this);
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }

@@ -43,6 +43,12 @@ class DoubleDouble {
     return high_ > 0 ? 1 : -1;
   }
   bool is_exact_zero() const { return high_ == 0 && radius_ == 0; }
+  /// The double nearest to every number within; empty where they may have several.
+  std::optional<double> nearest() const {
+    const double away = up(std::abs(low_) + radius_);
+    const bool is_certain = high_ + away == high_ && high_ - away == high_ && std::isfinite(high_);
+    return is_certain ? std::optional(high_ + 0.0) : std::nullopt;
+  }
   /// Doubles above and below every number within, at most one step away; infinite or NaN if nothing
   /// is known. (The end is high + low + radius. Where it cancels, sum.low and so rest.low are 0;
   /// else rest.low is far below the last bit of end.high, which end.low is half of at most.)

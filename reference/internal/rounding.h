@@ -101,7 +101,11 @@ struct Round {
 
   template <class Enclose, class Compare>
   double operator()(Enclosure first, Enclose enclose, Compare compare) const {
-    const double nearest = round_to_nearest(std::move(first), enclose, compare);
+    return (*this)(round_to_nearest(std::move(first), enclose, compare), compare);
+  }
+  /// From the double nearest to it.
+  template <class Compare>
+  double operator()(double nearest, Compare compare) const {
     return precision == scene::Precision::kDouble ? nearest : round_to_single(nearest, compare);
   }
 };

@@ -29,6 +29,7 @@
 #include "properties/trial.h"
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
+#include "reference/ray_error.h"
 #include "reference/visibility/visibility.h"
 #include "tools/bench/bench_scenes.h"
 #include "tools/check/check.h"
@@ -125,8 +126,9 @@ Kernel certified_s() {
         for (std::size_t k = 0; k < cases.size(); ++k) {
           const reference::ExactRay ray(cases[k].ray);
           const auto at = ray.intersect(cases[k].sphere);
-          (*answers)[k] =
-              reference::ulp_error(cases[k].answer, ray.parameter(cases[k].sphere, at)).value;
+          (*answers)[k] = reference::parameter_error(ray, cases[k].sphere, at, cases[k].answer,
+                                                     scene::Precision::kDouble)
+                              .value;
         }
       },
       [=] {

@@ -42,6 +42,15 @@ void expect_holds(const DoubleDouble& x, const Big& exact, const std::string& wh
   if (const auto sign = x.certain_sign()) {
     EXPECT_EQ(*sign, exact > 0 ? 1 : exact < 0 ? -1 : 0) << what;
   }
+  if (const auto nearest = x.nearest()) {
+    for (const double towards : {-HUGE_VAL, HUGE_VAL}) {
+      const double other = std::nextafter(*nearest, towards);
+      if (!std::isfinite(other)) continue;
+      EXPECT_TRUE(abs(Big(*nearest) - exact) <= abs(Big(other) - exact)) << what;
+    }
+  } else if (x.is_within(100)) {
+    EXPECT_GT(std::abs(x.low()), std::abs(x.high()) * 0x1p-56) << what;  // near a midpoint
+  }
   if (x.is_within(70)) {
     EXPECT_TRUE(error <= abs(exact) * power_of_two(-70)) << what;
   }
