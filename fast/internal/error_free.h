@@ -52,6 +52,7 @@ HWY_INLINE Rounded<N> fast_two_sum(N a, N b) {
 HWY_INLINE Lanes fused_minus(Lanes a, Lanes b, Lanes c) {
   return Lanes(hn::MulSub(a.raw, b.raw, c.raw));
 }
+HWY_INLINE double fused_minus(double a, double b, double c) { return __builtin_fma(a, b, -c); }
 template <class N>
 HWY_INLINE N product_error(N a, N b, N product) {
   return fused_minus(a, b, product);

@@ -272,5 +272,26 @@ HWY_AFTER_NAMESPACE();
 #define RAYCHECK_FUNCTIONS                                                    \
   .intersect = intersect, .intersect_one = HWY_NAMESPACE::intersect_one<One>, \
   .roots = HWY_NAMESPACE::roots_of<One>
+//
+// A formula that uses errors of products answers one ray, too, by the best target's: fused
+// operations are instructions there, and else calls or many operations. In the target's namespace,
+// and where HWY_ONCE is set:
+#define RAYCHECK_ONE_OF(Formula)                                             \
+  namespace {                                                                \
+  std::optional<Hit> one(const scene::Ray& ray, const scene::Sphere& sphere, \
+                         scene::HitRule rule) {                              \
+    return intersect_one<FromRoots<Formula<double>>>(ray, sphere, rule);     \
+  }                                                                          \
+  }
+#define RAYCHECK_ONE_BY_BEST                                                         \
+  namespace {                                                                        \
+  HWY_EXPORT(one);                                                                   \
+  std::optional<Hit> one_by_best(const scene::Ray& ray, const scene::Sphere& sphere, \
+                                 scene::HitRule rule) {                              \
+    return HWY_DYNAMIC_DISPATCH(one)(ray, sphere, rule);                             \
+  }                                                                                  \
+  }
+#define RAYCHECK_FUNCTIONS_BY_BEST \
+  .intersect = intersect, .intersect_one = one_by_best, .roots = HWY_NAMESPACE::roots_of<One>
 
 #endif  // RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_

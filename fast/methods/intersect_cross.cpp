@@ -25,18 +25,20 @@ struct Cross {
 
 }  // namespace
 RAYCHECK_BATCH_OF(Cross)
+RAYCHECK_ONE_OF(Cross)
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace raycheck::fast {
 RAYCHECK_INTERSECT_BY(Cross)
+RAYCHECK_ONE_BY_BEST
 
 /// disc = |d|^2 r^2 - |T x d|^2 with Kahan's products; roots by q.
 const IntersectMethod kCross = {
     .name = "cross",
     .sentence = "disc = a r^2 - |T x d|^2 with Kahan's products, roots by q",
-    RAYCHECK_FUNCTIONS,
+    RAYCHECK_FUNCTIONS_BY_BEST,
     .max_ulp = 88,
     .max_point_ulp = 104,
 };

@@ -50,18 +50,20 @@ struct Cross2 {
 
 }  // namespace
 RAYCHECK_BATCH_OF(Cross2)
+RAYCHECK_ONE_OF(Cross2)
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace raycheck::fast {
 RAYCHECK_INTERSECT_BY(Cross2)
+RAYCHECK_ONE_BY_BEST
 
 /// `cross` with T as an exact pair and c = |T|^2 - r^2 compensated.
 const IntersectMethod kCross2 = {
     .name = "cross2",
     .sentence = "cross, with C - o as an exact pair and a compensated c",
-    RAYCHECK_FUNCTIONS,
+    RAYCHECK_FUNCTIONS_BY_BEST,
     .max_ulp = 88,
     .max_point_ulp = 104,
 };

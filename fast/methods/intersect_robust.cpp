@@ -134,6 +134,16 @@ bool batch(const BatchInput& input, const HitArrays& answers) {
   return answer_batch(answer_whole, input, answers);
 }
 
+/// The first step's answer to one ray; empty where it is not certain.
+[[gnu::flatten]] std::optional<Chosen> one(const scene::Ray& ray, const scene::Sphere& sphere,
+                                           scene::HitRule rule) {
+  const auto asked = ray_of<double>(ray);
+  const Target<double> ball(sphere_of<double>(sphere));
+  const Guess<double> found = guess(asked, ball, rule.root);
+  if (found.hit) return plain(correct(asked, ball, found));
+  return found.certain ? std::optional<Chosen>({false, {}}) : std::nullopt;
+}
+
 }  // namespace
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -143,6 +153,7 @@ namespace raycheck::fast {
 namespace {
 
 HWY_EXPORT(batch);
+HWY_EXPORT(one);
 
 Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule) {
   if (const auto proven = answer_by_pairs(ray, sphere, rule.root)) return *proven;
@@ -166,15 +177,10 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rul
   }
 }
 
-[[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
-                                                  const scene::Sphere& sphere,
-                                                  scene::HitRule rule) {
-  const auto asked = HWY_NAMESPACE::ray_of<double>(ray);
-  const HWY_NAMESPACE::Target<double> ball(HWY_NAMESPACE::sphere_of<double>(sphere));
-  const auto found = HWY_NAMESPACE::guess(asked, ball, rule.root);
-  if (found.hit) return plain(HWY_NAMESPACE::correct(asked, ball, found)).at;
-  if (found.certain) return std::nullopt;
-  return answer_carefully(ray, sphere, rule).if_hit();
+std::optional<Hit> intersect_one(const scene::Ray& ray, const scene::Sphere& sphere,
+                                 scene::HitRule rule) {
+  const std::optional<Chosen> first = HWY_DYNAMIC_DISPATCH(one)(ray, sphere, rule);
+  return (first ? *first : answer_carefully(ray, sphere, rule)).if_hit();
 }
 
 }  // namespace
