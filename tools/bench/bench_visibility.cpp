@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "properties/cases/case_source.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "tools/bench/bench_scenes.h"
@@ -47,6 +48,24 @@ std::vector<Shipped> shipped() {
   }
   std::sort(result.begin(), result.end(),
             [](const Shipped& a, const Shipped& b) { return a.name < b.name; });
+  return result;
+}
+
+/// A scene of each stress family with a camera, at some severities, in 512 x 512 pixels.
+std::vector<Shipped> families() {
+  constexpr std::int64_t kSide = 512;
+  constexpr int kSeverities = 6;
+  std::vector<Shipped> result;
+  for (const properties::CaseSource& source : properties::case_sources()) {
+    if (!source.has_camera || !source.dial) continue;
+    for (const int severity : properties::some_severities(0, source.dial->highest, kSeverities)) {
+      const properties::ChosenSource chosen{&source, severity};
+      scene::Scene scene = chosen.make(1).scene;
+      if (scene.spheres.empty()) continue;
+      scene.camera->width = scene.camera->height = kSide;
+      result.push_back({chosen.name(), scene});
+    }
+  }
   return result;
 }
 
@@ -149,6 +168,7 @@ int main(int argc, char** argv) {
     register_scene("spheres:" + std::to_string(spheres), in_view(spheres));
   }
   for (const auto& [name, scene] : tools::hard_scenes()) register_scene("hard:" + name, scene);
+  for (const auto& [name, scene] : families()) register_scene("family:" + name, scene);
   for (const auto& [name, scene] : shipped()) register_scene("shipped:" + name, scene);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
