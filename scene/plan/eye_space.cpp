@@ -1,6 +1,8 @@
 #include "scene/plan/eye_space.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace raycheck::scene {
 namespace {
@@ -58,6 +60,55 @@ Axis scaled(const Axis& v, int exponent) {
 /// The same direction, its largest coordinate near 1.
 Axis scaled_near_one(const Axis& v) { return scaled(v, -exponent_of(v)); }
 
+/// x - y, a double and what it leaves out, exactly.
+struct Difference {
+  double x, rest;
+};
+Difference difference(double x, double y) {
+  const double rounded = x - y;
+  const double of_y = x - rounded;
+  return {rounded, (x - (rounded + of_y)) + (of_y - y)};
+}
+
+/// Products of numbers no smaller than this leave rests that are doubles.
+constexpr double kLeastFactor = 0x1p-400;
+
+bool is_plain(double x) { return x == 0 || std::abs(x) >= kLeastFactor; }
+
+/// a x - b y, where that may cancel: by exact products. With F and S for their sizes, rest adds up
+/// numbers of at most u (F + S), u (F + S) and u (F + S), in six operations that are off by 8 u^2
+/// (F
+/// + S) in all, to first order.
+Bounds determinant(double a, const Difference& x, double b, const Difference& y) {
+  const double first = a * x.x, second = b * y.x;
+  if (first == 0 && second == 0) return Bounds::exactly(0);
+  const Difference leading = difference(first, second);
+  const double rest = leading.rest + ((std::fma(a, x.x, -first) - std::fma(b, y.x, -second)) +
+                                      (a * x.rest - b * y.rest));
+  const double doubt = 0x1p-102 * (std::abs(first) + std::abs(second));  // 16 u^2
+  return Bounds::exactly(leading.x) + (Bounds::exactly(rest) + Bounds{-doubt, doubt});
+}
+
+/// up x (E - A), up to a positive factor: of numbers in the plain range however nearly these are
+/// parallel; elsewhere from bounds on E - A.
+Axis across(const Camera& camera, const Axis& to_eye) {
+  const Axis up = scaled_near_one(exactly(camera.up));
+  const Point3 &E = camera.eye, &A = camera.look_at;
+  const Difference to[] = {difference(E.x, A.x), difference(E.y, A.y), difference(E.z, A.z)};
+  const bool is_all_plain = std::all_of(std::begin(to), std::end(to), [](const Difference& d) {
+    return is_plain(d.x) && is_plain(d.rest) && std::abs(d.x) < 1 / kLeastFactor;
+  });
+  if (!is_all_plain || !std::all_of(up.begin(), up.end(), [](const Bounds& x) {
+        return x.low == x.high && is_plain(x.low);
+      })) {
+    return cross(up, to_eye);
+  }
+  const auto coordinate = [&](std::size_t j, std::size_t k) {
+    return determinant(up[j].low, to[k], up[k].low, to[j]);
+  };
+  return {coordinate(1, 2), coordinate(2, 0), coordinate(0, 1)};
+}
+
 Bounds index_of(const Bounds& position, const Bounds& low, const Bounds& high, std::int64_t count,
                 Samples samples) {
   const Bounds share = (position - low) / (high - low);
@@ -81,7 +132,7 @@ EyeSpace::EyeSpace(const Camera& camera, const Conventions& conventions, const S
                    bool general)
     : camera_(camera), conventions_(conventions), scaling_(scaling) {
   const Axis w = scaled_near_one(difference(camera.eye, camera.look_at));
-  const Axis u = scaled_near_one(cross(scaled_near_one(exactly(camera.up)), w));
+  const Axis u = scaled_near_one(across(camera, w));
   axis_aligned_ = !general && along_world_axis(w, W_) && along_world_axis(u, U_);
   if (!axis_aligned_) {
     W_ = normalised(w);
