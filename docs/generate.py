@@ -201,17 +201,36 @@ def spheres_table(rows):
     return "\n".join(lines)
 
 
-def shipped_table(rows):
+def scenes_table(rows, kind):
     lines = ["| scene | spheres | seen | certified, M/s | of uncertified | fallback pixels | wrong |",
              "|---|---|---|---|---|---|---|"]
     for name, ours in rows.items():
-        if not (name.startswith("shipped:") and name.endswith("/certified")):
+        if not (name.startswith(kind + ":") and name.endswith("/certified")):
             continue
         scene = name.split("/")[0]
         lines.append(
-            f"| {scene[8:]} | {ours['spheres']:.0f} | {ours['seen']:.0%} | {rate(ours):.3g} "
+            f"| {scene.split(':')[1]} | {ours['spheres']:.0f} | {ours['seen']:.0%} | {rate(ours):.3g} "
             f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2g} "
             f"| {ours['fallback']:.0f} | {ours['wrong']:.0f} |")
+    return "\n".join(lines)
+
+
+def families_table(rows):
+    """Certified images of each stress family, by severity: M/s, and the pixels that fall back."""
+    families = {}
+    for name, row in rows.items():
+        if name.startswith("family:") and name.endswith("/certified"):
+            family, severity = name.split("/")[0][7:].split("@")
+            families.setdefault(family, []).append((int(severity), row))
+    lines = ["| family | M/s at severity 0 | at others | the least, of severity 0 | most pixels that fall back |",
+             "|---|---|---|---|---|"]
+    for family, found in families.items():
+        found.sort(key=lambda one: one[0])
+        first, others = found[0][1], found[1:]
+        lines.append(f"| {family} | {rate(first):.3g} | "
+                     + ", ".join(f"@{severity}: {rate(row):.3g}" for severity, row in others)
+                     + f" | {min(rate(row) for _, row in found) / rate(first):.2g} "
+                     f"| {max(row['fallback'] for _, row in found) / 128 ** 2:.0%} |")
     return "\n".join(lines)
 
 
@@ -297,7 +316,8 @@ def performance():
     methods = benchmarks("bench_kernels", "--benchmark_filter=intersect/", "--benchmark_repetitions=5",
                          "--benchmark_report_aggregates_only=true")
     plot_spheres(rows, ROOT / "docs/images/visibility.svg")
-    parts = {"spheres": spheres_table(rows), "shipped": shipped_table(rows),
+    parts = {"spheres": spheres_table(rows), "shipped": scenes_table(rows, "shipped"),
+             "hard": scenes_table(rows, "hard"), "families": families_table(rows),
              "methods": methods_table(methods), "laws": laws_table(), "growth": growth_table()}
     text = (ROOT / "docs/performance.in.md").read_text()
     for name, part in parts.items():

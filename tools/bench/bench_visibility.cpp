@@ -51,9 +51,9 @@ std::vector<Shipped> shipped() {
   return result;
 }
 
-/// A scene of each stress family with a camera, at some severities, in 512 x 512 pixels.
+/// A scene of each stress family with a camera, at some severities, in 128 x 128 pixels.
 std::vector<Shipped> families() {
-  constexpr std::int64_t kSide = 512;
+  constexpr std::int64_t kSide = 128;
   constexpr int kSeverities = 6;
   std::vector<Shipped> result;
   for (const properties::CaseSource& source : properties::case_sources()) {
