@@ -3,6 +3,7 @@
 
     python3 docs/generate.py            docs/error-against-run-time.md, from its template, and its
                                         pictures, by a headless Chromium (docs/pictures.py)
+    python3 docs/generate.py --worst-cases [SEARCHES]    docs/worst-cases, of the release build
     python3 docs/generate.py --shown    the console blocks of README.md and the others
     python3 docs/generate.py --lists [PROGRAM] [--check]
                                         the marked parts of docs/laws.md, of what the program (default:
@@ -30,6 +31,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -311,6 +313,66 @@ def growth_table():
     return "\n".join(lines)
 
 
+def run_raycheck(*arguments):
+    return subprocess.run([ROOT / "build/release/tools/raycheck", *map(str, arguments)], stdout=subprocess.PIPE).stdout
+
+
+def worst_input(asked, judged, family, quantity, searches):
+    """What searches find: the report of `worst`, its scene, and the certificate of its error, if there is one."""
+    with tempfile.TemporaryDirectory() as folder:
+        scene, certificates = pathlib.Path(folder, "found.toml"), pathlib.Path(folder, "found.jsonl")
+        found = json.loads(run_raycheck("worst", *asked, "--family", family, "--quantity", quantity, "--by", "bound",
+                                        "--searches", searches, "--save", scene, "--format", "json"))
+        if not found["measured"] or not found["error"] or found["error"] == "infinity":
+            return None
+        # A certificate is that of a discrepancy: of any error.
+        run_raycheck("check", scene, *judged, "--max-ulp", 0, "--top", 1000, "--certificates", certificates)
+        place = {key: found["discrepancy"][key] for key in ("quantity", "pixel", "ray")}
+        lines = [line for line in certificates.read_text().splitlines()
+                 if place == {key: json.loads(line)[key] for key in place}]
+        return found, tomllib.loads(scene.read_text()), lines[:1]
+
+
+def worst_cases(searches):
+    """docs/worst-cases: what searches find worst of each method and quantity, with certificates."""
+    listed = json.loads(run_raycheck("list", "--format", "json"))
+    single = ("--candidate", f"source:{ROOT}/tests/candidates/float_quadratic.cpp")
+    intersect = [(method["name"], ("--method", f"intersect/{method['name']}"), ("--rays", "direct", "--intersect", method["name"]))
+                 for method in listed["intersection_methods"]] + [("float_quadratic", single, single)]
+    rays = [(method["name"], ("--method", f"rays/{method['name']}"), ("--rays", method["name"], "--intersect", "cross"))
+            for method in listed["ray_methods"]]
+    camera = "near left right bottom top width height".split()
+    for name, methods, quantities, families, inputs in (
+            ("intersect", intersect, ("parameter", "hit-point"), ("rays", "distance@6", "tangency@6"),
+             "ox oy oz dx dy dz cx cy cz r".split()),
+            ("rays", rays, ("direction", "pixel-point"), ("cameras", "far-camera@6", "up@6"),
+             "ex ey ez ax ay az ux uy uz".split() + camera + ["i", "j"])):
+        rows, certificates = [], []
+        for method, asked, judged in methods:
+            for quantity in quantities:
+                for family in families:
+                    worst = worst_input(asked, judged, family, quantity, searches)
+                    if worst is None or not worst[2]:
+                        continue
+                    found, scene, certificate = worst
+                    if name == "intersect":
+                        ray, sphere = scene["ray"][0], scene["sphere"][0]
+                        numbers = [*ray["origin"], *ray["direction"], *sphere["centre"], sphere["radius"]]
+                    else:
+                        its = scene["camera"]
+                        numbers = [*its["eye"], *its["look_at"], *its["up"], *(its[key] for key in camera),
+                                   *found["discrepancy"]["pixel"]]
+                    rows.append([method, found["precision"], quantity, family, f"{found['error']:.6g}", found["unit"],
+                                 str(found["condition"]), *(float(number).hex() for number in numbers),
+                                 " ".join(found["discrepancy"]["exact"]),
+                                 "; ".join(f"{key} = {value}" for key, value in scene.get("conventions", {}).items())])
+                    certificates += certificate
+        columns = "method precision quantity family error unit condition".split() + inputs + ["exact", "conventions"]
+        folder = ROOT / "docs/worst-cases"
+        (folder / f"{name}.csv").write_text("\n".join(",".join(row) for row in [columns, *rows]) + "\n")
+        (folder / f"{name}.jsonl").write_text("\n".join(certificates) + "\n")
+
+
 def performance():
     rows = benchmarks("bench_visibility")
     methods = benchmarks("bench_kernels", "--benchmark_filter=intersect/", "--benchmark_repetitions=5",
@@ -328,6 +390,8 @@ def performance():
 if __name__ == "__main__":
     if sys.argv[1:] == ["--performance"]:
         performance()
+    elif sys.argv[1:2] == ["--worst-cases"]:
+        worst_cases(int((sys.argv[2:] + ["8"])[0]))
     elif sys.argv[1:2] == ["--lists"]:
         programs = [word for word in sys.argv[2:] if word != "--check"]
         lists(programs[0] if programs else "./run", "--check" in sys.argv[2:])
