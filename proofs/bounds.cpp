@@ -1,5 +1,7 @@
 #include "proofs/bounds.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -277,8 +279,9 @@ Script traced(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kRelative, mutation);
   constexpr auto kAll = std::make_index_sequence<F::kInputs.size()>();
   const auto note = [&](const Term<false>& term) {
-    script.suppose(F::kIsRelative ? term.name() + " in [1b-2000, 1b2000]"
-                                  : "|" + term.name() + "| <= " + in_hexadecimal(F::kMost));
+    script.suppose(F::kIsRelative
+                       ? fmt::format("{} in [1b-2000, 1b2000]", term.name())
+                       : fmt::format("|{}| <= {}", term.name(), in_hexadecimal(F::kMost)));
     return term;
   };
   const std::string exact = F::exact(terms<Term<false>>(script, F::kInputs, kAll), note).name();
@@ -287,8 +290,8 @@ Script traced(double bound, std::optional<Mutation> mutation) {
     script.fuse(is_fused);
     const std::string computed = F::computed(terms<Term<true>>(script, F::kInputs, kAll)).name();
     const std::string most = in_hexadecimal(bound * kUnit);
-    script.prove(F::kIsRelative ? computed + " -/ " + exact + " in [-" + most + ", " + most + "]"
-                                : "|" + computed + " - " + exact + "| <= " + most);
+    script.prove(F::kIsRelative ? fmt::format("{0} -/ {1} in [-{2}, {2}]", computed, exact, most)
+                                : fmt::format("|{} - {}| <= {}", computed, exact, most));
   }
   return script;
 }
@@ -350,16 +353,16 @@ Script traced_widening(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kToDouble, mutation);
   for (const auto& [x, z, magnitude, range] :
        {std::array{"x", "z", "x", "[1, 2]"}, {"y", "w", "(-y)", "[-2, -1]"}}) {
-    script.define(x, std::string("rnd(") + z + ")");
-    script.suppose(std::string(z) + " in " + range);
+    script.define(x, fmt::format("rnd({})", z));
+    script.suppose(fmt::format("{} in {}", z, range));
     const std::string low =
         scene::lowered(Rounded(script, x), Rounded(script, magnitude), bound * kUnit).name();
     const std::string by = (Rounded(script, magnitude) * Rounded(bound * kUnit)).name();
     // Beyond -2 the ulp is twice as large, and the last rounding, too.
     const int most = scene::kBoundsMaxUlp + (range[1] == '-' ? 1 : 0);
-    script.prove(low + " - " + z + " in [-" + std::to_string(most) + "b-52, 0]");
-    script.rewrite(low + " - " + z + " -> (" + low + " - (" + x + " - " + by + ")) + (" + x +
-                   " - " + z + ") - " + by);
+    script.prove(fmt::format("{} - {} in [-{}b-52, 0]", low, z, most));
+    script.rewrite(
+        fmt::format("{0} - {1} -> ({0} - ({2} - {3})) + ({2} - {1}) - {3}", low, z, x, by));
   }
   return script;
 }
@@ -378,8 +381,8 @@ double observed_widening(int samples) {
 
 /// Two numbers of high and low parts, |high| from 1 to 2.
 void define_pairs(Script& script) {
-  for (const char* high : {"ah", "bh"}) script.suppose(std::string(high) + " in [1, 2]");
-  for (const char* low : {"al", "bl"}) script.suppose("|" + std::string(low) + "| <= 1b-53");
+  for (const char* high : {"ah", "bh"}) script.suppose(fmt::format("{} in [1, 2]", high));
+  for (const char* low : {"al", "bl"}) script.suppose(fmt::format("|{}| <= 1b-53", low));
 }
 
 Script traced_product(double bound, std::optional<Mutation> mutation) {
@@ -392,9 +395,10 @@ Script traced_product(double bound, std::optional<Mutation> mutation) {
       reference::rest_of_product(name("error"), name("ah"), name("al"), name("bh"), name("bl"))
           .name();
   script.define("left", "(ah * bl + al * bh) + al * bl");
-  script.prove("|((error + left) - " + rest + ") / p| <= " + in_hexadecimal(bound * kUnit * kUnit));
-  script.rewrite("(error + left) - " + rest + " -> ((error + (ah * bl + al * bh)) - " + rest +
-                 ") + al * bl");
+  script.prove(fmt::format("|((error + left) - {}) / p| <= {}", rest,
+                           in_hexadecimal(bound * kUnit * kUnit)));
+  script.rewrite(
+      fmt::format("(error + left) - {0} -> ((error + (ah * bl + al * bh)) - {0}) + al * bl", rest));
   return script;
 }
 
@@ -409,10 +413,12 @@ Script traced_quotient(double bound, std::optional<Mutation> mutation) {
   const std::string r = remainder.name(), rest = (remainder / name("bh")).name();
   script.define("X", "(of_high + al) - q * bl");
   script.define("M", "X / (bh + bl)");
-  script.prove("|(" + rest + " - M) / q| <= " + in_hexadecimal(bound * kUnit * kUnit));
+  script.prove(fmt::format("|({} - M) / q| <= {}", rest, in_hexadecimal(bound * kUnit * kUnit)));
   script.rewrite("of_high -> bh * (ah / bh - q) { bh <> 0 }");
-  script.rewrite(rest + " - M -> (" + rest + " - " + r + " / bh) + ((" + r +
-                 " - X) / bh + X * bl / (bh * (bh + bl))) { bh <> 0, bh + bl <> 0 }");
+  script.rewrite(
+      fmt::format("{0} - M -> ({0} - {1} / bh) + (({1} - X) / bh + X * bl / (bh * (bh + "
+                  "bl))) {{ bh <> 0, bh + bl <> 0 }}",
+                  rest, r));
   script.rewrite("$ q in (1)");
   return script;
 }

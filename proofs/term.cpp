@@ -1,18 +1,15 @@
 #include "proofs/term.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <functional>
 #include <map>
 #include <regex>
 
 namespace raycheck::proofs {
-std::string in_hexadecimal(double x) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%a", x);
-  return digits;
-}
+std::string in_hexadecimal(double x) { return fmt::format("{:a}", x); }
 
 Script::Script(Rounding rounding, std::optional<Mutation> mutation)
     : rounding_(rounding), mutation_(mutation) {}
