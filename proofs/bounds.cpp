@@ -48,19 +48,21 @@ struct Plain {
 
 template <class N, std::size_t kCount>
 using Inputs = std::array<N, kCount>;
+template <class N>
+using Values = std::vector<N>;
 
 struct FilterB {
   static constexpr std::array kInputs = {"n", "beta", "alpha", "u", "v", "w"};
   static constexpr bool kIsRelative = false;
   static constexpr double kMost = 1;
   template <class N>
-  static N computed(const Inputs<N, 6>& x) {
-    return filter::b_of(x[2], x[3], filter::row_terms(x[0], x[1], x[3], x[4], x[5]).b);
+  static Values<N> computed(const Inputs<N, 6>& x) {
+    return {filter::b_of(x[2], x[3], filter::row_terms(x[0], x[1], x[3], x[4], x[5]).b)};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 6>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 6>& x, const Note& note) {
     const N ahead = note(x[0] * x[5]), up = note(x[1] * x[4]), across = note(x[2] * x[3]);
-    return note(across + note(ahead + up));
+    return {note(across + note(ahead + up))};
   }
 };
 
@@ -69,60 +71,67 @@ struct FilterA {
   static constexpr bool kIsRelative = false;
   static constexpr double kMost = 1;
   template <class N>
-  static N computed(const Inputs<N, 3>& x) {
-    return filter::a_of(x[2], filter::row_terms(x[0], x[1], x[0], x[0], x[0]).a);
+  static Values<N> computed(const Inputs<N, 3>& x) {
+    return {filter::a_of(x[2], filter::row_terms(x[0], x[1], x[0], x[0], x[0]).a)};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 3>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 3>& x, const Note& note) {
     const N ahead = note(x[0] * x[0]), up = note(x[1] * x[1]), across = note(x[2] * x[2]);
-    return note(across + note(ahead + up));
+    return {note(across + note(ahead + up))};
   }
 };
 
 struct FilterDiscriminant {
   static constexpr std::array kInputs = {"b", "a", "c"};
   static constexpr bool kIsRelative = false;
-  static constexpr double kMost = 1;
+  static constexpr double kMost = 1.03;  ///< b^ is at most 1.01 B.
   template <class N>
-  static N computed(const Inputs<N, 3>& x) {
-    return filter::discriminant(x[0], x[1], x[2]);
+  static Values<N> computed(const Inputs<N, 3>& x) {
+    return {filter::discriminant(x[0], x[1], x[2])};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 3>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 3>& x, const Note& note) {
     const N square = note(x[0] * x[0]), product = note(x[2] * x[1]);
-    return note(square + -product);
+    return {note(square + -product)};
   }
 };
 
+/// All of f x g, whose products are noted.
 struct FilterMoment {
-  static constexpr std::array kInputs = {"alpha", "w", "n", "u"};
+  static constexpr std::array kInputs = {"n", "beta", "alpha", "u", "v", "w"};
   static constexpr bool kIsRelative = false;
   static constexpr double kMost = 1;
   template <class N>
-  static N computed(const Inputs<N, 4>& x) {
-    return filter::moment_of(x[0], x[1], x[1], filter::row_terms(x[2], x[2], x[3], x[1], x[1]))
-        .second;
+  static Values<N> computed(const Inputs<N, 6>& x) {
+    const auto row = filter::row_terms(x[0], x[1], x[3], x[4], x[5]);
+    const filter::Moment<N> moment = filter::moment_of(x[2], x[4], x[5], row);
+    return {moment.first, moment.second, moment.third};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 4>& x, const Note& note) {
-    const N first = note(x[0] * x[1]), second = note(x[2] * x[3]);
-    return note(first + -second);
+  static Values<N> exact(const Inputs<N, 6>& x, const Note& note) {
+    const auto difference = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+      const N first = note(x[a] * x[b]), second = note(x[c] * x[d]);
+      return note(first - second);
+    };
+    return {difference(0, 4, 1, 5), difference(2, 5, 0, 3), difference(1, 3, 2, 4)};
   }
 };
 
 struct FilterByMoment {
   static constexpr std::array kInputs = {"h1", "h2", "h3", "a", "R2"};
   static constexpr bool kIsRelative = false;
-  static constexpr double kMost = 4;  ///< |h|^2 is at most 4 S^2.
+  /// |h^|^2 is at most (2 S + e)^2, and e at most S/kLeastMoment.
+  static constexpr double kMost =
+      (2 + 1 / reference::kLeastMoment) * (2 + 1 / reference::kLeastMoment);
   template <class N>
-  static N computed(const Inputs<N, 5>& x) {
-    return filter::discriminant_by_moment(filter::Moment<N>{x[1], x[2]}, x[0] * x[0], x[3], x[4]);
+  static Values<N> computed(const Inputs<N, 5>& x) {
+    return {filter::discriminant_by_moment(filter::Moment<N>{x[0], x[1], x[2]}, x[3], x[4])};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 5>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 5>& x, const Note& note) {
     const N first = note(x[0] * x[0]), second = note(x[1] * x[1]), third = note(x[2] * x[2]);
     const N all = note(third + note(second + first));
-    return note(note(x[4] * x[3]) + -all);
+    return {note(note(x[4] * x[3]) + -all)};
   }
 };
 
@@ -131,38 +140,41 @@ struct FastDot {
   static constexpr bool kIsRelative = true;
   static constexpr double kMost = 1;
   template <class N>
-  static N computed(const Inputs<N, 3>& x) {
+  static Values<N> computed(const Inputs<N, 3>& x) {
     const fast_formula::Triple<N> v = {x[0], x[1], x[2]};
-    return dot(v, v);
+    return {dot(v, v)};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 3>& x, const Note& note) {
-    return note(x[0] * x[0]) + (note(x[1] * x[1]) + note(x[2] * x[2]));
+  static Values<N> exact(const Inputs<N, 3>& x, const Note& note) {
+    const N first = note(x[0] * x[0]), second = note(x[1] * x[1]), third = note(x[2] * x[2]);
+    return {first + (second + third)};
   }
 };
 
 /// Of |d|.
 struct FastNorm : FastDot {
   template <class N>
-  static N computed(const Inputs<N, 3>& x) {
-    return norm(fast_formula::Triple<N>{x[0], x[1], x[2]});
+  static Values<N> computed(const Inputs<N, 3>& x) {
+    return {norm(fast_formula::Triple<N>{x[0], x[1], x[2]})};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 3>& x, const Note& note) {
-    return sqrt(FastDot::exact(x, note));
+  static Values<N> exact(const Inputs<N, 3>& x, const Note& note) {
+    return {sqrt(FastDot::exact(x, note).front())};
   }
 };
 
-/// Of a coordinate of d/|d|.
+/// Of d/|d|, of coordinates above 0: signs change nothing.
 struct FastUnit : FastDot {
   template <class N>
-  static N computed(const Inputs<N, 3>& x) {
+  static Values<N> computed(const Inputs<N, 3>& x) {
     const fast_formula::Triple<N> v = {x[0], x[1], x[2]};
-    return (v / norm(v)).x;
+    const fast_formula::Triple<N> unit = v / norm(v);
+    return {unit.x, unit.y, unit.z};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 3>& x, const Note& note) {
-    return note(x[0]) / FastNorm::exact(x, note);
+  static Values<N> exact(const Inputs<N, 3>& x, const Note& note) {
+    const N length = FastNorm::exact(x, note).front();
+    return {note(x[0]) / length, note(x[1]) / length, note(x[2]) / length};
   }
 };
 
@@ -172,38 +184,37 @@ struct FastAxialDistance {
   static constexpr bool kIsRelative = false;
   static constexpr double kMost = 1;
   template <class N>
-  static N computed(const Inputs<N, 6>& x) {
-    return dot(fast_formula::Triple<N>{x[0], x[1], x[2]},
-               fast_formula::Triple<N>{x[3], x[4], x[5]});
+  static Values<N> computed(const Inputs<N, 6>& x) {
+    return {
+        dot(fast_formula::Triple<N>{x[0], x[1], x[2]}, fast_formula::Triple<N>{x[3], x[4], x[5]})};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 6>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 6>& x, const Note& note) {
     const N first = note(x[0] * x[3]), second = note(x[1] * x[4]), third = note(x[2] * x[5]);
-    return note(first + note(second + third));
+    return {note(first + note(second + third))};
   }
 };
 
-/// A coordinate of T x D, of the larger of its products.
+/// Of the largest product.
 struct FastMoment {
-  static constexpr std::array kInputs = {"Ty", "Tz", "Dy", "Dz"};
+  static constexpr std::array kInputs = {"Tx", "Ty", "Tz", "Dx", "Dy", "Dz"};
   static constexpr bool kIsRelative = false;
   static constexpr double kMost = 1;
   template <class N>
-  static N computed(const Inputs<N, 4>& x) {
-    return cross(fast_formula::Triple<N>{x[0], x[0], x[1]},
-                 fast_formula::Triple<N>{x[2], x[2], x[3]})
-        .x;
+  static Values<N> computed(const Inputs<N, 6>& x) {
+    const fast_formula::Triple<N> moment =
+        cross(fast_formula::Triple<N>{x[0], x[1], x[2]}, fast_formula::Triple<N>{x[3], x[4], x[5]});
+    return {moment.x, moment.y, moment.z};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 4>& x, const Note& note) {
-    return note(x[0] * x[3]) - note(x[1] * x[2]);
+  static Values<N> exact(const Inputs<N, 6>& x, const Note& note) {
+    const auto coordinate = [&](std::size_t j, std::size_t k) {
+      const N first = note(x[j] * x[3 + k]), second = note(x[k] * x[3 + j]);
+      return first - second;
+    };
+    return {coordinate(1, 2), coordinate(2, 0), coordinate(0, 1)};
   }
 };
-
-template <class N, std::size_t... k>
-auto terms(Script& script, const auto& names, std::index_sequence<k...> /*all*/) {
-  return Inputs<N, sizeof...(k)>{N(script, names[k])...};
-}
 
 /// Of robust's first step: a ray and a sphere, of which r^2 is given.
 struct RobustStep {
@@ -225,40 +236,40 @@ struct RobustStep {
 /// Of f |d|.
 struct RobustB : RobustStep {
   template <class N>
-  static N computed(const Inputs<N, 10>& x) {
-    return coefficients(x).b;
+  static Values<N> computed(const Inputs<N, 10>& x) {
+    return {coefficients(x).b};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 10>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 10>& x, const Note& note) {
     const auto T = to_centre(x);
     const N first = note(T[0] * x[6]), second = note(T[1] * x[7]), third = note(T[2] * x[8]);
-    return note(first + note(second + third));
+    return {note(first + note(second + third))};
   }
 };
 
 /// Of f^2 + r^2.
 struct RobustC : RobustStep {
   template <class N>
-  static N computed(const Inputs<N, 10>& x) {
-    return coefficients(x).c;
+  static Values<N> computed(const Inputs<N, 10>& x) {
+    return {coefficients(x).c};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 10>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 10>& x, const Note& note) {
     const auto T = to_centre(x);
     const N first = note(T[0] * T[0]), second = note(T[1] * T[1]), third = note(T[2] * T[2]);
     const N f_sq = note(first + note(second + third));
-    return note(f_sq - note(x[9]));
+    return {note(f_sq - note(x[9]))};
   }
 };
 
 /// Of a (f^2 + r^2).
 struct RobustDiscriminant : RobustStep {
   template <class N>
-  static N computed(const Inputs<N, 10>& x) {
-    return coefficients(x).discriminant;
+  static Values<N> computed(const Inputs<N, 10>& x) {
+    return {coefficients(x).discriminant};
   }
   template <class N, class Note>
-  static N exact(const Inputs<N, 10>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 10>& x, const Note& note) {
     const auto T = to_centre(x);
     const auto component = [&](std::size_t j, std::size_t k) {
       const N first = note(T[j] * x[6 + k]), second = note(T[k] * x[6 + j]);
@@ -267,9 +278,14 @@ struct RobustDiscriminant : RobustStep {
     const N mx = component(1, 2), my = component(2, 0), mz = component(0, 1);
     const N moment_sq = note(mx * mx + note(my * my + mz * mz));
     const N xx = note(x[6] * x[6]), yy = note(x[7] * x[7]), zz = note(x[8] * x[8]);
-    return note(note(note(xx + note(yy + zz)) * note(x[9])) - moment_sq);
+    return {note(note(note(xx + note(yy + zz)) * note(x[9])) - moment_sq)};
   }
 };
+
+template <class N, std::size_t... k>
+auto terms(Script& script, const auto& names, std::index_sequence<k...> /*all*/) {
+  return Inputs<N, sizeof...(k)>{N(script, names[k])...};
+}
 
 constexpr double kUnit = 0x1p-53;
 
@@ -284,14 +300,17 @@ Script traced(double bound, std::optional<Mutation> mutation) {
                        : fmt::format("|{}| <= {}", term.name(), in_hexadecimal(F::kMost)));
     return term;
   };
-  const std::string exact = F::exact(terms<Term<false>>(script, F::kInputs, kAll), note).name();
+  const Values<Term<false>> exact = F::exact(terms<Term<false>>(script, F::kInputs, kAll), note);
+  const std::string most = in_hexadecimal(bound * kUnit);
   for (const bool is_fused : {true, false}) {
     if (!is_fused && !script.has_fused()) break;
     script.fuse(is_fused);
-    const std::string computed = F::computed(terms<Term<true>>(script, F::kInputs, kAll)).name();
-    const std::string most = in_hexadecimal(bound * kUnit);
-    script.prove(F::kIsRelative ? fmt::format("{0} -/ {1} in [-{2}, {2}]", computed, exact, most)
-                                : fmt::format("|{} - {}| <= {}", computed, exact, most));
+    const Values<Term<true>> computed = F::computed(terms<Term<true>>(script, F::kInputs, kAll));
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      const std::string &got = computed.at(k).name(), &right = exact[k].name();
+      script.prove(F::kIsRelative ? fmt::format("{0} -/ {1} in [-{2}, {2}]", got, right, most)
+                                  : fmt::format("|{} - {}| <= {}", got, right, most));
+    }
   }
   return script;
 }
@@ -330,14 +349,18 @@ double observed_of(int samples) {
       if (abs(term).upper() > scale.upper()) scale = abs(term);
       return term;
     };
-    const Enclosure exact = F::exact(given(enclosed, static_cast<Enclosure*>(nullptr), kAll), note);
-    if (F::kIsRelative) scale = abs(exact);
-    const Enclosure unit = scale * Enclosure(kUnit / F::kMost, kBits);
+    const Values<Enclosure> exact =
+        F::exact(given(enclosed, static_cast<Enclosure*>(nullptr), kAll), note);
     const auto compare = [&]<bool kFused>(std::bool_constant<kFused>) {
       using N = Plain<kFused>;
       const auto plain = [](double one) { return N(one); };
-      const double got = F::computed(given(plain, static_cast<N*>(nullptr), kAll)).x;
-      largest = std::max(largest, (abs(Enclosure(got, kBits) - exact) / unit).lower());
+      const Values<N> got = F::computed(given(plain, static_cast<N*>(nullptr), kAll));
+      for (std::size_t at = 0; at < exact.size(); ++at) {
+        const Enclosure unit =
+            (F::kIsRelative ? abs(exact[at]) : scale) * Enclosure(kUnit / F::kMost, kBits);
+        const Enclosure error = abs(Enclosure(got.at(at).x, kBits) - exact[at]);
+        largest = std::max(largest, (error / unit).lower());
+      }
     };
     compare(std::true_type());
     compare(std::false_type());
@@ -494,7 +517,8 @@ std::span<const Bound> bounds() {
       stage<FilterA>("filter-a", "a of the image filter, of A", kFormula, reference::kSumRoundings),
       stage<FilterDiscriminant>("filter-discriminant", "b^2 - c a of given b, c, a, of B^2 + |c| A",
                                 kFormula, reference::kDiscRoundings),
-      stage<FilterMoment>("filter-moment", "a component of f x g, of its products' sizes", kFormula,
+      stage<FilterMoment>("filter-moment",
+                          "the components of f x g, of their largest product or sum", kFormula,
                           reference::kMomentRoundings),
       stage<FilterByMoment>("filter-by-moment", "r^2 a - |h|^2 of given r^2, a, h, of S^2",
                             kFormula, reference::kByMomentRoundings),
@@ -506,16 +530,17 @@ std::span<const Bound> bounds() {
             traced_product, observed_product},
       Bound{"double-double-quotient", "a quotient of double-doubles, of it", kPairs, kOfPairs,
             "u^2", traced_quotient, observed_quotient},
-      stage<RobustB>("robust-b", "b of robust's first step, of f |d|", kRobust, 8),
-      stage<RobustC>("robust-c", "its c, of f^2 + r^2 given r^2", kRobust, 13),
+      stage<RobustB>("robust-b", "b of robust's first step, of f |d|", kRobust,
+                     fast_formula::kRobustB),
+      stage<RobustC>("robust-c", "its c, of f^2 + r^2 given r^2", kRobust, fast_formula::kRobustC),
       stage<RobustDiscriminant>("robust-discriminant", "its discriminant, of a (f^2 + r^2)",
                                 kRobust, 45),
       stage<FastDot>("a", "a = |d|^2", kTriple, 3),
       stage<FastNorm>("norm", "|d|", kTriple, 2.5),
-      stage<FastUnit>("unit-direction", "a coordinate of d/|d|", kTriple, 3.5),
+      stage<FastUnit>("unit-direction", "the coordinates of d/|d|", kTriple, 3.5),
       stage<FastAxialDistance>("axial-distance", "v = T.D, of its largest product or sum", kTriple,
                                5),
-      stage<FastMoment>("moment", "a coordinate of T x D, of its larger product", kTriple, 4),
+      stage<FastMoment>("moment", "the coordinates of T x D, of their largest product", kTriple, 4),
   };
   return all;
 }

@@ -30,7 +30,9 @@ std::string Script::named(const std::string& term, const char* prefix,
 std::string Script::rounded(char op, const std::string& x, const std::string& y,
                             const std::string& z) {
   const std::size_t operation = operations_++;
-  if (mutation_ && mutation_->operation == operation) op = mutation_->instead;
+  if (mutation_ && mutation_->operation == operation) {
+    op = op == '+' || op == 'f' ? '-' : op == 's' ? ' ' : '+';
+  }
   const bool is_fused = !z.empty();
   has_fused_ = has_fused_ || is_fused;
   std::string term;

@@ -18,10 +18,10 @@ enum class Rounding { kRelative, kToDouble };
 
 std::string in_hexadecimal(double x);
 
-/// The one operation that a mutated formula does otherwise: of all that round, by number.
+/// The one operation, of all that round, that a mutated formula does otherwise: a difference in
+/// place of a sum, fused or not, no square root, and a sum in place of all else.
 struct Mutation {
   std::size_t operation;
-  char instead;  ///< '+', '-', '*' or, of what has one operand, ' ' for none.
 };
 
 /// A script in the making.

@@ -24,7 +24,7 @@ namespace raycheck::fast::HWY_NAMESPACE {
 // Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 12u a (f^2 + r^2) + u |disc^|, less than a
 // hundredth of what is required; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b requires no more of
 // b: with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while |b^ - b| <= 4u f|d|.
-// (proofs/ proves more than enough by machine: 45u, 13u and 8u.)
+// (kRobustDiscriminant and those beside it are what a machine has proved.)
 // With disc < 0 the ray misses whatever b is.
 
 /// What is required of disc and f^2 - r^2 in N's format. Signs alone require no more than 16u of
@@ -40,6 +40,15 @@ struct Margins {
   static constexpr double kLeastDiscriminant = 0x1p-300;
   static constexpr double kLargestSquare = 0x1p400;
 };
+
+// What proofs/ proves by machine of the coefficients below, in u: enough for all signs.
+inline constexpr double kRobustB = 8;              ///< Of f |d|.
+inline constexpr double kRobustC = 13;             ///< Of f^2 + r^2.
+inline constexpr double kRobustDiscriminant = 45;  ///< Of a (f^2 + r^2).
+static_assert(Margins<double>::kFarShare > 100 * kRobustDiscriminant * 0x1p-53 &&
+              Margins<double>::kFarShare < Margins<double>::kDiscriminantShare &&
+              Margins<double>::kReachShare > 100 * kRobustC * 0x1p-53 &&
+              Margins<double>::kFarShare / 2 > kRobustB * kRobustB * 0x1p-106);
 
 /// What depends on the sphere alone.
 template <class N>

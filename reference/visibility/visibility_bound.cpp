@@ -65,20 +65,21 @@ FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const 
   const double I_b = (N + X + Y) * rho + delta * (u + v + w + 3 * rho);
   const double B = kSlack * (N * w + Y * v + X * u + I_b);
   const double E_b = kSlack * (kSumRoundings * kUnitRoundoff * B + I_b);
-  const double by_roots = kSlack * (2.2 * B * E_b + kDiscRoundings * kUnitRoundoff * B * B +
-                                    c * (1.1 * E_a + kDiscRoundings * kUnitRoundoff * A) +
-                                    1.1 * half_width(plan.seen.power) * A);
+  const double by_roots =
+      kSlack * (kSquareShare * B * E_b + kDiscRoundings * kUnitRoundoff * B * B +
+                c * (kProductShare * E_a + kDiscRoundings * kUnitRoundoff * A) +
+                kProductShare * half_width(plan.seen.power) * A);
   const double e = moment_error(sphere, sizes, rho);
   const Bounds radius_sq = square(plan.seen.radius);
   sphere.radius_sq = middle(radius_sq);
   const double S = std::sqrt(sphere.radius_sq * A);
   const double by_moment =
       kSlack * (4 * S * e + e * e + kByMomentRoundings * kUnitRoundoff * S * S +
-                sphere.radius_sq * 1.1 * E_a + 1.1 * half_width(radius_sq) * A);
-  sphere.by_moment = e <= S / 8 && by_moment < kMomentGain * by_roots;
+                sphere.radius_sq * kProductShare * E_a + kProductShare * half_width(radius_sq) * A);
+  sphere.by_moment = kLeastMoment * e <= S && by_moment < kMomentGain * by_roots;
   const double E = sphere.by_moment ? by_moment : by_roots;
   sphere.decided = kDecidedBeyond * E;
-  sphere.root_margin = kSlack * (E_b + 0.52 * std::sqrt(E / kDecidedBeyond) +
+  sphere.root_margin = kSlack * (E_b + 1.02 * kRootShare * std::sqrt(E / kDecidedBeyond) +
                                  4 * kUnitRoundoff * (B + std::sqrt(B * B + c * A)));
   sphere.exact = !(E >= kLeastBound && sphere.decided <= kLargestBound);
   return sphere;

@@ -22,15 +22,12 @@ struct RowTerms {
   N b;       ///< n w + beta v
   N a;       ///< n^2 + beta^2
   N moment;  ///< n v - beta w, the first component of f x g
-  N moment_sq;
   N n_u, beta_u;
 };
 
 template <class N>
 HWY_INLINE RowTerms<N> row_terms(const N& near, const N& beta, const N& u, const N& v, const N& w) {
-  const N moment = near * v - beta * w;
-  return {
-      near * w + beta * v, near * near + beta * beta, moment, moment * moment, near * u, beta * u};
+  return {near * w + beta * v, near * near + beta * beta, near * v - beta * w, near * u, beta * u};
 }
 
 /// b = f.g and a = |g|^2
@@ -49,21 +46,20 @@ HWY_INLINE N discriminant(const N& b, const N& a, const N& power) {
   return mul_sub(b, b, power * a);
 }
 
-/// The other two components of f x g.
+/// f x g
 template <class N>
 struct Moment {
-  N second, third;
+  N first, second, third;
 };
 template <class N>
 HWY_INLINE Moment<N> moment_of(const N& alpha, const N& v, const N& w, const RowTerms<N>& row) {
-  return {mul_sub(alpha, w, row.n_u), sub_mul(alpha, v, row.beta_u)};
+  return {row.moment, mul_sub(alpha, w, row.n_u), sub_mul(alpha, v, row.beta_u)};
 }
 
 /// r^2 a - |f x g|^2, the same number: where r is small beside |f|, nothing of its size cancels.
 template <class N>
-HWY_INLINE N discriminant_by_moment(const Moment<N>& moment, const N& first_sq, const N& a,
-                                    const N& radius_sq) {
-  const N two = mul_add(moment.second, moment.second, first_sq);
+HWY_INLINE N discriminant_by_moment(const Moment<N>& moment, const N& a, const N& radius_sq) {
+  const N two = mul_add(moment.second, moment.second, moment.first * moment.first);
   return mul_sub(radius_sq, a, mul_add(moment.third, moment.third, two));
 }
 

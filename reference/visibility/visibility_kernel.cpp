@@ -96,16 +96,16 @@ void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRay
   for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
     const double beta = rays.beta[static_cast<std::size_t>(row)];
     const RowTerms<double> shared = row_terms(rays.near, beta, sphere.u, sphere.v, sphere.w);
-    const RowTerms<Lanes> terms = {all(shared.b),         all(shared.a),   all(shared.moment),
-                                   all(shared.moment_sq), all(shared.n_u), all(shared.beta_u)};
+    const RowTerms<Lanes> terms = {all(shared.b), all(shared.a), all(shared.moment),
+                                   all(shared.n_u), all(shared.beta_u)};
     for (int column = first; column < entry.pixels.i_end; column += lanes) {
       const Lanes alpha{hn::LoadU(d, rays.alpha + column)};
       const Lanes line_b = b_of(alpha, u, terms.b), line_a = a_of(alpha, terms.a);
       const V b = line_b.raw, a = line_a.raw;
-      const V disc = (kByMoment ? discriminant_by_moment(moment_of(alpha, v, w, terms),
-                                                         terms.moment_sq, line_a, radius_sq)
-                                : discriminant(line_b, line_a, power))
-                         .raw;
+      const V disc =
+          (kByMoment ? discriminant_by_moment(moment_of(alpha, v, w, terms), line_a, radius_sq)
+                     : discriminant(line_b, line_a, power))
+              .raw;
       M met = hn::Gt(disc, decided);
       M undecided =
           kCertified == Certified::kYes ? hn::Le(hn::Abs(disc), decided) : hn::Lt(b, b);  // none

@@ -19,7 +19,7 @@
 //   A  = N^2 + X^2 + Y^2 + I_a,  I_a = 2 (N + X + Y) delta + 3 delta^2:
 //        |a^ - a| <= E_a = 5 u0 A + I_a
 //   |disc^ - disc| <= E, where
-//   E  = 2.2 B E_b + 3 u0 B^2 + |c^| (1.1 E_a + 3 u0 A) + 1.1 rho_c A:
+//   E  = 2.2 B E_b + 3.1 u0 B^2 + |c^| (1.1 E_a + 3.1 u0 A) + 1.1 rho_c A:
 //        b^b^ is off by E_b (|b^| + |b|), c^a^ by |c^| E_a + rho_c A, and three roundings follow.
 // Where r is small beside |f| both terms of disc are larger than it by |f|^2/r^2. There disc = r^2
 // a - |h|^2, h = f x g, is better: with R^2 for the computed r^2, known to within rho_r,
@@ -27,7 +27,7 @@
 //        P_k = |x||y| + |z||t| and I_k = rho (|y| + |t|) + delta (|x| + |z|) + 2 rho delta:
 //        |h^ - h| <= e
 //   S  = sqrt(R^2 A)
-//   E  = 4 S e + e^2 + 28 u0 S^2 + R^2 1.1 E_a + 1.1 rho_r A:
+//   E  = 4 S e + e^2 + 33 u0 S^2 + R^2 1.1 E_a + 1.1 rho_r A:
 //        |h|^2 is off by 2 |h| e + e^2, r^2 a as c a above, and seven roundings follow,
 // which holds where |h| <= 2 S. Otherwise disc < -3 S^2, and with e <= S/8 disc^ < -2 S^2: the ray
 // misses, and is not taken for a hit. Of the two forms a sphere takes the one with the smaller E.

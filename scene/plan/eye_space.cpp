@@ -75,10 +75,9 @@ constexpr double kLeastFactor = 0x1p-400;
 
 bool is_plain(double x) { return x == 0 || std::abs(x) >= kLeastFactor; }
 
-/// a x - b y, where that may cancel: by exact products. With F and S for their sizes, rest adds up
-/// numbers of at most u (F + S), u (F + S) and u (F + S), in six operations that are off by 8 u^2
-/// (F
-/// + S) in all, to first order.
+/// a x - b y, where that may cancel: by exact products. With F and S for their sizes, `rest` is
+/// made of numbers of at most u (F + S) by operations that are off by 8 u^2 (F + S) in all, to
+/// first order.
 Bounds determinant(double a, const Difference& x, double b, const Difference& y) {
   const double first = a * x.x, second = b * y.x;
   if (first == 0 && second == 0) return Bounds::exactly(0);

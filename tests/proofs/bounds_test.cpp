@@ -25,7 +25,7 @@ bool has_gappa() { return tests::shell("command -v gappa").code == 0; }
 std::string complaint(const std::string& script) {
   const fs::path file = fs::path(testing::TempDir()) / "raycheck_bound.gappa";
   std::ofstream(file) << script;
-  const tests::Ended ended = tests::shell("timeout 20 gappa " + file.string());
+  const tests::Ended ended = tests::shell("timeout 60 gappa " + file.string());
   fs::remove(file);
   return ended.code == 0 ? ended.text : ended.text + "not proved";
 }
@@ -54,24 +54,28 @@ TEST(Bounds, AreProvedOfTheFormulasAsTheyAre) {
   if (!has_gappa()) GTEST_SKIP() << "there is no gappa to prove bounds by";
 }
 
+/// Whether Gappa reads the script and does not find it proved.
+bool is_refused(const std::string& script) {
+  const std::string said = complaint(script);
+  EXPECT_EQ(said.find("syntax"), std::string::npos) << said << " in " << script;
+  return said.find("some properties were not satisfied") != std::string::npos;
+}
+
 /// Each operation of each formula done otherwise, and each constant halved.
 TEST(LongBounds, AreRefusedOfMutatedFormulas) {
   if (!has_gappa()) GTEST_SKIP() << "there is no gappa to refuse anything";
   int mutants = 0;
   for (const Bound& bound : bounds()) {
     const Script script = bound.script(bound.value, {});
-    EXPECT_NE(complaint(bound.script(bound.value / 2, {}).text()), "") << bound.name << " halved";
+    EXPECT_TRUE(is_refused(bound.script(bound.value / 2, {}).text())) << bound.name << " halved";
     for (const std::size_t operation : script.operations()) {
-      for (const char instead : {'-', '+'}) {
-        const std::string mutant = bound.script(bound.value, Mutation{operation, instead}).text();
-        if (mutant == script.text()) continue;
-        EXPECT_NE(complaint(mutant), "") << bound.name << " with " << mutant;
-        ++mutants;
-        break;
-      }
+      const std::string mutant = bound.script(bound.value, Mutation{operation}).text();
+      ASSERT_NE(mutant, script.text()) << bound.name;
+      EXPECT_TRUE(is_refused(mutant)) << bound.name << " with " << mutant;
+      ++mutants;
     }
   }
-  EXPECT_GE(mutants, 20);
+  EXPECT_GE(mutants, 100);
 }
 
 TEST(Bounds, AreNotIdle) {

@@ -1,5 +1,6 @@
 // The identities that formulas and proofs rest on, by a solver of real arithmetic.
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -9,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "reference/visibility/visibility_bound.h"
 #include "tests/library/shell.h"
 
 namespace raycheck::tests {
@@ -52,6 +54,16 @@ TEST(Identities, HoldForAllReals) {
   }
   for (const auto& [name, mistake] : kMistakes) EXPECT_TRUE(names.contains(name)) << name;
   EXPECT_EQ(names.size(), kMistakes.size());
+  // The constants of the code's, as the identities have them.
+  using namespace reference;
+  const std::string by_roots = text_of(kIdentities / "filter_by_roots.smt2"),
+                    root = text_of(kIdentities / "filter_root.smt2"),
+                    miss = text_of(kIdentities / "filter_miss.smt2");
+  EXPECT_TRUE(has(by_roots, fmt::format("(* {} B Eb)", kSquareShare)));
+  EXPECT_TRUE(has(by_roots, fmt::format("(* {0} (size ch) Ea) (* {0} rc A)", kProductShare)));
+  EXPECT_TRUE(has(root, fmt::format("(* {} x x)", kDecidedBeyond)));
+  EXPECT_TRUE(has(root, fmt::format("(- qh q) (* {0} x)) (> (- q qh) (* {0} x))", kRootShare)));
+  EXPECT_TRUE(has(miss, fmt::format("(/ S {})", kLeastMoment)));
 }
 
 TEST(Identities, AreNotFoundOfWrongSigns) {
@@ -70,7 +82,9 @@ TEST(Identities, AreNotFoundOfWrongSigns) {
     counterexamples += found == "sat\n" ? 1 : 0;
   }
   fs::remove(changed);
-  EXPECT_GT(counterexamples, 4);
+  if (solver(1).starts_with("z3")) {
+    EXPECT_EQ(counterexamples, static_cast<int>(kMistakes.size()));
+  }
 }
 
 }  // namespace
