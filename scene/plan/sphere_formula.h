@@ -1,0 +1,136 @@
+// What a plan computes of a sphere, in one double or several spheres' side by side. No header by
+// itself, like bounds_formula.h.
+
+template <class N>
+using AxisOf = std::array<BoundsOf<N>, 3>;
+
+template <class N>
+BoundsOf<N> in_all(const Bounds& x) {
+  return {N(x.low), N(x.high)};
+}
+template <class N>
+BoundsOf<N> exactly(double x) {
+  return {N(x), N(x)};
+}
+
+/// x.y
+template <class N>
+BoundsOf<N> dot(const AxisOf<N>& x, const EyeSpace::Axis& y) {
+  return x[0] * in_all<N>(y[0]) + x[1] * in_all<N>(y[1]) + x[2] * in_all<N>(y[2]);
+}
+
+/// x.y of an axis y of the world, or its opposite.
+template <class N>
+BoundsOf<N> along(const AxisOf<N>& x, const EyeSpace::Axis& y) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (y[k].low == 1) return x[k];
+    if (y[k].low == -1) return -x[k];
+  }
+  return BoundsOf<N>::everything();
+}
+
+template <class N>
+EyeSphereOf<BoundsOf<N>> seen_from(const EyeSpace& eye, const std::array<N, 3>& centre,
+                                              N radius) {
+  const int exponent = -eye.scaling().lengths;
+  const auto from_eye = [exponent](N x, double eye_x) {
+    return scaled(BoundsOf<N>::exactly(x) - exactly<N>(eye_x), exponent);
+  };
+  const AxisOf<N> f = {from_eye(centre[0], eye.eye().x), from_eye(centre[1], eye.eye().y),
+                       from_eye(centre[2], eye.eye().z)};
+  EyeSphereOf<BoundsOf<N>> seen;
+  if (eye.axis_aligned()) {
+    seen.u = along<N>(f, eye.U());
+    seen.v = along<N>(f, eye.V());
+    seen.w = along<N>(f, eye.W());
+  } else {
+    seen.u = dot<N>(f, eye.U());
+    seen.v = dot<N>(f, eye.V());
+    seen.w = dot<N>(f, eye.W());
+  }
+  seen.distance_sq = square(f[0]) + square(f[1]) + square(f[2]);
+  seen.radius = scaled(BoundsOf<N>::exactly(radius), exponent);
+  seen.radius.low = larger(N(0.0), seen.radius.low);
+  seen.power = seen.distance_sq - square(seen.radius);
+  return seen;
+}
+
+/// The index of a position on the image plane.
+template <class N>
+BoundsOf<N> index_of(const PixelAxis& axis, const BoundsOf<N>& position) {
+  const BoundsOf<N> share = (position - in_all<N>(axis.first)) / in_all<N>(axis.extent);
+  BoundsOf<N> index = times_positive(share, exactly<N>(axis.pixels));
+  if (axis.centred) index = index - exactly<N>(0.5);
+  return axis.reversed ? exactly<N>(axis.last) - index : index;
+}
+
+/// The slopes x/z of the directions with z > 0 whose half-lines from 0 meet a disc, or `none`.
+/// The disc's tangents from 0 are (x, z) turned by asin(r/rho) to either side, times rho.
+template <class N>
+BoundsOf<N> slopes_of_disc(const BoundsOf<N>& x, const BoundsOf<N>& z,
+                                      const BoundsOf<N>& r, MaskOf<N>& none) {
+  const N zero(0.0);
+  const BoundsOf<N> q_sq = square(x) + square(z) - square(r);
+  const MaskOf<N> outside = q_sq.low > zero;
+  const BoundsOf<N> q = sqrt(q_sq);
+  const BoundsOf<N> zq = times_positive(z, q), xr = times_positive(x, r);
+  const BoundsOf<N> xq = times_positive(x, q), zr = times_positive(z, r);
+  const BoundsOf<N> right_z = zq - xr, left_z = zq + xr;
+  // The half-lines lie between the two tangents, in less than a half-plane.
+  none = outside & (right_z.high < zero) & (left_z.high < zero);
+  const BoundsOf<N> all = BoundsOf<N>::everything();
+  return {select(outside & (left_z.low > zero), ((xq - zr) / left_z).low, all.low),
+          select(outside & (right_z.low > zero), ((xq + zr) / right_z).high, all.high)};
+}
+
+/// SpherePlan, as numbers; `none`: no pixel's ray meets the sphere.
+template <class N>
+struct PlannedOf {
+  EyeSphereOf<BoundsOf<N>> seen;
+  N nearest_distance;
+  MaskOf<N> origin_outside, all_in_front, behind, none;
+  N i_begin, i_end, j_begin, j_end;
+};
+
+/// The integers of [0, count) within a range.
+template <class N>
+void set_indices(const BoundsOf<N>& range, double count, N& begin, N& end) {
+  const N zero(0.0), one(1.0), most(count);
+  begin = rounded_up(smaller(larger(range.low, zero), most));
+  end = rounded_down(smaller(larger(range.high, -one), most - one)) + one;
+}
+
+template <class N>
+BoundsOf<N> beyond(const BoundsOf<N>& x, const Bounds& range) {
+  const BoundsOf<N> below = exactly<N>(range.low) - x, above = x - exactly<N>(range.high);
+  const N zero(0.0);
+  return {larger(zero, larger(below.low, above.low)), larger(zero, larger(below.high, above.high))};
+}
+
+template <class N>
+PlannedOf<N> planned(const PlanTerms& terms, const std::array<N, 3>& centre, N radius) {
+  const EyeSpace& eye = terms.eye;
+  const N zero(0.0);
+  PlannedOf<N> result;
+  result.seen = seen_from(eye, centre, radius);
+  const auto& [u, v, w, distance_sq, power, r] = result.seen;
+  const BoundsOf<N> z = terms.is_forward ? w : -w;
+  result.nearest_distance = larger(zero, (sqrt(distance_sq) - r).low);
+  result.all_in_front = (z - r).low > N(terms.start.high);
+  // The squared distance of a centre from the origins: the image plane's pixels, or the eye.
+  const BoundsOf<N> from_origins = terms.from_pixels
+                                       ? square(beyond(u, terms.across)) +
+                                             square(beyond(v, terms.along)) +
+                                             square(w - in_all<N>(terms.near))
+                                       : distance_sq;
+  result.origin_outside = from_origins.low > square(r).high;
+  result.behind = (z + r).high < N(terms.start.low);
+  MaskOf<N> none_across, none_along;
+  const BoundsOf<N> across = slopes_of_disc(u, z, r, none_across);
+  const BoundsOf<N> along = slopes_of_disc(v, z, r, none_along);
+  result.none = none_across | none_along;
+  const BoundsOf<N> ahead = in_all<N>(terms.ahead);
+  set_indices(index_of(eye.columns(), across * ahead), terms.width, result.i_begin, result.i_end);
+  set_indices(index_of(eye.rows(), along * ahead), terms.height, result.j_begin, result.j_end);
+  return result;
+}
