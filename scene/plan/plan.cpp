@@ -57,17 +57,23 @@ struct Occluder {
 /// Whether every ray from the eye that meets `sphere` meets `by` before it: its cone is inside the
 /// other's and all of it beyond where that touches `by`. With t^2 = |C - E|^2 - r^2, the cosine of
 /// the difference of the cones' half angles is (t t_by + r r_by) / (|C - E| |C_by - E|).
-bool covers(const Occluder& by, const EyeSphere& sphere) {
-  if (!(sphere.power.low > 0)) return false;
-  const Bounds distance = sqrt(sphere.distance_sq);
-  if (!((distance - sphere.radius).low > by.touch.high)) return false;
+bool covers(const Occluder& by, const SpherePlan& plan) {
+  const EyeSphere& sphere = plan.seen;
+  if (!(sphere.power.low > 0 && plan.nearest_distance > by.touch.high)) return false;
+  const Bounds radii = times_positive(by.seen.radius, sphere.radius);
   const Bounds dot = sphere.u * by.seen.u + sphere.v * by.seen.v + sphere.w * by.seen.w;
-  return (sphere.radius * by.distance).high < (by.seen.radius * distance).low &&
-         dot.low > (by.touch * sqrt(sphere.power) + by.seen.radius * sphere.radius).high;
+  return dot.low > (times_positive(by.touch, sqrt(sphere.power)) + radii).high &&
+         times_positive(sphere.radius, by.distance).high <
+             times_positive(by.seen.radius, sqrt(sphere.distance_sq)).low;
 }
 
 /// All of `sphere` is inside `by`.
 bool contains(const Sphere& by, const Sphere& sphere) {
+  if (std::abs(sphere.centre.x - by.centre.x) >= by.radius ||
+      std::abs(sphere.centre.y - by.centre.y) >= by.radius ||
+      std::abs(sphere.centre.z - by.centre.z) >= by.radius) {
+    return false;
+  }
   const auto apart_sq = [](double to, double from) {
     return square(Bounds::exactly(to) - Bounds::exactly(from));
   };
@@ -183,7 +189,7 @@ void leave_out_hidden(const Scene& scene, std::vector<SpherePlan>& plans) {
     for (std::uint64_t left = containing(plans[k].pixels); left != 0; left &= left - 1) {
       const Occluder& by = occluders[static_cast<std::size_t>(std::countr_zero(left))];
       if (by.index != k && by.pixels.contains(plans[k].pixels) &&
-          (contains(by.sphere, spheres[k]) || covers(by, plans[k].seen))) {
+          (covers(by, plans[k]) || contains(by.sphere, spheres[k]))) {
         leave_out(k, by.index);
         break;
       }
@@ -246,11 +252,13 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
   const PlanTerms terms = terms_of(camera, plan);
   std::vector<SpherePlan>& spheres = plan.spheres;
   spheres.reserve(scene.spheres.size());
-  for (std::size_t at = 0; at < scene.spheres.size(); at = spheres.size()) {
+  std::vector<SpherePlan> some(std::min(kAtOnce, scene.spheres.size()));
+  while (spheres.size() < scene.spheres.size()) {
     poll();
-    spheres.resize(std::min(at + kAtOnce, scene.spheres.size()));
-    const std::size_t count = spheres.size() - at;
-    plan_each(terms, std::span(scene.spheres).subspan(at, count), std::span(spheres).last(count));
+    const auto rest = std::span(scene.spheres).subspan(spheres.size());
+    const std::size_t count = std::min(kAtOnce, rest.size());
+    plan_each(terms, rest.first(count), some);
+    spheres.insert(spheres.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
   }
   // A sphere whose near root does not count hides nothing.
   const bool all_count = conventions.valid.is_usual();
