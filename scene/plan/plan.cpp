@@ -87,19 +87,16 @@ bool contains(const Sphere& by, const Sphere& sphere) {
 class FirstOfEquals {
  public:
   explicit FirstOfEquals(const std::vector<Sphere>& spheres)
-      : spheres_(spheres), slots_(std::bit_ceil(2 * spheres.size() + 1)) {}
+      : spheres_(spheres), slots_(std::bit_ceil(2 * spheres.size() + 1)) {
+    for (std::size_t k = 0; k < kAhead; ++k) look_ahead_to(k);
+  }
 
+  /// Of each k in turn.
   std::size_t first(std::size_t k) {
-    constexpr std::uint64_t kFactor = 0x9e3779b97f4a7c15;
-    const auto& [centre, radius] = spheres_[k];
-    std::uint64_t hash = 0;
-    for (const double x : {centre.x, centre.y, centre.z, radius}) {
-      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * kFactor;  // -0 equals 0
-      hash ^= hash >> 32;
-    }
-    const std::uint64_t tag = hash << 32;
+    const std::uint64_t hash = hashes_[k % kAhead], tag = hash << 32;
+    look_ahead_to(k + kAhead);
     for (std::size_t at = hash >> 20;; ++at) {
-      std::uint64_t& slot = slots_[at & (slots_.size() - 1)];
+      std::uint64_t& slot = slot_at(at);
       const std::size_t found = (slot & 0xffffffff) - 1;
       if (slot == 0) {
         slot = tag | (k + 1);
@@ -110,8 +107,26 @@ class FirstOfEquals {
   }
 
  private:
+  /// Slots are all over memory, which is asked for them this many spheres before.
+  static constexpr std::size_t kAhead = 16;
+
+  std::uint64_t& slot_at(std::size_t at) { return slots_[at & (slots_.size() - 1)]; }
+  void look_ahead_to(std::size_t k) {
+    if (k >= spheres_.size()) return;
+    constexpr std::uint64_t kFactor = 0x9e3779b97f4a7c15;
+    const auto& [centre, radius] = spheres_[k];
+    std::uint64_t hash = 0;
+    for (const double x : {centre.x, centre.y, centre.z, radius}) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * kFactor;  // -0 equals 0
+      hash ^= hash >> 32;
+    }
+    hashes_[k % kAhead] = hash;
+    __builtin_prefetch(&slot_at(hash >> 20), 1);
+  }
+
   const std::vector<Sphere>& spheres_;
   std::vector<std::uint64_t> slots_;  ///< Part of the hash, and the index + 1; 0: empty.
+  std::array<std::uint64_t, kAhead> hashes_{};
 };
 
 /// Which of kMostOccluders rectangles may contain a given one: by each of its four sides, in steps
@@ -164,22 +179,25 @@ void leave_out_hidden(const Scene& scene, std::vector<SpherePlan>& plans) {
   FirstOfEquals equals(spheres);
   // Those that look largest.
   std::vector<std::pair<double, std::size_t>> by_size;
-  by_size.reserve(spheres.size());
   for (std::size_t k = 0; k < spheres.size(); ++k) {
-    if (plans[k].left_out) continue;
     const std::size_t first = equals.first(k);
+    if (plans[k].left_out) continue;
     if (first != k) leave_out(k, first);
     const EyeSphere& seen = plans[k].seen;
-    if (first == k && !plans[k].reaches_behind && seen.power.low > 0) {
-      by_size.emplace_back(-seen.radius.high / std::sqrt(seen.distance_sq.high), k);
+    if (first != k || plans[k].reaches_behind || !(seen.power.low > 0)) continue;
+    const std::pair<double, std::size_t> sized = {
+        -seen.radius.high / std::sqrt(seen.distance_sq.high), k};
+    if (by_size.size() == kMostOccluders) {
+      if (by_size.front() < sized) continue;
+      std::pop_heap(by_size.begin(), by_size.end());
+      by_size.pop_back();
     }
+    by_size.push_back(sized);
+    std::push_heap(by_size.begin(), by_size.end());
   }
-  const std::size_t count = std::min(by_size.size(), kMostOccluders);
-  std::partial_sort(by_size.begin(), by_size.begin() + static_cast<std::ptrdiff_t>(count),
-                    by_size.end());
+  std::sort_heap(by_size.begin(), by_size.end());
   std::vector<Occluder> occluders;
-  for (std::size_t o = 0; o < count; ++o) {
-    const std::size_t k = by_size[o].second;
+  for (const auto& [size, k] : by_size) {
     occluders.push_back({k, spheres[k], plans[k].pixels, plans[k].seen});
   }
   Containing containing(occluders, *scene.camera);
@@ -237,9 +255,7 @@ constexpr std::size_t kAtOnce = 256;
 
 ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted wanted,
                      const PlanItems& items) {
-  Scene under_conventions = scene;
-  under_conventions.conventions = conventions;
-  require_valid(under_conventions);
+  require_valid(scene, conventions);
   if (!scene.camera) {
     throw std::invalid_argument("camera: absent; a scene of given rays has no plan");
   }
