@@ -35,9 +35,9 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
         if ((undecided >> column & 1) == 0) continue;
         const ExactRay ray(impl.camera, {rows.first_column(tile) + column, j + row});
         Rung highest = Rung::kIntervals;
-        to[column] = ray.intersect(impl.scene.spheres[index],
-                                   impl.plan.conventions, {.highest = &highest})
-                         .hit_class;
+        to[column] =
+            ray.intersect(impl.scene.spheres[index], impl.plan.conventions, {.highest = &highest})
+                .hit_class;
         ++decided_by.rungs[static_cast<std::size_t>(highest)];
       }
     }

@@ -73,7 +73,7 @@ struct Visibility::Impl {
   double near;
   double start_factor;
   TileScale scale;
-  double axis_doubt = 0;  ///< The largest half width of U, V, W in world coordinates.
+  double axis_doubt = 0;    ///< The largest half width of U, V, W in world coordinates.
   bool scales_fit = false;  ///< Lengths stay in the range of doubles when they are unscaled.
   /// Of scenes of few spheres, which many tiles share. Of many spheres most are never swept.
   std::vector<FilteredSphere> kept;

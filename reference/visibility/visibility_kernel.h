@@ -55,14 +55,14 @@ inline constexpr double kLargestBound = 0x1p900;
 /// A sphere in the filter, with the names of the comment above.
 struct FilteredSphere {
   double u = 0, v = 0, w = 0;
-  double power = 0;             ///< c
-  double radius_sq = 0;         ///< R^2
-  double decided = 0;           ///< kDecidedBeyond E
-  double root_margin = 0;       ///< E_m
-  std::int32_t index = 0;       ///< In the scene.
-  bool roots_matter = true;     ///< Some line may meet it other than in front, at b - q.
-  bool by_moment = false;       ///< disc = r^2 a - |f x g|^2
-  bool exact = false;           ///< No bound holds: the filter skips its pixels.
+  double power = 0;          ///< c
+  double radius_sq = 0;      ///< R^2
+  double decided = 0;        ///< kDecidedBeyond E
+  double root_margin = 0;    ///< E_m
+  std::int32_t index = 0;    ///< In the scene.
+  bool roots_matter = true;  ///< Some line may meet it other than in front, at b - q.
+  bool by_moment = false;    ///< disc = r^2 a - |f x g|^2
+  bool exact = false;        ///< No bound holds: the filter skips its pixels.
 };
 
 /// Part of a tile: rows and columns counted from the tile's first.
@@ -102,8 +102,8 @@ enum class Certified { kNo, kYes };
 /// first columns, see what is nearer than any sphere.
 void clear(Tile& tile, const TileRectangle& wanted);
 
-/// Sweeps spheres over the tile, whose pixels but the undecided ones then have the nearest sphere so
-/// far; `margin` is the largest E_m so far.
+/// Sweeps spheres over the tile, whose pixels but the undecided ones then have the nearest sphere
+/// so far; `margin` is the largest E_m so far.
 void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certified certified,
            Tile& tile, double& margin);
 /// Whether every pixel has met a sphere at a smaller t than `distance`.

@@ -85,7 +85,8 @@ class NearestOfRows {
     for (std::size_t k = 0; k < in_tile.size(); k = list_.size()) {
       const float least = no_farther(impl_.plan.spheres[in_tile[k]].nearest_distance);
       if (k > 0 && all_nearer(tile_, margin, rays, static_cast<double>(least))) return;
-      for (const std::uint32_t index : in_tile.subspan(k, std::min(kLookEvery, in_tile.size() - k))) {
+      for (const std::uint32_t index :
+           in_tile.subspan(k, std::min(kLookEvery, in_tile.size() - k))) {
         list_.push_back(
             {&filtered(index), at_.within_tile(impl_.plan.spheres[index].pixels, tile)});
       }

@@ -5,7 +5,8 @@
 /// All reals from low to high; infinite where nothing is known.
 /// Error:  an operation's result encloses its values for all reals in the operands; unless these
 ///         are tiny or past the largest double, each end is at most kBoundsMaxUlp ulp too far out.
-/// Domain: doubles that round to nearest; low <= high, neither NaN; low < infinity, high > -infinity.
+/// Domain: doubles that round to nearest; low <= high, neither NaN nor an infinity past the other
+///         end.
 template <class N>
 struct BoundsOf {
   N low{0.0}, high{0.0};
@@ -16,6 +17,7 @@ struct BoundsOf {
     return {N(-kInfinity), N(kInfinity)};
   }
   MaskOf<N> contains(N value) const { return (low <= value) & (value <= high); }
+  bool operator==(const BoundsOf&) const = default;
 };
 
 /// Below any real that rounds to x, a normal double.
@@ -60,28 +62,34 @@ BoundsOf<N> operator-(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   return x + -y;
 }
 
-/// A product of reals: 0 times anything, even infinity, is 0; an underflow is not.
+/// A product of reals: 0 times anything, even infinity, is 0; an underflow, which counts as one of
+/// those that `vanished`, is not. (Lambdas would not be compiled for a target of Highway's.)
+template <class N>
+N product(N x, N y, MaskOf<N>& vanished) {
+  const N zero(0.0);
+  const MaskOf<N> is_zero = (x == zero) | (y == zero);
+  const N result = select(is_zero, zero, x * y);
+  vanished = vanished | ((result == zero) ^ is_zero);
+  return result;
+}
+
 template <class N>
 BoundsOf<N> operator*(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   const N zero(0.0);
   MaskOf<N> vanished = zero < zero;
-  const auto product = [&](N a, N b) {
-    const MaskOf<N> is_zero = (a == zero) | (b == zero);
-    const N result = select(is_zero, zero, a * b);
-    vanished = vanished | ((result == zero) ^ is_zero);
-    return result;
-  };
-  const N a = product(x.low, y.low), b = product(x.low, y.high);
-  const N c = product(x.high, y.low), d = product(x.high, y.high);
+  const N a = product(x.low, y.low, vanished), b = product(x.low, y.high, vanished);
+  const N c = product(x.high, y.low, vanished), d = product(x.high, y.high, vanished);
   const N low = smaller(smaller(a, b), smaller(c, d)), high = larger(larger(a, b), larger(c, d));
-  return {bound_below(low, (low == zero) & !vanished), bound_above(high, (high == zero) & !vanished)};
+  return {bound_below(low, (low == zero) & !vanished),
+          bound_above(high, (high == zero) & !vanished)};
 }
 
 /// x y of y >= 0: the same, sooner.
 template <class N>
 BoundsOf<N> times_positive(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   const N zero(0.0);
-  const N by_low = select(x.low < zero, y.high, y.low), by_high = select(x.high < zero, y.low, y.high);
+  const N by_low = select(x.low < zero, y.high, y.low),
+          by_high = select(x.high < zero, y.low, y.high);
   const MaskOf<N> low_is_zero = (x.low == zero) | (by_low == zero);
   const MaskOf<N> high_is_zero = (x.high == zero) | (by_high == zero);
   return {bound_below(select(low_is_zero, zero, x.low * by_low), low_is_zero),
@@ -111,21 +119,24 @@ BoundsOf<N> operator/(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   return {select(unknown, everything.low, below), select(unknown, everything.high, above)};
 }
 
+/// Whether a product of x and a power of two is exact.
+template <class N>
+MaskOf<N> is_exactly_scaled(N x, N scaled) {
+  const N size = absolute(scaled);
+  return (x == N(0.0)) |
+         ((size > N(kBoundsTiny)) & (size <= N(std::numeric_limits<double>::max())));
+}
+
 /// x 2^exponent
 template <class N>
 BoundsOf<N> scaled(const BoundsOf<N>& x, int exponent) {
   if (exponent == 0) return x;
-  // In steps, as 2^exponent may be out of range; one that vanishes stays so in the next.
+  // In steps, as 2^exponent may be out of range; what becomes tiny in one vanishes in the next.
   const N third(std::ldexp(1.0, exponent / 3)), rest(std::ldexp(1.0, exponent - exponent / 3 * 2));
-  const auto is_exact = [](N end, N result) {
-    const N size = absolute(result);
-    return (end == N(0.0)) |
-           ((size > N(kBoundsTiny)) & (size <= N(std::numeric_limits<double>::max())));
-  };
-  const N low = x.low * rest * third * third;
-  const N high = x.high * rest * third * third;
-  const N below = bound_below(low, low < low), above = bound_above(high, low < low);
-  return {select(is_exact(x.low, low), low, below), select(is_exact(x.high, high), high, above)};
+  const N low = x.low * rest * third * third, high = x.high * rest * third * third;
+  const MaskOf<N> never = low < low;
+  return {select(is_exactly_scaled(x.low, low), low, bound_below(low, never)),
+          select(is_exactly_scaled(x.high, high), high, bound_above(high, never))};
 }
 
 /// Of the part of x that is not negative.

@@ -114,9 +114,7 @@ Bounds EyeSpace::beta(double row) const {
                      conventions_.samples);
 }
 
-Bounds EyeSpace::column(const Bounds& alpha) const {
-  return index_of(columns_, alpha);
-}
+Bounds EyeSpace::column(const Bounds& alpha) const { return index_of(columns_, alpha); }
 
 Bounds EyeSpace::row(const Bounds& beta) const { return index_of(rows_, beta); }
 

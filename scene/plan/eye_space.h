@@ -25,6 +25,7 @@ struct EyeSphereOf {
   AnyBounds distance_sq;  ///< |C - E|^2
   AnyBounds power;        ///< |C - E|^2 - r^2: negative where the eye is inside.
   AnyBounds radius;
+  bool operator==(const EyeSphereOf&) const = default;
 };
 using EyeSphere = EyeSphereOf<Bounds>;
 

@@ -278,8 +278,7 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
   }
   // A sphere whose near root does not count hides nothing.
   const bool all_count = conventions.valid.is_usual();
-  if (items.hidden && wanted == Wanted::kNearest && all_count)
-    leave_out_hidden(scene, spheres);
+  if (items.hidden && wanted == Wanted::kNearest && all_count) leave_out_hidden(scene, spheres);
   return plan;
 }
 

@@ -66,7 +66,7 @@ struct Stored {
 };
 
 HWY_FLATTEN void plan_in_lanes(const PlanTerms& terms, std::span<const Sphere> spheres,
-                   std::span<SpherePlan> plans) {
+                               std::span<SpherePlan> plans) {
   std::size_t at = 0;
   for (; at + kLaneCount <= spheres.size(); at += kLaneCount) {
     Lanes x, y, z, radius;

@@ -30,14 +30,15 @@ BoundsOf<N> along(const AxisOf<N>& x, const EyeSpace::Axis& y) {
 }
 
 template <class N>
-EyeSphereOf<BoundsOf<N>> seen_from(const EyeSpace& eye, const std::array<N, 3>& centre,
-                                              N radius) {
-  const int exponent = -eye.scaling().lengths;
-  const auto from_eye = [exponent](N x, double eye_x) {
-    return scaled(BoundsOf<N>::exactly(x) - exactly<N>(eye_x), exponent);
-  };
-  const AxisOf<N> f = {from_eye(centre[0], eye.eye().x), from_eye(centre[1], eye.eye().y),
-                       from_eye(centre[2], eye.eye().z)};
+BoundsOf<N> from_eye(const EyeSpace& eye, N x, double eye_x) {
+  return scaled(BoundsOf<N>::exactly(x) - exactly<N>(eye_x), -eye.scaling().lengths);
+}
+
+template <class N>
+EyeSphereOf<BoundsOf<N>> seen_from(const EyeSpace& eye, const std::array<N, 3>& centre, N radius) {
+  const auto& [x, y, z] = eye.eye();
+  const AxisOf<N> f = {from_eye(eye, centre[0], x), from_eye(eye, centre[1], y),
+                       from_eye(eye, centre[2], z)};
   EyeSphereOf<BoundsOf<N>> seen;
   if (eye.axis_aligned()) {
     seen.u = along<N>(f, eye.U());
@@ -49,7 +50,7 @@ EyeSphereOf<BoundsOf<N>> seen_from(const EyeSpace& eye, const std::array<N, 3>& 
     seen.w = dot<N>(f, eye.W());
   }
   seen.distance_sq = square(f[0]) + square(f[1]) + square(f[2]);
-  seen.radius = scaled(BoundsOf<N>::exactly(radius), exponent);
+  seen.radius = scaled(BoundsOf<N>::exactly(radius), -eye.scaling().lengths);
   seen.radius.low = larger(N(0.0), seen.radius.low);
   seen.power = seen.distance_sq - square(seen.radius);
   return seen;
@@ -67,8 +68,8 @@ BoundsOf<N> index_of(const PixelAxis& axis, const BoundsOf<N>& position) {
 /// The slopes x/z of the directions with z > 0 whose half-lines from 0 meet a disc, or `none`.
 /// The disc's tangents from 0 are (x, z) turned by asin(r/rho) to either side, times rho.
 template <class N>
-BoundsOf<N> slopes_of_disc(const BoundsOf<N>& x, const BoundsOf<N>& z,
-                                      const BoundsOf<N>& r, MaskOf<N>& none) {
+BoundsOf<N> slopes_of_disc(const BoundsOf<N>& x, const BoundsOf<N>& z, const BoundsOf<N>& r,
+                           MaskOf<N>& none) {
   const N zero(0.0);
   const BoundsOf<N> q_sq = square(x) + square(z) - square(r);
   const MaskOf<N> outside = q_sq.low > zero;
@@ -118,11 +119,10 @@ PlannedOf<N> planned(const PlanTerms& terms, const std::array<N, 3>& centre, N r
   result.nearest_distance = larger(zero, (sqrt(distance_sq) - r).low);
   result.all_in_front = (z - r).low > N(terms.start.high);
   // The squared distance of a centre from the origins: the image plane's pixels, or the eye.
-  const BoundsOf<N> from_origins = terms.from_pixels
-                                       ? square(beyond(u, terms.across)) +
-                                             square(beyond(v, terms.along)) +
-                                             square(w - in_all<N>(terms.near))
-                                       : distance_sq;
+  const BoundsOf<N> from_origins = terms.from_pixels ? square(beyond(u, terms.across)) +
+                                                           square(beyond(v, terms.along)) +
+                                                           square(w - in_all<N>(terms.near))
+                                                     : distance_sq;
   result.origin_outside = from_origins.low > square(r).high;
   result.behind = (z + r).high < N(terms.start.low);
   MaskOf<N> none_across, none_along;
