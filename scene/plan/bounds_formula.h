@@ -96,6 +96,15 @@ BoundsOf<N> times_positive(const BoundsOf<N>& x, const BoundsOf<N>& y) {
           bound_above(select(high_is_zero, zero, x.high * by_high), high_is_zero)};
 }
 
+/// x y of bounds y that all lanes share: the same, sooner where their sign is known.
+template <class N, class Shared>
+BoundsOf<N> times_shared(const BoundsOf<N>& x, const Shared& y) {
+  const BoundsOf<N> each = {N(y.low), N(y.high)};
+  if (y.low >= 0) return times_positive(x, each);
+  if (y.high <= 0) return -times_positive(x, -each);
+  return x * each;
+}
+
 template <class N>
 BoundsOf<N> square(const BoundsOf<N>& x) {
   const N zero(0.0), low = absolute(x.low), high = absolute(x.high), most = larger(low, high);

@@ -61,7 +61,8 @@ bool covers(const Occluder& by, const SpherePlan& plan) {
   const EyeSphere& sphere = plan.seen;
   if (!(sphere.power.low > 0 && plan.nearest_distance > by.touch.high)) return false;
   const Bounds radii = times_positive(by.seen.radius, sphere.radius);
-  const Bounds dot = sphere.u * by.seen.u + sphere.v * by.seen.v + sphere.w * by.seen.w;
+  const Bounds dot = times_shared(sphere.u, by.seen.u) + times_shared(sphere.v, by.seen.v) +
+                     times_shared(sphere.w, by.seen.w);
   return dot.low > (times_positive(by.touch, sqrt(sphere.power)) + radii).high &&
          times_positive(sphere.radius, by.distance).high <
              times_positive(by.seen.radius, sqrt(sphere.distance_sq)).low;
@@ -177,6 +178,7 @@ void leave_out_hidden(const Scene& scene, std::vector<SpherePlan>& plans) {
     plans[sphere].pixels = {};
   };
   FirstOfEquals equals(spheres);
+  double least_size_sq = 0;
   // Those that look largest.
   std::vector<std::pair<double, std::size_t>> by_size;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
@@ -185,15 +187,14 @@ void leave_out_hidden(const Scene& scene, std::vector<SpherePlan>& plans) {
     if (first != k) leave_out(k, first);
     const EyeSphere& seen = plans[k].seen;
     if (first != k || plans[k].reaches_behind || !(seen.power.low > 0)) continue;
-    const std::pair<double, std::size_t> sized = {
-        -seen.radius.high / std::sqrt(seen.distance_sq.high), k};
-    if (by_size.size() == kMostOccluders) {
-      if (by_size.front() < sized) continue;
-      std::pop_heap(by_size.begin(), by_size.end());
-      by_size.pop_back();
-    }
-    by_size.push_back(sized);
+    // Most are smaller by more than roundings.
+    if (seen.radius.high * seen.radius.high < least_size_sq * seen.distance_sq.high) continue;
+    by_size.emplace_back(-seen.radius.high / std::sqrt(seen.distance_sq.high), k);
     std::push_heap(by_size.begin(), by_size.end());
+    if (by_size.size() <= kMostOccluders) continue;
+    std::pop_heap(by_size.begin(), by_size.end());
+    by_size.pop_back();
+    least_size_sq = by_size.front().first * by_size.front().first * (1 - 0x1p-40);
   }
   std::sort_heap(by_size.begin(), by_size.end());
   std::vector<Occluder> occluders;

@@ -16,7 +16,7 @@ BoundsOf<N> exactly(double x) {
 /// x.y
 template <class N>
 BoundsOf<N> dot(const AxisOf<N>& x, const EyeSpace::Axis& y) {
-  return x[0] * in_all<N>(y[0]) + x[1] * in_all<N>(y[1]) + x[2] * in_all<N>(y[2]);
+  return times_shared(x[0], y[0]) + times_shared(x[1], y[1]) + times_shared(x[2], y[2]);
 }
 
 /// x.y of an axis y of the world, or its opposite.
@@ -129,8 +129,9 @@ PlannedOf<N> planned(const PlanTerms& terms, const std::array<N, 3>& centre, N r
   const BoundsOf<N> across = slopes_of_disc(u, z, r, none_across);
   const BoundsOf<N> along = slopes_of_disc(v, z, r, none_along);
   result.none = none_across | none_along;
-  const BoundsOf<N> ahead = in_all<N>(terms.ahead);
-  set_indices(index_of(eye.columns(), across * ahead), terms.width, result.i_begin, result.i_end);
-  set_indices(index_of(eye.rows(), along * ahead), terms.height, result.j_begin, result.j_end);
+  set_indices(index_of(eye.columns(), times_shared(across, terms.ahead)), terms.width,
+              result.i_begin, result.i_end);
+  set_indices(index_of(eye.rows(), times_shared(along, terms.ahead)), terms.height, result.j_begin,
+              result.j_end);
   return result;
 }
