@@ -80,7 +80,7 @@ struct Visibility::Impl {
   Lists bands;  ///< The spheres that each band may see, by their nearest distance.
 
  private:
-  static constexpr std::size_t kMostKept = 4096;
+  static constexpr std::size_t kMostKept = 16384;
 
   void set_plane();
   void list_bands();

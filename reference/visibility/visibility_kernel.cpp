@@ -165,19 +165,19 @@ void sweep_by_form(const SphereInTile& entry, double margin_so_far, const TileRa
   sweep(entry, margin_so_far, rays, tile);
 }
 
-/// The largest numerator of the tile: infinity while a pixel sees nothing.
-double largest_numerator(const Tile& tile) {
-  const D d;
-  V most = hn::Zero(d);
-  for (std::size_t k = 0; k < tile.numerator.size(); k += hn::Lanes(d)) {
-    most = hn::Max(most, hn::Load(d, tile.numerator.data() + k));
-  }
-  return hn::GetLane(hn::MaxOfLanes(d, most));
-}
-
 bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance) {
+  const D d;
   // t l > m of all pixels: 2^-40 covers these roundings.
-  return distance * rays.least_length * (1 - 0x1p-40) > largest_numerator(tile) + 2 * margin;
+  const V least = hn::Set(d, distance * rays.least_length * (1 - 0x1p-40));
+  const V doubt = hn::Set(d, 2 * margin);
+  for (std::size_t row = 0; row < tile.numerator.size(); row += Tile::kWidth) {
+    V most = hn::Zero(d);
+    for (std::size_t k = row; k < row + Tile::kWidth; k += hn::Lanes(d)) {
+      most = hn::Max(most, hn::Load(d, tile.numerator.data() + k));
+    }
+    if (!hn::AllTrue(d, hn::Gt(least, hn::Add(most, doubt)))) return false;
+  }
+  return true;
 }
 
 template <Certified kCertified>
