@@ -138,35 +138,33 @@ class Containing {
     const auto most = static_cast<std::uint64_t>(std::max(camera.width, camera.height));
     while (most >> shift_ >= kSteps) ++shift_;
     for (std::size_t o = 0; o < occluders.size(); ++o) {
-      const std::uint64_t bit = std::uint64_t{1} << o;
-      const PixelRectangle& pixels = occluders[o].pixels;
-      at(0, pixels.i_begin) |= bit;
-      at(1, pixels.i_end) |= bit;
-      at(2, pixels.j_begin) |= bit;
-      at(3, pixels.j_end) |= bit;
+      for (std::uint64_t* mask : at(occluders[o].pixels)) *mask |= std::uint64_t{1} << o;
     }
+    // One that begins at a step begins before the next; one that ends there ends after the last.
     for (std::size_t step = 1; step < kSteps; ++step) {
-      for (const std::size_t begin : {0, 2}) masks_[step][begin] |= masks_[step - 1][begin];
-      for (const std::size_t end : {1, 3}) {
-        masks_[kSteps - 1 - step][end] |= masks_[kSteps - step][end];
+      for (const std::size_t begin : {0U, 2U}) masks_[begin][step] |= masks_[begin][step - 1];
+      for (const std::size_t end : {1U, 3U}) {
+        masks_[end][kSteps - 1 - step] |= masks_[end][kSteps - step];
       }
     }
   }
 
   std::uint64_t operator()(const PixelRectangle& pixels) {
-    return at(0, pixels.i_begin) & at(1, pixels.i_end) & at(2, pixels.j_begin) &
-           at(3, pixels.j_end);
+    const auto [i_begin, i_end, j_begin, j_end] = at(pixels);
+    return *i_begin & *i_end & *j_begin & *j_end;
   }
 
  private:
   static constexpr std::size_t kSteps = 256;
 
-  std::uint64_t& at(std::size_t side, std::int64_t pixel) {
-    return masks_[static_cast<std::size_t>(pixel) >> shift_][side];
+  std::array<std::uint64_t*, 4> at(const PixelRectangle& pixels) {
+    const auto step = [this](std::int64_t x) { return static_cast<std::size_t>(x) >> shift_; };
+    return {&masks_[0][step(pixels.i_begin)], &masks_[1][step(pixels.i_end)],
+            &masks_[2][step(pixels.j_begin)], &masks_[3][step(pixels.j_end)]};
   }
 
   unsigned shift_ = 0;
-  std::array<std::array<std::uint64_t, 4>, kSteps> masks_{};
+  std::array<std::array<std::uint64_t, kSteps>, 4> masks_{};
 };
 static_assert(kMostOccluders <= 64);
 

@@ -2,6 +2,7 @@
 
 // Plans of spheres, several at once in vectors as wide as the machine has. Internal to scene/plan.
 
+#include <cstddef>
 #include <span>
 
 #include "scene/plan/plan.h"
@@ -19,6 +20,19 @@ struct PlanTerms {
   Bounds near, across, along;  ///< The image plane.
   Bounds start;                ///< Where rays start, the way they go.
   Bounds ahead;                ///< The image plane's distance that way, as EyeSpace::near() is.
+};
+
+/// What is planned of several spheres, lane by lane.
+struct PlannedNumbers {
+  static constexpr std::size_t kMostLanes = 32;
+
+  alignas(64) double low[6][kMostLanes];  ///< The bounds of EyeSphere.
+  double high[6][kMostLanes];
+  double nearest_distance[kMostLanes];
+  double sides[4][kMostLanes];
+  // One bit per lane: none of it reaches behind, no origin is inside, all of it is behind, no
+  // pixel's ray meets it.
+  unsigned in_front, origin_outside, behind, none;
 };
 
 /// Plans each sphere by itself: none is hidden yet.

@@ -84,15 +84,6 @@ BoundsOf<N> slopes_of_disc(const BoundsOf<N>& x, const BoundsOf<N>& z, const Bou
           select(outside & (right_z.low > zero), ((xq + zr) / right_z).high, all.high)};
 }
 
-/// SpherePlan, as numbers; `none`: no pixel's ray meets the sphere.
-template <class N>
-struct PlannedOf {
-  EyeSphereOf<BoundsOf<N>> seen;
-  N nearest_distance;
-  MaskOf<N> origin_outside, all_in_front, behind, none;
-  N i_begin, i_end, j_begin, j_end;
-};
-
 /// The integers of [0, count) within a range.
 template <class N>
 void set_indices(const BoundsOf<N>& range, double count, N& begin, N& end) {
@@ -108,30 +99,38 @@ BoundsOf<N> beyond(const BoundsOf<N>& x, const Bounds& range) {
   return {larger(zero, larger(below.low, above.low)), larger(zero, larger(below.high, above.high))};
 }
 
+/// Plans as many spheres as N has numbers, all by themselves.
 template <class N>
-PlannedOf<N> planned(const PlanTerms& terms, const std::array<N, 3>& centre, N radius) {
+void plan_numbers(const PlanTerms& terms, const std::array<N, 3>& centre, N radius,
+                  PlannedNumbers& to) {
   const EyeSpace& eye = terms.eye;
   const N zero(0.0);
-  PlannedOf<N> result;
-  result.seen = seen_from(eye, centre, radius);
-  const auto& [u, v, w, distance_sq, power, r] = result.seen;
+  const EyeSphereOf<BoundsOf<N>> seen = seen_from(eye, centre, radius);
+  const auto& [u, v, w, distance_sq, power, r] = seen;
   const BoundsOf<N> z = terms.is_forward ? w : -w;
-  result.nearest_distance = larger(zero, (sqrt(distance_sq) - r).low);
-  result.all_in_front = (z - r).low > N(terms.start.high);
   // The squared distance of a centre from the origins: the image plane's pixels, or the eye.
   const BoundsOf<N> from_origins = terms.from_pixels ? square(beyond(u, terms.across)) +
                                                            square(beyond(v, terms.along)) +
                                                            square(w - in_all<N>(terms.near))
                                                      : distance_sq;
-  result.origin_outside = from_origins.low > square(r).high;
-  result.behind = (z + r).high < N(terms.start.low);
   MaskOf<N> none_across, none_along;
   const BoundsOf<N> across = slopes_of_disc(u, z, r, none_across);
   const BoundsOf<N> along = slopes_of_disc(v, z, r, none_along);
-  result.none = none_across | none_along;
-  set_indices(index_of(eye.columns(), times_shared(across, terms.ahead)), terms.width,
-              result.i_begin, result.i_end);
-  set_indices(index_of(eye.rows(), times_shared(along, terms.ahead)), terms.height, result.j_begin,
-              result.j_end);
-  return result;
+  N i_begin, i_end, j_begin, j_end;
+  set_indices(index_of(eye.columns(), times_shared(across, terms.ahead)), terms.width, i_begin,
+              i_end);
+  set_indices(index_of(eye.rows(), times_shared(along, terms.ahead)), terms.height, j_begin, j_end);
+
+  std::size_t at = 0;
+  for (const BoundsOf<N>* x : {&u, &v, &w, &distance_sq, &power, &r}) {
+    store(x->low, to.low[at]);
+    store(x->high, to.high[at++]);
+  }
+  store(larger(zero, (sqrt(distance_sq) - r).low), to.nearest_distance);
+  at = 0;
+  for (const N* side : {&i_begin, &i_end, &j_begin, &j_end}) store(*side, to.sides[at++]);
+  to.in_front = bits((z - r).low > N(terms.start.high));
+  to.origin_outside = bits(from_origins.low > square(r).high);
+  to.behind = bits((z + r).high < N(terms.start.low));
+  to.none = bits(none_across | none_along);
 }
