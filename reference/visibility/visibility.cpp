@@ -70,8 +70,9 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
   set_plane();
   list_bands();
   if (!plan.items.constants || plan.spheres.size() > kMostKept) return;
-  for (const scene::SpherePlan& planned : plan.spheres) {
-    kept.push_back(filtered_of(planned, kept.size()));
+  kept.resize(plan.spheres.size());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    if (!plan.spheres[k].pixels.empty()) kept[k] = filtered_of(plan.spheres[k], k);
   }
 }
 
