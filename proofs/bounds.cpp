@@ -524,7 +524,7 @@ std::span<const Bound> bounds() {
                             kFormula, reference::kByMomentRoundings),
       Bound{"bounds-widening",
             "what is more than a double may be off from a real that rounds to it",
-            "scene/plan/bounds.h", scene::kBoundsWiden / kUnit, "u", traced_widening,
+            "scene/plan/bounds_formula.h", scene::kBoundsWiden / kUnit, "u", traced_widening,
             observed_widening},
       Bound{"double-double-product", "a product of double-doubles, of it", kPairs, kOfPairs, "u^2",
             traced_product, observed_product},

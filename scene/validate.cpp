@@ -170,7 +170,6 @@ bool is_valid(const Input& input) {
   collector.check(input);
   return !collector.has_found_any();
 }
-bool is_valid(const Scene& scene) { return defects(scene).empty(); }
 bool is_valid(const Conventions& conventions) { return defects(conventions).empty(); }
 
 template <typename Input>
@@ -234,8 +233,10 @@ std::vector<Defect> defects(const Camera& camera, const Conventions& conventions
   return found;
 }
 
-std::vector<Defect> defects(const Scene& scene) {
-  std::vector<Defect> found = defects(scene.conventions);
+std::vector<Defect> defects(const Scene& scene) { return defects(scene, scene.conventions); }
+
+std::vector<Defect> defects(const Scene& scene, const Conventions& conventions) {
+  std::vector<Defect> found = defects(conventions);
   if (!scene.camera && scene.rays.empty()) {
     found.push_back({"scene", "no camera and no rays", "needs one of the two"});
   }
@@ -246,7 +247,7 @@ std::vector<Defect> defects(const Scene& scene) {
   }
   if (scene.camera) {
     Collector collector("camera", found);
-    check(*scene.camera, scene.conventions, collector);
+    check(*scene.camera, conventions, collector);
   }
   check_each("ray", scene.rays, found);
   check_each("sphere", scene.spheres, found);
@@ -259,7 +260,11 @@ void require_valid(const Sphere& sphere) {
   // Called at every exact decision.
   if (!is_plainly_valid(sphere)) throw refusal(sphere);
 }
-void require_valid(const Scene& scene) { require(scene); }
+void require_valid(const Scene& scene) { require_valid(scene, scene.conventions); }
+void require_valid(const Scene& scene, const Conventions& conventions) {
+  const std::vector<Defect> found = defects(scene, conventions);
+  if (!found.empty()) throw std::invalid_argument(sentences(found));
+}
 void require_valid(const Conventions& conventions) { require(conventions); }
 
 }  // namespace raycheck::scene

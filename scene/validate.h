@@ -23,6 +23,8 @@ std::vector<Defect> defects(const Ray& ray);
 std::vector<Defect> defects(const Sphere& sphere);
 std::vector<Defect> defects(const Conventions& conventions);
 std::vector<Defect> defects(const Scene& scene);
+/// Under these conventions instead of the scene's own.
+std::vector<Defect> defects(const Scene& scene, const Conventions& conventions);
 
 /// Each one's field, its value and what is wrong, on a line of its own.
 std::string sentences(const std::vector<Defect>& defects);
@@ -32,6 +34,7 @@ void require_valid(const Camera& camera);
 void require_valid(const Ray& ray);
 void require_valid(const Sphere& sphere);
 void require_valid(const Scene& scene);
+void require_valid(const Scene& scene, const Conventions& conventions);
 void require_valid(const Conventions& conventions);
 
 bool is_valid(const Camera& camera, const Conventions& conventions);

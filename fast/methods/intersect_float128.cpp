@@ -1,26 +1,28 @@
 #include "fast/internal/intersect_formulas.h"
 
-namespace raycheck::fast {
+namespace raycheck {
 namespace {
 
 __extension__ typedef __float128 Float128;
-using Formula = HWY_NAMESPACE::Lagrange<Float128>;
 
 }  // namespace
-
-namespace HWY_NAMESPACE {
 
 /// One Newton step takes 64 bits to all but the last of 113. The type's own square root is in
 /// libquadmath, whose header only one of the compilers finds; the compilers provide the rest of the
 /// arithmetic.
 template <>
-Float128 square_root(const Float128& x) {
+Float128 scene::square_root(const Float128& x) {
   if (!(x > 0)) return static_cast<Float128>(std::sqrt(static_cast<long double>(x)));
   const Float128 guess = std::sqrt(static_cast<long double>(x));
   return guess + (x - guess * guess) / (2 * guess);
 }
 
-}  // namespace HWY_NAMESPACE
+namespace fast {
+namespace {
+
+using Formula = HWY_NAMESPACE::Lagrange<Float128>;
+
+}  // namespace
 
 /// `double-double` in 113 bits by software; lengths are in kWideDomain.
 const IntersectMethod kFloat128 = {
@@ -34,4 +36,5 @@ const IntersectMethod kFloat128 = {
     .domain = kWideDomain,
 };
 
-}  // namespace raycheck::fast
+}  // namespace fast
+}  // namespace raycheck

@@ -1,7 +1,10 @@
 #include "reference/visibility/visibility.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -25,7 +28,31 @@ bool fits(double length, int exponent) {
   return length == 0 || (std::isfinite(length) && std::ilogb(length) + exponent < kLargestExponent);
 }
 
+/// A sphere by the bits of its distance, which are in order as those of floats >= 0 are.
+struct NearFirst {
+  std::uint32_t distance, sphere;
+};
+
+/// By distance, those of one distance in the order that they have.
+void sort(std::vector<NearFirst>& items) {
+  std::vector<NearFirst> sorted(items.size());
+  for (int shift = 0; shift < 32; shift += 8) {
+    const auto digit = [shift](const NearFirst& item) { return item.distance >> shift & 0xff; };
+    std::array<std::size_t, 257> begin{};
+    for (const NearFirst& item : items) ++begin[digit(item) + 1];
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    for (const NearFirst& item : items) sorted[begin[digit(item)]++] = item;
+    items.swap(sorted);
+  }
+}
+
 }  // namespace
+
+float no_farther(double distance) {
+  const auto most = static_cast<double>(std::numeric_limits<float>::max());
+  const auto rounded = static_cast<float>(std::min(distance, most));
+  return static_cast<double>(rounded) > distance ? std::nextafter(rounded, 0.0F) : rounded;
+}
 
 Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
     : scene(its_scene),
@@ -33,8 +60,7 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
       camera(scene.camera.value(), plan.conventions),
       width(scene.camera->width),
       height(scene.camera->height),
-      near(middle(plan.eye.near())),
-      positions(plan.spheres.size()) {
+      near(middle(plan.eye.near())) {
   for (const auto& [field, side] : {std::pair("camera.width", width), {"camera.height", height}}) {
     if (side <= kMostVisibleSide) continue;
     throw std::invalid_argument(std::string(field) + " = " + std::to_string(side) +
@@ -42,8 +68,12 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
                                 std::to_string(kMostVisibleSide));
   }
   set_plane();
-  take_spheres();
   list_bands();
+  if (!plan.items.constants || plan.spheres.size() > kMostKept) return;
+  kept.resize(plan.spheres.size());
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    if (!plan.spheres[k].pixels.empty()) kept[k] = filtered_of(plan.spheres[k], k);
+  }
 }
 
 void Visibility::Impl::set_plane() {
@@ -71,42 +101,34 @@ void Visibility::Impl::set_plane() {
   scale = {std::ldexp(1.0, lengths), from_pixels ? std::ldexp(1.0, plane) : 0,
            {eye.x, eye.y, eye.z},    axis(plan.eye.U()),
            axis(plan.eye.V()),       axis(plan.eye.W())};
+  scales_fit = std::isnormal(scale.lengths) && std::isnormal(std::ldexp(1.0, plane)) &&
+               (!from_pixels || std::isnormal(start_factor)) && fits(std::sqrt(sizes.A), plane) &&
+               fits(std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}), 0);
 }
 
-void Visibility::Impl::take_spheres() {
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
-    const scene::SpherePlan& planned = plan.spheres[k];
-    if (!planned.pixels.empty()) order.emplace_back(planned.nearest_distance, k);
-  }
-  std::sort(order.begin(), order.end());
-  spheres.reserve(order.size());
-  rectangles.reserve(order.size());
-  const auto& [plane, lengths] = plan.eye.scaling();
-  const scene::Point3& eye = scene.camera->eye;
-  const bool from_pixels = plan.conventions.origin == scene::Origin::kPixel;
-  const bool scales_fit = std::isnormal(scale.lengths) && std::isnormal(std::ldexp(1.0, plane)) &&
-                          (!from_pixels || std::isnormal(start_factor)) &&
-                          fits(std::sqrt(sizes.A), plane) &&
-                          fits(std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}), 0);
-  for (const auto& [distance, k] : order) {
-    scene::poll();
-    const scene::EyeSphere& seen = plan.spheres[k].seen;
-    const bool answers_fit = fits(std::sqrt(seen.distance_sq.high) + seen.radius.high, lengths);
-    spheres.push_back(filtered(plan.spheres[k], k, sizes));
-    rectangles.push_back(plan.spheres[k].pixels);
-    spheres.back().exact = spheres.back().exact || !scales_fit || !answers_fit ||
-                           !plan.items.filter ||
-                           !plan.conventions.valid.is_usual();  // the filter takes every root >= 0
-    positions[k] = spheres.size() - 1;
-  }
+FilteredSphere Visibility::Impl::filtered_of(const scene::SpherePlan& planned,
+                                             std::size_t index) const {
+  FilteredSphere sphere = filtered(planned, index, sizes);
+  const scene::EyeSphere& seen = planned.seen;
+  const bool answers_fit =
+      fits(std::sqrt(seen.distance_sq.high) + seen.radius.high, plan.eye.scaling().lengths);
+  sphere.exact = sphere.exact || !scales_fit || !answers_fit || !plan.items.filter ||
+                 !plan.conventions.valid.is_usual();  // the filter takes every root >= 0
+  return sphere;
 }
 
 void Visibility::Impl::list_bands() {
+  std::vector<NearFirst> order;
+  order.reserve(plan.spheres.size());
+  std::vector<Blocks> bands_of(plan.spheres.size());
   std::uint64_t parts = 0;
-  for (const scene::PixelRectangle& pixels : rectangles) {
-    const auto [first, last] = blocks(pixels.j_begin, pixels.j_end, Tile::kHeight);
-    parts += last - first;
+  for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
+    const scene::PixelRectangle& pixels = plan.spheres[k].pixels;
+    if (pixels.empty()) continue;
+    order.push_back({std::bit_cast<std::uint32_t>(no_farther(plan.spheres[k].nearest_distance)),
+                     static_cast<std::uint32_t>(k)});
+    bands_of[k] = blocks(pixels.j_begin, pixels.j_end, Tile::kHeight);
+    parts += bands_of[k].last - bands_of[k].first;
   }
   if (parts > kMostVisibleParts) {
     throw std::invalid_argument("spheres: they reach into " + std::to_string(parts) +
@@ -114,12 +136,13 @@ void Visibility::Impl::list_bands() {
                                 "at most " +
                                 std::to_string(kMostVisibleParts) + "; give fewer rows or spheres");
   }
+  scene::poll();
+  sort(order);
+  scene::poll();
   distribute(
-      spheres.size(), static_cast<std::size_t>((height - 1) / kBandRows + 1),
-      [this](std::size_t k) {
-        return blocks(rectangles[k].j_begin, rectangles[k].j_end, Tile::kHeight);
-      },
-      bands);
+      order.size(), static_cast<std::size_t>((height - 1) / kBandRows + 1),
+      [&](std::size_t k) { return bands_of[order[k].sphere]; },
+      [&](std::size_t k) { return order[k].sphere; }, bands);
 }
 
 RowsInTiles::RowsInTiles(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end)

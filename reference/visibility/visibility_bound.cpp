@@ -54,7 +54,6 @@ FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const 
   sphere.v = middle(plan.seen.v);
   sphere.w = middle(plan.seen.w);
   sphere.power = middle(plan.seen.power);
-  sphere.nearest_distance = plan.nearest_distance;
   sphere.index = static_cast<std::int32_t>(index);
   sphere.roots_matter = plan.origin_inside || plan.reaches_behind;
   const auto& [N, X, Y, delta, A, E_a] = sizes;

@@ -12,13 +12,13 @@ namespace {
 
 using scene::PixelRectangle;
 
-void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std::size_t position,
+void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std::size_t index,
                      std::span<HitClass> classes, DecidedBy& decided_by) {
-  const PixelRectangle& pixels = impl.rectangles[position];
+  const PixelRectangle& pixels = impl.plan.spheres[index].pixels;
   const std::int64_t j = rows.first_row();
   if (pixels.j_end <= j || pixels.j_begin >= j + Visibility::kBandRows) return;
   const auto [first, last] = blocks(pixels.i_begin, pixels.i_end, Tile::kWidth);
-  const FilteredSphere& sphere = impl.spheres[position];
+  const FilteredSphere sphere = impl.filtered_of(impl.plan.spheres[index], index);
   Tile in_tile;
   for (std::size_t tile = first; tile < last; ++tile) {
     scene::poll();
@@ -35,9 +35,9 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
         if ((undecided >> column & 1) == 0) continue;
         const ExactRay ray(impl.camera, {rows.first_column(tile) + column, j + row});
         Rung highest = Rung::kIntervals;
-        to[column] = ray.intersect(impl.scene.spheres[static_cast<std::size_t>(sphere.index)],
-                                   impl.plan.conventions, {.highest = &highest})
-                         .hit_class;
+        to[column] =
+            ray.intersect(impl.scene.spheres[index], impl.plan.conventions, {.highest = &highest})
+                .hit_class;
         ++decided_by.rungs[static_cast<std::size_t>(highest)];
       }
     }
@@ -48,17 +48,17 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
 
 DecidedBy classes_of_rows(const Visibility::Impl& impl, std::size_t sphere, std::int64_t j_begin,
                           std::int64_t j_end, std::span<HitClass> classes) {
-  if (sphere >= impl.positions.size()) {
+  if (sphere >= impl.plan.spheres.size()) {
     throw std::invalid_argument("sphere " + std::to_string(sphere) + ": the scene has " +
-                                std::to_string(impl.positions.size()));
+                                std::to_string(impl.plan.spheres.size()));
   }
   RowsInTiles rows(impl, j_begin, j_end);
   rows.require_fit(classes.size());
   std::fill(classes.begin(), classes.end(), HitClass::kMiss);
   DecidedBy decided_by;
-  if (const auto position = impl.positions[sphere]) {
+  if (!impl.plan.spheres[sphere].pixels.empty()) {
     rows.for_each_band(
-        [&](std::size_t /*band*/) { classes_of_band(impl, rows, *position, classes, decided_by); });
+        [&](std::size_t /*band*/) { classes_of_band(impl, rows, sphere, classes, decided_by); });
   }
   decided_by.filter = classes.size() - decided_by.fallback();
   return decided_by;

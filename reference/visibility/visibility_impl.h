@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -29,9 +28,10 @@ struct Lists {
   }
 };
 
-/// Sorts `count` items into lists, in order; item k goes to lists first to last of places(k).
-template <class Places>
-void distribute(std::size_t count, std::size_t lists, const Places& places, Lists& result) {
+/// Sorts `count` items into lists, in order; item(k) goes to lists first to last of places(k).
+template <class Places, class Item>
+void distribute(std::size_t count, std::size_t lists, const Places& places, const Item& item,
+                Lists& result) {
   result.begin.assign(lists + 1, 0);
   for (std::size_t k = 0; k < count; ++k) {
     const auto [first, last] = places(k);
@@ -42,19 +42,27 @@ void distribute(std::size_t count, std::size_t lists, const Places& places, List
   std::vector<std::size_t> next(result.begin.begin(), result.begin.end() - 1);
   for (std::size_t k = 0; k < count; ++k) {
     const auto [first, last] = places(k);
-    for (std::size_t list = first; list < last; ++list) {
-      result.items[next[list]++] = static_cast<std::uint32_t>(k);
-    }
+    for (std::size_t list = first; list < last; ++list) result.items[next[list]++] = item(k);
   }
 }
 
 /// The first, and one past the last, of the blocks of this size that [begin, end) touches.
-inline std::pair<std::size_t, std::size_t> blocks(std::int64_t begin, std::int64_t end, int size) {
-  return {static_cast<std::size_t>(begin / size), static_cast<std::size_t>((end - 1) / size + 1)};
+struct Blocks {
+  std::uint32_t first = 0, last = 0;
+};
+inline Blocks blocks(std::int64_t begin, std::int64_t end, int size) {
+  return {static_cast<std::uint32_t>(begin / size),
+          static_cast<std::uint32_t>((end - 1) / size + 1)};
 }
+
+/// By what spheres are sorted: their nearest distance, rounded down.
+float no_farther(double distance);
 
 struct Visibility::Impl {
   Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan);
+
+  /// The filter's view of a planned sphere.
+  FilteredSphere filtered_of(const scene::SpherePlan& planned, std::size_t index) const;
 
   scene::Scene scene;
   scene::ScenePlan plan;
@@ -65,17 +73,16 @@ struct Visibility::Impl {
   double near;
   double start_factor;
   TileScale scale;
-  double axis_doubt = 0;  ///< The largest half width of U, V, W in world coordinates.
-  /// Spheres by nearest distance; their rectangles; those of each band.
-  std::vector<FilteredSphere> spheres;
-  std::vector<scene::PixelRectangle> rectangles;
-  Lists bands;
-  /// The index of a scene's sphere among them; empty: no part of it is seen.
-  std::vector<std::optional<std::size_t>> positions;
+  double axis_doubt = 0;    ///< The largest half width of U, V, W in world coordinates.
+  bool scales_fit = false;  ///< Lengths stay in the range of doubles when they are unscaled.
+  /// Of scenes of few spheres, which many tiles share. Of many spheres most are never swept.
+  std::vector<FilteredSphere> kept;
+  Lists bands;  ///< The spheres that each band may see, by their nearest distance.
 
  private:
+  static constexpr std::size_t kMostKept = 16384;
+
   void set_plane();
-  void take_spheres();
   void list_bands();
 };
 

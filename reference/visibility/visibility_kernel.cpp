@@ -165,39 +165,37 @@ void sweep_by_form(const SphereInTile& entry, double margin_so_far, const TileRa
   sweep(entry, margin_so_far, rays, tile);
 }
 
-/// The largest numerator of the tile: infinity while a pixel sees nothing.
-double largest_numerator(const Tile& tile) {
+bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance) {
   const D d;
-  V most = hn::Zero(d);
-  for (std::size_t k = 0; k < tile.numerator.size(); k += hn::Lanes(d)) {
-    most = hn::Max(most, hn::Load(d, tile.numerator.data() + k));
+  // t l > m of all pixels: 2^-40 covers these roundings.
+  const V least = hn::Set(d, distance * rays.least_length * (1 - 0x1p-40));
+  const V doubt = hn::Set(d, 2 * margin);
+  for (std::size_t row = 0; row < tile.numerator.size(); row += Tile::kWidth) {
+    V most = hn::Zero(d);
+    for (std::size_t k = row; k < row + Tile::kWidth; k += hn::Lanes(d)) {
+      most = hn::Max(most, hn::Load(d, tile.numerator.data() + k));
+    }
+    if (!hn::AllTrue(d, hn::Gt(least, hn::Add(most, doubt)))) return false;
   }
-  return hn::GetLane(hn::MaxOfLanes(d, most));
+  return true;
 }
-
-/// How many spheres pass between tests whether the rest is hidden.
-constexpr std::size_t kLookEvery = 8;
 
 template <Certified kCertified>
-void sweep_all(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile) {
-  double margin_so_far = 0;
-  for (std::size_t k = 0; k < spheres.size(); ++k) {
-    const FilteredSphere& sphere = *spheres[k].sphere;
-    if (k % kLookEvery == kLookEvery - 1) {
-      // t l > m of all pixels, for this sphere and all that follow: 2^-40 covers these roundings.
-      const double farthest = largest_numerator(tile) + 2 * margin_so_far;
-      if (sphere.nearest_distance * rays.least_length * (1 - 0x1p-40) > farthest) return;
-    }
-    sweep_by_form<kCertified, Answer::kNearest>(spheres[k], margin_so_far, rays, tile);
-    if (!sphere.exact) margin_so_far = std::max(margin_so_far, sphere.root_margin);
+void sweep_all(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile,
+               double& margin) {
+  for (const SphereInTile& entry : spheres) {
+    sweep_by_form<kCertified, Answer::kNearest>(entry, margin, rays, tile);
+    if (!entry.sphere->exact) margin = std::max(margin, entry.sphere->root_margin);
   }
 }
 
-void sweep_certified(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile) {
-  sweep_all<Certified::kYes>(spheres, rays, tile);
+void sweep_certified(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile,
+                     double& margin) {
+  sweep_all<Certified::kYes>(spheres, rays, tile, margin);
 }
-void sweep_uncertified(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile) {
-  sweep_all<Certified::kNo>(spheres, rays, tile);
+void sweep_uncertified(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile,
+                       double& margin) {
+  sweep_all<Certified::kNo>(spheres, rays, tile, margin);
 }
 
 void sweep_class(const SphereInTile& entry, const TileRays& rays, Tile& tile) {
@@ -286,6 +284,7 @@ namespace raycheck::reference {
 HWY_EXPORT(sweep_certified);
 HWY_EXPORT(sweep_uncertified);
 HWY_EXPORT(sweep_class);
+HWY_EXPORT(all_nearer);
 HWY_EXPORT(finish_tile);
 
 void clear(Tile& tile, const TileRectangle& wanted) {
@@ -303,12 +302,16 @@ void clear(Tile& tile, const TileRectangle& wanted) {
 }
 
 void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certified certified,
-           Tile& tile) {
+           Tile& tile, double& margin) {
   if (certified == Certified::kYes) {
-    HWY_DYNAMIC_DISPATCH(sweep_certified)(spheres, rays, tile);
+    HWY_DYNAMIC_DISPATCH(sweep_certified)(spheres, rays, tile, margin);
   } else {
-    HWY_DYNAMIC_DISPATCH(sweep_uncertified)(spheres, rays, tile);
+    HWY_DYNAMIC_DISPATCH(sweep_uncertified)(spheres, rays, tile, margin);
   }
+}
+
+bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance) {
+  return HWY_DYNAMIC_DISPATCH(all_nearer)(tile, margin, rays, distance);
 }
 
 void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile) {

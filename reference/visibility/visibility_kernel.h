@@ -55,15 +55,14 @@ inline constexpr double kLargestBound = 0x1p900;
 /// A sphere in the filter, with the names of the comment above.
 struct FilteredSphere {
   double u = 0, v = 0, w = 0;
-  double power = 0;             ///< c
-  double radius_sq = 0;         ///< R^2
-  double decided = 0;           ///< kDecidedBeyond E
-  double root_margin = 0;       ///< E_m
-  double nearest_distance = 0;  ///< No ray meets it at a smaller t.
-  std::int32_t index = 0;       ///< In the scene.
-  bool roots_matter = true;     ///< Some line may meet it other than in front, at b - q.
-  bool by_moment = false;       ///< disc = r^2 a - |f x g|^2
-  bool exact = false;           ///< No bound holds: the filter skips its pixels.
+  double power = 0;          ///< c
+  double radius_sq = 0;      ///< R^2
+  double decided = 0;        ///< kDecidedBeyond E
+  double root_margin = 0;    ///< E_m
+  std::int32_t index = 0;    ///< In the scene.
+  bool roots_matter = true;  ///< Some line may meet it other than in front, at b - q.
+  bool by_moment = false;    ///< disc = r^2 a - |f x g|^2
+  bool exact = false;        ///< No bound holds: the filter skips its pixels.
 };
 
 /// Part of a tile: rows and columns counted from the tile's first.
@@ -103,10 +102,12 @@ enum class Certified { kNo, kYes };
 /// first columns, see what is nearer than any sphere.
 void clear(Tile& tile, const TileRectangle& wanted);
 
-/// Sweeps the spheres, sorted by nearest_distance, over the tile. All pixels but the undecided ones
-/// then have the nearest sphere.
+/// Sweeps spheres over the tile, whose pixels but the undecided ones then have the nearest sphere
+/// so far; `margin` is the largest E_m so far.
 void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certified certified,
-           Tile& tile);
+           Tile& tile, double& margin);
+/// Whether every pixel has met a sphere at a smaller t than `distance`.
+bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance);
 /// The same for the class of one sphere alone; numerators do not change.
 void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile);
 

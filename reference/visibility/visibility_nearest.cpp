@@ -37,19 +37,20 @@ class NearestOfRows {
         fill_band();
         return;
       }
+      columns_.clear();
+      for (const std::uint32_t index : in_band) {
+        const PixelRectangle& pixels = impl_.plan.spheres[index].pixels;
+        columns_.push_back(blocks(pixels.i_begin, pixels.i_end, Tile::kWidth));
+      }
       distribute(
           in_band.size(), static_cast<std::size_t>((impl_.width - 1) / Tile::kWidth + 1),
-          [&](std::size_t k) {
-            const PixelRectangle& pixels = impl_.rectangles[in_band[k]];
-            return blocks(pixels.i_begin, pixels.i_end, Tile::kWidth);
-          },
+          [&](std::size_t k) { return columns_[k]; }, [&](std::size_t k) { return in_band[k]; },
           tiles_);
       for (std::size_t tile = 0; tile + 1 < tiles_.begin.size(); ++tile) {
         scene::poll();
-        list_spheres(tile, in_band);
         clear(tile_, at_.wanted_of(tile));
         const TileRays rays = at_.rays_of(tile);
-        sweep(list_, rays, certified, tile_);
+        sweep_spheres(tile, rays, certified);
         finish(tile, rays, certified, decided_by);
       }
     });
@@ -71,27 +72,37 @@ class NearestOfRows {
     }
   }
 
-  void list_spheres(std::size_t tile, std::span<const std::uint32_t> in_band) {
+  /// How many spheres pass between tests whether the rest is hidden.
+  static constexpr std::size_t kLookEvery = 8;
+
+  /// Lists the spheres that are swept over the tile: no pixel sees any of the rest.
+  void sweep_spheres(std::size_t tile, const TileRays& rays, Certified certified) {
     list_.clear();
-    again_.clear();
+    computed_.clear();
     const std::span<const std::uint32_t> in_tile = tiles_.of(tile);
-    if (!impl_.plan.items.constants) again_.reserve(in_tile.size());
-    for (const std::uint32_t entry : in_tile) {
-      const std::uint32_t position = in_band[entry];
-      const FilteredSphere* sphere = &impl_.spheres[position];
-      if (!impl_.plan.items.constants) sphere = &again_.emplace_back(computed_anew(*sphere));
-      list_.push_back({sphere, at_.within_tile(impl_.rectangles[position], tile)});
+    if (impl_.kept.empty()) computed_.reserve(in_tile.size());
+    double margin = 0;
+    for (std::size_t k = 0; k < in_tile.size(); k = list_.size()) {
+      const float least = no_farther(impl_.plan.spheres[in_tile[k]].nearest_distance);
+      if (k > 0 && all_nearer(tile_, margin, rays, static_cast<double>(least))) return;
+      for (const std::uint32_t index :
+           in_tile.subspan(k, std::min(kLookEvery, in_tile.size() - k))) {
+        list_.push_back(
+            {&filtered(index), at_.within_tile(impl_.plan.spheres[index].pixels, tile)});
+      }
+      sweep(std::span(list_).subspan(k), rays, certified, tile_, margin);
     }
   }
 
-  /// A sphere's constants, computed as if they were not stored.
-  FilteredSphere computed_anew(const FilteredSphere& kept) const {
-    const auto index = static_cast<std::size_t>(kept.index);
-    scene::SpherePlan plan = impl_.plan.spheres[index];
-    plan.seen = impl_.plan.eye.sphere(impl_.scene.spheres[index]);
-    FilteredSphere sphere = filtered(plan, index, impl_.sizes);
-    sphere.exact = kept.exact;
-    return sphere;
+  const FilteredSphere& filtered(std::size_t index) {
+    if (!impl_.kept.empty()) return impl_.kept[index];
+    const scene::SpherePlan& planned = impl_.plan.spheres[index];
+    if (impl_.plan.items.constants) {
+      return computed_.emplace_back(impl_.filtered_of(planned, index));
+    }
+    scene::SpherePlan again = planned;
+    again.seen = impl_.plan.eye.sphere(impl_.scene.spheres[index]);
+    return computed_.emplace_back(impl_.filtered_of(again, index));
   }
 
   /// Writes the tile; the exact ray decides what the filter left undecided.
@@ -204,9 +215,10 @@ class NearestOfRows {
   RowsInTiles at_;
   SeenRows rows_;
   Tile tile_;
+  std::vector<Blocks> columns_;
   Lists tiles_;
   std::vector<SphereInTile> list_;
-  std::vector<FilteredSphere> again_;
+  std::vector<FilteredSphere> computed_;
   std::vector<double> all_quantities_;
   std::vector<std::size_t> candidates_;
   std::vector<scene::Sphere> spheres_;

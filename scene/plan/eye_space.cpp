@@ -4,12 +4,14 @@
 #include <cmath>
 #include <iterator>
 
+#include "scene/plan/plan_kernel.h"
+
 namespace raycheck::scene {
 namespace {
 
-using Axis = EyeSpace::Axis;
+#include "scene/plan/sphere_formula.h"
 
-Bounds dot(const Axis& x, const Axis& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+using Axis = EyeSpace::Axis;
 
 Axis cross(const Axis& x, const Axis& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
@@ -27,11 +29,7 @@ Axis exactly(const Triple& v) {
 
 Axis difference(const Point3& to, const Point3& from) {
   const Axis a = exactly(to), b = exactly(from);
-  // A sum of doubles that rounds to 0 is 0.
-  const auto minus = [](const Bounds& x, const Bounds& y) {
-    return x.low == y.low ? Bounds::exactly(0) : x - y;
-  };
-  return {minus(a[0], b[0]), minus(a[1], b[1]), minus(a[2], b[2])};
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 bool is_zero(const Bounds& x) { return x.low == 0 && x.high == 0; }
@@ -108,14 +106,6 @@ Axis across(const Camera& camera, const Axis& to_eye) {
   return {coordinate(1, 2), coordinate(2, 0), coordinate(0, 1)};
 }
 
-Bounds index_of(const Bounds& position, const Bounds& low, const Bounds& high, std::int64_t count,
-                Samples samples) {
-  const Bounds share = (position - low) / (high - low);
-  const auto pixels = static_cast<double>(count);
-  return samples == Samples::kEdges ? share * Bounds::exactly(pixels - 1)
-                                    : share * Bounds::exactly(pixels) - Bounds::exactly(0.5);
-}
-
 Bounds position_of(double index, const Bounds& low, const Bounds& high, std::int64_t count,
                    Samples samples) {
   const auto pixels = static_cast<double>(count);
@@ -140,31 +130,20 @@ EyeSpace::EyeSpace(const Camera& camera, const Conventions& conventions, const S
   } else {
     along_world_axis(cross(W_, U_), V_);
   }
+  const auto axis = [this](double low, double high, std::int64_t count) {
+    const bool centred = conventions_.samples == Samples::kCentres;
+    const auto last = static_cast<double>(count - 1);
+    const Bounds first = on_plane(low);
+    return PixelAxis{first, on_plane(high) - first, centred ? last + 1 : last, last, centred};
+  };
+  columns_ = axis(camera.left, camera.right, camera.width);
+  rows_ = axis(camera.bottom, camera.top, camera.height);
+  rows_.reversed = conventions_.rows == Rows::kTopFirst;
 }
 
 EyeSphere EyeSpace::sphere(const Sphere& sphere) const {
-  const Axis f = scaled(difference(sphere.centre, camera_.eye), -scaling_.lengths);
-  EyeSphere seen;
-  if (axis_aligned_) {
-    const auto along = [&f](const Axis& axis) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (axis[k].low == 1) return f[k];
-        if (axis[k].low == -1) return -f[k];
-      }
-      return Bounds::everything();
-    };
-    seen.u = along(U_);
-    seen.v = along(V_);
-    seen.w = along(W_);
-  } else {
-    seen.u = dot(f, U_);
-    seen.v = dot(f, V_);
-    seen.w = dot(f, W_);
-  }
-  seen.distance_sq = square(f[0]) + square(f[1]) + square(f[2]);
-  seen.radius = scaled(Bounds::exactly(sphere.radius), -scaling_.lengths);
-  seen.power = seen.distance_sq - square(seen.radius);
-  return seen;
+  const auto& [x, y, z] = sphere.centre;
+  return seen_from<double>(*this, {x, y, z}, sphere.radius);
 }
 
 Bounds EyeSpace::on_plane(double position) const {
@@ -185,16 +164,8 @@ Bounds EyeSpace::beta(double row) const {
                      conventions_.samples);
 }
 
-Bounds EyeSpace::column(const Bounds& alpha) const {
-  return index_of(alpha, on_plane(camera_.left), on_plane(camera_.right), camera_.width,
-                  conventions_.samples);
-}
+Bounds EyeSpace::column(const Bounds& alpha) const { return index_of(columns_, alpha); }
 
-Bounds EyeSpace::row(const Bounds& beta) const {
-  const Bounds from_bottom = index_of(beta, on_plane(camera_.bottom), on_plane(camera_.top),
-                                      camera_.height, conventions_.samples);
-  if (conventions_.rows == Rows::kBottomFirst) return from_bottom;
-  return Bounds::exactly(static_cast<double>(camera_.height - 1)) - from_bottom;
-}
+Bounds EyeSpace::row(const Bounds& beta) const { return index_of(rows_, beta); }
 
 }  // namespace raycheck::scene

@@ -19,11 +19,23 @@ struct Scaling {
 
 /// A sphere relative to the eye, within bounds: what all rays through the eye share. Lengths are
 /// divided by 2^Scaling::lengths.
-struct EyeSphere {
-  Bounds u, v, w;      ///< (C - E).U, (C - E).V, (C - E).W
-  Bounds distance_sq;  ///< |C - E|^2
-  Bounds power;        ///< |C - E|^2 - r^2: negative where the eye is inside.
-  Bounds radius;
+template <class AnyBounds>
+struct EyeSphereOf {
+  AnyBounds u, v, w;      ///< (C - E).U, (C - E).V, (C - E).W
+  AnyBounds distance_sq;  ///< |C - E|^2
+  AnyBounds power;        ///< |C - E|^2 - r^2: negative where the eye is inside.
+  AnyBounds radius;
+  bool operator==(const EyeSphereOf&) const = default;
+};
+using EyeSphere = EyeSphereOf<Bounds>;
+
+/// The image plane's columns (or rows) in the order of their indices.
+struct PixelAxis {
+  Bounds first, extent;  ///< Where the plane's side begins, and its length.
+  double pixels = 0;     ///< How many samples fit into that, and the last index.
+  double last = 0;
+  bool centred = false;
+  bool reversed = false;  ///< Counted from the other end.
 };
 
 /// A camera's axes and image plane, within bounds.
@@ -45,6 +57,9 @@ class EyeSpace {
   const Axis& V() const { return V_; }
   const Axis& W() const { return W_; }
   const Scaling& scaling() const { return scaling_; }
+  const Point3& eye() const { return camera_.eye; }
+  const PixelAxis& columns() const { return columns_; }
+  const PixelAxis& rows() const { return rows_; }
   EyeSphere sphere(const Sphere& sphere) const;
 
   /// n, alpha of a column and beta of a row j, as the conventions count them, divided by
@@ -63,6 +78,7 @@ class EyeSpace {
   Conventions conventions_;
   Scaling scaling_;
   Axis U_, V_, W_;
+  PixelAxis columns_, rows_;
   bool axis_aligned_ = false;
 };
 

@@ -1,137 +1,80 @@
 #include "scene/plan/plan.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <span>
 #include <stdexcept>
-#include <unordered_set>
 #include <utility>
 
 #include "scene/interruption.h"
+#include "scene/plan/plan_kernel.h"
 #include "scene/validate.h"
 
 namespace raycheck::scene {
 namespace {
 
-/// The slopes x/z of the directions with z > 0 whose half-lines from 0 meet a disc; empty: none.
-/// The disc's tangents from 0 are (x, z) turned by asin(r/rho) to either side, times rho.
-std::optional<Bounds> slopes_of_disc(const Bounds& x, const Bounds& z, const Bounds& r) {
-  const Bounds q_sq = square(x) + square(z) - square(r);
-  Bounds slopes = Bounds::everything();
-  if (!(q_sq.low > 0)) return slopes;
-  const Bounds q = sqrt(q_sq);
-  const Bounds right_z = z * q - x * r;
-  const Bounds left_z = z * q + x * r;
-  // The half-lines lie between the two tangents, in less than a half-plane.
-  if (right_z.high < 0 && left_z.high < 0) return std::nullopt;
-  if (right_z.low > 0) slopes.high = ((x * q + z * r) / right_z).high;
-  if (left_z.low > 0) slopes.low = ((x * q - z * r) / left_z).low;
-  return slopes;
+PlanTerms terms_of(const Camera& camera, const ScenePlan& plan) {
+  const EyeSpace& eye = plan.eye;
+  const auto in_lengths = [&](const Bounds& on_plane) {
+    return scaled(on_plane, eye.scaling().plane - eye.scaling().lengths);
+  };
+  const auto hull = [&](const Bounds& x, const Bounds& y) {
+    return in_lengths({std::min(x.low, y.low), std::max(x.high, y.high)});
+  };
+  const auto width = static_cast<double>(camera.width);
+  const auto height = static_cast<double>(camera.height);
+  const bool is_forward = camera.near > 0;
+  const auto forward = [=](const Bounds& x) { return is_forward ? x : -x; };
+  const bool from_pixels = plan.conventions.origin == Origin::kPixel;
+  const Bounds near = in_lengths(eye.near());
+  return {eye,
+          plan.items,
+          is_forward,
+          from_pixels,
+          plan.conventions.root == Root::kNearest,
+          width,
+          height,
+          near,
+          hull(eye.alpha(0), eye.alpha(width - 1)),
+          hull(eye.beta(0), eye.beta(height - 1)),
+          from_pixels ? forward(near) : Bounds::exactly(0),
+          forward(eye.near())};
 }
 
-/// The integers of [0, count) within a range.
-std::pair<std::int64_t, std::int64_t> indices(const Bounds& range, std::int64_t count) {
-  const auto most = static_cast<double>(count);
-  return {static_cast<std::int64_t>(std::ceil(std::clamp(range.low, 0.0, most))),
-          static_cast<std::int64_t>(std::floor(std::clamp(range.high, -1.0, most - 1))) + 1};
-}
-
-class Planner {
- public:
-  Planner(const Scene& scene, ScenePlan& plan)
-      : camera_(*scene.camera),
-        plan_(plan),
-        forward_(camera_.near < 0 ? -1 : 1),
-        near_(in_lengths(plan.eye.near())),
-        across_(in_lengths(hull(plan.eye.alpha(0), last(camera_.width, &EyeSpace::alpha)))),
-        along_(in_lengths(hull(plan.eye.beta(0), last(camera_.height, &EyeSpace::beta)))) {}
-
-  SpherePlan plan(const Sphere& sphere) const {
-    SpherePlan result;
-    result.seen = plan_.eye.sphere(sphere);
-    const Bounds z = forward_ > 0 ? result.seen.w : -result.seen.w;
-    const Bounds& r = result.seen.radius;
-    const bool from_pixels = plan_.conventions.origin == Origin::kPixel;
-    const Bounds start = !from_pixels ? Bounds::exactly(0) : forward_ > 0 ? near_ : -near_;
-    result.nearest_distance = std::max(0.0, (sqrt(result.seen.distance_sq) - r).low);
-    if (plan_.items.behind_test) result.reaches_behind = !((z - r).low > start.high);
-    if (plan_.items.far_root) {
-      result.origin_inside =
-          plan_.conventions.root == Root::kNearest &&
-          !((from_pixels ? distance_sq_to_plane(result.seen) : result.seen.distance_sq).low >
-            square(r).high);
-    }
-    if (plan_.items.behind && (z + r).high < start.low) {
-      result.left_out = LeftOut::kBehind;
-      return result;
-    }
-    result.pixels = rectangle(result.seen, z);
-    const PixelRectangle image{0, camera_.width, 0, camera_.height};
-    if (plan_.items.view && result.pixels.empty()) {
-      result.left_out = LeftOut::kOutsideView;
-      result.pixels = {};
-    } else if (!plan_.items.rectangles || result.pixels.empty()) {
-      result.pixels = image;
-    }
-    return result;
-  }
-
- private:
-  Bounds last(std::int64_t count, Bounds (EyeSpace::*position)(double) const) const {
-    return (plan_.eye.*position)(static_cast<double>(count - 1));
-  }
-  static Bounds hull(const Bounds& x, const Bounds& y) {
-    return {std::min(x.low, y.low), std::max(x.high, y.high)};
-  }
-  Bounds in_lengths(const Bounds& on_plane) const {
-    return scaled(on_plane, plan_.eye.scaling().plane - plan_.eye.scaling().lengths);
-  }
-
-  PixelRectangle rectangle(const EyeSphere& seen, const Bounds& z) const {
-    const auto across = slopes_of_disc(seen.u, z, seen.radius);
-    const auto along = slopes_of_disc(seen.v, z, seen.radius);
-    if (!across || !along) return {};
-    const Bounds n = plan_.eye.near();
-    const Bounds ahead = forward_ > 0 ? n : -n;
-    const auto [i_begin, i_end] = indices(plan_.eye.column(*across * ahead), camera_.width);
-    const auto [j_begin, j_end] = indices(plan_.eye.row(*along * ahead), camera_.height);
-    return {i_begin, i_end, j_begin, j_end};
-  }
-
-  /// The squared distance of a centre from the image plane's pixels.
-  Bounds distance_sq_to_plane(const EyeSphere& seen) const {
-    const auto beyond = [](const Bounds& x, const Bounds& range) {
-      const Bounds below = Bounds::exactly(range.low) - x;
-      const Bounds above = x - Bounds::exactly(range.high);
-      return Bounds{std::max({0.0, below.low, above.low}), std::max({0.0, below.high, above.high})};
-    };
-    return square(beyond(seen.u, across_)) + square(beyond(seen.v, along_)) +
-           square(seen.w - near_);
-  }
-
-  const Camera& camera_;
-  const ScenePlan& plan_;
-  int forward_;  ///< The sign along W of the directions of rays.
-  // The image plane, in the unit of spheres' lengths.
-  Bounds near_, across_, along_;
+/// A sphere that every ray meets at the near root; `pixels` and `seen` as they were planned.
+struct Occluder {
+  std::size_t index;
+  Sphere sphere;
+  PixelRectangle pixels;
+  EyeSphere seen;
+  Bounds touch = sqrt(seen.power);  ///< How far from the eye its cone touches it.
+  Bounds distance = sqrt(seen.distance_sq);
 };
 
 /// Whether every ray from the eye that meets `sphere` meets `by` before it: its cone is inside the
 /// other's and all of it beyond where that touches `by`. With t^2 = |C - E|^2 - r^2, the cosine of
 /// the difference of the cones' half angles is (t t_by + r r_by) / (|C - E| |C_by - E|).
-bool covers(const EyeSphere& by, const EyeSphere& sphere) {
-  if (!(sphere.power.low > 0)) return false;
-  const Bounds touch = sqrt(by.power);
-  const Bounds distance = sqrt(sphere.distance_sq);
-  const Bounds dot = sphere.u * by.u + sphere.v * by.v + sphere.w * by.w;
-  return (distance - sphere.radius).low > touch.high &&
-         (sphere.radius * sqrt(by.distance_sq)).high < (by.radius * distance).low &&
-         dot.low > (touch * sqrt(sphere.power) + by.radius * sphere.radius).high;
+bool covers(const Occluder& by, const SpherePlan& plan) {
+  const EyeSphere& sphere = plan.seen;
+  if (!(sphere.power.low > 0 && plan.nearest_distance > by.touch.high)) return false;
+  const Bounds radii = times_positive(by.seen.radius, sphere.radius);
+  const Bounds dot = times_shared(sphere.u, by.seen.u) + times_shared(sphere.v, by.seen.v) +
+                     times_shared(sphere.w, by.seen.w);
+  return dot.low > (times_positive(by.touch, sqrt(sphere.power)) + radii).high &&
+         times_positive(sphere.radius, by.distance).high <
+             times_positive(by.seen.radius, sqrt(sphere.distance_sq)).low;
 }
 
 /// All of `sphere` is inside `by`.
 bool contains(const Sphere& by, const Sphere& sphere) {
+  if (std::abs(sphere.centre.x - by.centre.x) >= by.radius ||
+      std::abs(sphere.centre.y - by.centre.y) >= by.radius ||
+      std::abs(sphere.centre.z - by.centre.z) >= by.radius) {
+    return false;
+  }
   const auto apart_sq = [](double to, double from) {
     return square(Bounds::exactly(to) - Bounds::exactly(from));
   };
@@ -141,53 +84,131 @@ bool contains(const Sphere& by, const Sphere& sphere) {
   return (apart + Bounds::exactly(sphere.radius)).high < by.radius;
 }
 
-constexpr std::size_t kHashFactor = 0x9e3779b97f4a7c15;
+/// Tells of each sphere the first in the file that it equals.
+class FirstOfEquals {
+ public:
+  explicit FirstOfEquals(const std::vector<Sphere>& spheres)
+      : spheres_(spheres), slots_(std::bit_ceil(2 * spheres.size() + 1)) {
+    for (std::size_t k = 0; k < kAhead; ++k) look_ahead_to(k);
+  }
 
-void leave_out_hidden(const std::vector<Sphere>& spheres, std::vector<SpherePlan>& plans) {
+  /// Of each k in turn.
+  std::size_t first(std::size_t k) {
+    const std::uint64_t hash = hashes_[k % kAhead], tag = hash << 32;
+    look_ahead_to(k + kAhead);
+    for (std::size_t at = hash >> 20;; ++at) {
+      std::uint64_t& slot = slot_at(at);
+      const std::size_t found = (slot & 0xffffffff) - 1;
+      if (slot == 0) {
+        slot = tag | (k + 1);
+        return k;
+      }
+      if ((slot ^ tag) >> 32 == 0 && spheres_[found] == spheres_[k]) return found;
+    }
+  }
+
+ private:
+  /// Slots are all over memory, which is asked for them this many spheres before.
+  static constexpr std::size_t kAhead = 16;
+
+  std::uint64_t& slot_at(std::size_t at) { return slots_[at & (slots_.size() - 1)]; }
+  void look_ahead_to(std::size_t k) {
+    if (k >= spheres_.size()) return;
+    constexpr std::uint64_t kFactor = 0x9e3779b97f4a7c15;
+    const auto& [centre, radius] = spheres_[k];
+    std::uint64_t hash = 0;
+    for (const double x : {centre.x, centre.y, centre.z, radius}) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * kFactor;  // -0 equals 0
+      hash ^= hash >> 32;
+    }
+    hashes_[k % kAhead] = hash;
+    __builtin_prefetch(&slot_at(hash >> 20), 1);
+  }
+
+  const std::vector<Sphere>& spheres_;
+  std::vector<std::uint64_t> slots_;  ///< Part of the hash, and the index + 1; 0: empty.
+  std::array<std::uint64_t, kAhead> hashes_{};
+};
+
+/// Which of kMostOccluders rectangles may contain a given one: by each of its four sides, in steps
+/// of some pixels, bits of those that reach beyond.
+class Containing {
+ public:
+  Containing(const std::vector<Occluder>& occluders, const Camera& camera) {
+    const auto most = static_cast<std::uint64_t>(std::max(camera.width, camera.height));
+    while (most >> shift_ >= kSteps) ++shift_;
+    for (std::size_t o = 0; o < occluders.size(); ++o) {
+      for (std::uint64_t* mask : at(occluders[o].pixels)) *mask |= std::uint64_t{1} << o;
+    }
+    // One that begins at a step begins before the next; one that ends there ends after the last.
+    for (std::size_t step = 1; step < kSteps; ++step) {
+      for (const std::size_t begin : {0U, 2U}) masks_[begin][step] |= masks_[begin][step - 1];
+      for (const std::size_t end : {1U, 3U}) {
+        masks_[end][kSteps - 1 - step] |= masks_[end][kSteps - step];
+      }
+    }
+  }
+
+  std::uint64_t operator()(const PixelRectangle& pixels) {
+    const auto [i_begin, i_end, j_begin, j_end] = at(pixels);
+    return *i_begin & *i_end & *j_begin & *j_end;
+  }
+
+ private:
+  static constexpr std::size_t kSteps = 256;
+
+  std::array<std::uint64_t*, 4> at(const PixelRectangle& pixels) {
+    const auto step = [this](std::int64_t x) { return static_cast<std::size_t>(x) >> shift_; };
+    return {&masks_[0][step(pixels.i_begin)], &masks_[1][step(pixels.i_end)],
+            &masks_[2][step(pixels.j_begin)], &masks_[3][step(pixels.j_end)]};
+  }
+
+  unsigned shift_ = 0;
+  std::array<std::array<std::uint64_t, kSteps>, 4> masks_{};
+};
+static_assert(kMostOccluders <= 64);
+
+void leave_out_hidden(const Scene& scene, std::vector<SpherePlan>& plans) {
+  const std::vector<Sphere>& spheres = scene.spheres;
   const auto leave_out = [&](std::size_t sphere, std::size_t by) {
     plans[sphere].left_out = LeftOut::kHidden;
     plans[sphere].hidden_by = by;
     plans[sphere].pixels = {};
   };
-  // Of equal spheres the first in the file wins.
-  const auto hash = [&](std::size_t k) {
-    const auto& [centre, radius] = spheres[k];
-    std::size_t bits = 0;
-    for (const double x : {centre.x, centre.y, centre.z, radius}) {
-      bits = bits * kHashFactor + std::hash<double>()(x);
-    }
-    return bits;
-  };
-  const auto equal = [&](std::size_t a, std::size_t b) { return spheres[a] == spheres[b]; };
-  std::unordered_set<std::size_t, decltype(hash), decltype(equal)> distinct(spheres.size(), hash,
-                                                                            equal);
-  for (std::size_t k = 0; k < spheres.size(); ++k) {
-    if (plans[k].left_out) continue;
-    const auto [found, is_new] = distinct.insert(k);
-    if (!is_new) leave_out(k, *found);
-  }
-  // Spheres that every ray meets at the near root, those that look largest.
+  FirstOfEquals equals(spheres);
+  double least_size_sq = 0;
+  // Those that look largest.
   std::vector<std::pair<double, std::size_t>> by_size;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
+    const std::size_t first = equals.first(k);
+    if (plans[k].left_out) continue;
+    if (first != k) leave_out(k, first);
     const EyeSphere& seen = plans[k].seen;
-    if (!plans[k].left_out && !plans[k].reaches_behind && seen.power.low > 0) {
-      by_size.emplace_back(-seen.radius.high / std::sqrt(seen.distance_sq.high), k);
-    }
+    if (first != k || plans[k].reaches_behind || !(seen.power.low > 0)) continue;
+    // Most are smaller by more than roundings.
+    if (seen.radius.high * seen.radius.high < least_size_sq * seen.distance_sq.high) continue;
+    by_size.emplace_back(-seen.radius.high / std::sqrt(seen.distance_sq.high), k);
+    std::push_heap(by_size.begin(), by_size.end());
+    if (by_size.size() <= kMostOccluders) continue;
+    std::pop_heap(by_size.begin(), by_size.end());
+    by_size.pop_back();
+    least_size_sq = by_size.front().first * by_size.front().first * (1 - 0x1p-40);
   }
-  const std::size_t count = std::min(by_size.size(), kMostOccluders);
-  std::partial_sort(by_size.begin(), by_size.begin() + static_cast<std::ptrdiff_t>(count),
-                    by_size.end());
-  std::vector<std::size_t> occluders;
-  for (std::size_t o = 0; o < count; ++o) occluders.push_back(by_size[o].second);
-  std::vector<PixelRectangle> covered;
-  for (const std::size_t by : occluders) covered.push_back(plans[by].pixels);
+  std::sort_heap(by_size.begin(), by_size.end());
+  std::vector<Occluder> occluders;
+  for (const auto& [size, k] : by_size) {
+    occluders.push_back({k, spheres[k], plans[k].pixels, plans[k].seen});
+  }
+  Containing containing(occluders, *scene.camera);
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     poll();
-    for (std::size_t o = 0; o < occluders.size() && !plans[k].left_out; ++o) {
-      const std::size_t by = occluders[o];
-      if (by != k && covered[o].contains(plans[k].pixels) &&
-          (contains(spheres[by], spheres[k]) || covers(plans[by].seen, plans[k].seen))) {
-        leave_out(k, by);
+    if (plans[k].left_out) continue;
+    for (std::uint64_t left = containing(plans[k].pixels); left != 0; left &= left - 1) {
+      const Occluder& by = occluders[static_cast<std::size_t>(std::countr_zero(left))];
+      if (by.index != k && by.pixels.contains(plans[k].pixels) &&
+          (covers(by, plans[k]) || contains(by.sphere, spheres[k]))) {
+        leave_out(k, by.index);
+        break;
       }
     }
   }
@@ -226,13 +247,14 @@ Scaling scaling_of(const Scene& scene, bool only_if_needed) {
   return {plane.exponent(only_if_needed), lengths.exponent(only_if_needed)};
 }
 
+/// How many spheres are planned between polls.
+constexpr std::size_t kAtOnce = 256;
+
 }  // namespace
 
 ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted wanted,
                      const PlanItems& items) {
-  Scene under_conventions = scene;
-  under_conventions.conventions = conventions;
-  require_valid(under_conventions);
+  require_valid(scene, conventions);
   if (!scene.camera) {
     throw std::invalid_argument("camera: absent; a scene of given rays has no plan");
   }
@@ -242,18 +264,20 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
                  items,
                  EyeSpace(camera, conventions, scaling_of(scene, items.scaling), !items.basis),
                  {}};
-  const Planner planner(scene, plan);
-  std::vector<SpherePlan> spheres(scene.spheres.size());
-  std::transform(scene.spheres.begin(), scene.spheres.end(), spheres.begin(),
-                 [&](const Sphere& sphere) {
-                   poll();
-                   return planner.plan(sphere);
-                 });
+  const PlanTerms terms = terms_of(camera, plan);
+  std::vector<SpherePlan>& spheres = plan.spheres;
+  spheres.reserve(scene.spheres.size());
+  std::vector<SpherePlan> some(std::min(kAtOnce, scene.spheres.size()));
+  while (spheres.size() < scene.spheres.size()) {
+    poll();
+    const auto rest = std::span(scene.spheres).subspan(spheres.size());
+    const std::size_t count = std::min(kAtOnce, rest.size());
+    plan_each(terms, rest.first(count), some);
+    spheres.insert(spheres.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
+  }
   // A sphere whose near root does not count hides nothing.
   const bool all_count = conventions.valid.is_usual();
-  if (items.hidden && wanted == Wanted::kNearest && all_count)
-    leave_out_hidden(scene.spheres, spheres);
-  plan.spheres = std::move(spheres);
+  if (items.hidden && wanted == Wanted::kNearest && all_count) leave_out_hidden(scene, spheres);
   return plan;
 }
 

@@ -64,6 +64,7 @@ struct SpherePlan {
   bool reaches_behind = true;   ///< A ray's line may meet it behind the origin.
   double nearest_distance = 0;  ///< No ray meets it nearer to the eye; scaled like `seen`.
   EyeSphere seen;
+  bool operator==(const SpherePlan&) const = default;
 };
 
 /// What a scene needs, decided once from its camera and spheres, rounded outward so that skipping

@@ -4,6 +4,7 @@
 #include "scene/plan/eye_space.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +115,51 @@ TEST(EyeSpace, BoundsTheExactValues) {
     EXPECT_GT(known.all, 100);
     EXPECT_GT(20 * known.finite, 19 * known.all);
     EXPECT_GT(4 * known.to_ten_digits, 3 * known.all);
+  }
+}
+
+/// A case's spheres, moved and resized in 19 ways: more than two vectors of any target, and some.
+scene::Scene with_more_spheres(scene::Scene scene) {
+  const std::vector<scene::Sphere> given = scene.spheres;
+  const scene::Point3 eye = scene.camera->eye;
+  scene.spheres.clear();
+  for (std::size_t k = 0; !given.empty() && k < 19; ++k) {
+    scene::Sphere sphere = given[k % given.size()];
+    const double share = static_cast<double>(k / given.size()) / 8;
+    for (double scene::Point3::*x : {&scene::Point3::x, &scene::Point3::y, &scene::Point3::z}) {
+      sphere.centre.*x += share * (k % 3 == 0 ? -1 : 1) * (eye.*x - sphere.centre.*x);
+    }
+    sphere.radius *= 1 - share / 4;
+    scene.spheres.push_back(sphere);
+  }
+  return scene;
+}
+
+TEST(Plan, OfASphereIsTheSameAloneAndAmongOthersOnEveryTarget) {
+  for (const CaseSource& source : case_sources()) {
+    if (!source.has_camera) continue;
+    SCOPED_TRACE(source.name);
+    int compared = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+      scene::Scene scene = with_more_spheres(ChosenSource{&source}.make(seed).scene);
+      const auto plan = [&] {
+        return plan_scene(scene, scene.conventions, scene::Wanted::kNearest, {.hidden = false})
+            .spheres;
+      };
+      const std::vector<scene::SpherePlan> best = plan();
+      for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+        hwy::SetSupportedTargetsForTest(left & -left);
+        EXPECT_EQ(plan(), best);
+        hwy::SetSupportedTargetsForTest(0);
+      }
+      // Those that do not fill a vector are planned one by one.
+      for (std::size_t k = 0; k < best.size(); ++k) {
+        std::rotate(scene.spheres.begin(), scene.spheres.begin() + 1, scene.spheres.end());
+        EXPECT_EQ(plan().back(), best[k]);
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 1000);
   }
 }
 

@@ -1,0 +1,42 @@
+#pragma once
+
+// Plans of spheres, several at once in vectors as wide as the machine has. Internal to scene/plan.
+
+#include <cstddef>
+#include <span>
+
+#include "scene/plan/plan.h"
+
+namespace raycheck::scene {
+
+/// What the spheres of a scene share. Lengths are in the unit of EyeSphere's.
+struct PlanTerms {
+  const EyeSpace& eye;
+  const PlanItems& items;
+  bool is_forward;   ///< Rays go along W.
+  bool from_pixels;  ///< They start on the image plane.
+  bool far_root_may_count;
+  double width, height;
+  Bounds near, across, along;  ///< The image plane.
+  Bounds start;                ///< Where rays start, the way they go.
+  Bounds ahead;                ///< The image plane's distance that way, as EyeSpace::near() is.
+};
+
+/// What is planned of several spheres, lane by lane.
+struct PlannedNumbers {
+  static constexpr std::size_t kMostLanes = 32;
+
+  alignas(64) double low[6][kMostLanes];  ///< The bounds of EyeSphere.
+  double high[6][kMostLanes];
+  double nearest_distance[kMostLanes];
+  double sides[4][kMostLanes];
+  // One bit per lane: none of it reaches behind, no origin is inside, all of it is behind, no
+  // pixel's ray meets it.
+  unsigned in_front, origin_outside, behind, none;
+};
+
+/// Plans each sphere by itself: none is hidden yet.
+void plan_each(const PlanTerms& terms, std::span<const Sphere> spheres,
+               std::span<SpherePlan> plans);
+
+}  // namespace raycheck::scene
