@@ -13,6 +13,7 @@
 #include "reference/error_measure.h"
 #include "reference/exact_camera.h"
 #include "reference/exact_ray.h"
+#include "scene/arithmetic.h"
 #include "scene/validate.h"
 
 namespace raycheck::exact {
@@ -65,14 +66,19 @@ Numbers numbers(const Enclose& enclose, const Round& round, const Write& write,
 
 Number::Number(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
 
-double Number::rounded() const { return impl_->rounded(); }
+double Number::rounded() const {
+  const scene::PlainArithmetic plain;
+  return impl_->rounded();
+}
 
 Interval Number::interval() const {
+  const scene::PlainArithmetic plain;
   const Enclosure enclosed = impl_->enclose(reference::ExactRay::kValueBits);
   return {enclosed.lower(), enclosed.upper()};
 }
 
 std::string Number::enclosure(int bits) const {
+  const scene::PlainArithmetic plain;
   if (bits < kFewestBits || bits > kMostBits) {
     throw std::invalid_argument(
         fmt::format("bits = {}: give {} to {}", bits, kFewestBits, kMostBits));
@@ -84,13 +90,20 @@ std::string Number::enclosure(int bits) const {
   return text.get();
 }
 
-std::string Number::closed_form() const { return impl_->closed_form(); }
+std::string Number::closed_form() const {
+  const scene::PlainArithmetic plain;
+  return impl_->closed_form();
+}
 
 double Number::ulp_error(double given) const {
+  const scene::PlainArithmetic plain;
   return reference::ulp_error(given, impl_->enclose(reference::ExactRay::kValueBits)).value;
 }
 
-double Number::condition() const { return impl_->condition(); }
+double Number::condition() const {
+  const scene::PlainArithmetic plain;
+  return impl_->condition();
+}
 
 Vector Numbers::rounded() const { return {x.rounded(), y.rounded(), z.rounded()}; }
 
@@ -130,6 +143,7 @@ static_assert(static_cast<int>(HitClass::tangent) ==
 
 std::optional<Nearest> nearest_of(const SharedRay& of, const std::vector<scene::Sphere>& spheres,
                                   const scene::Conventions& conventions) {
+  const scene::PlainArithmetic plain;
   auto found = of->ray.nearest(spheres, conventions);
   if (!found) return {};
   return Nearest{found->index, std::move(found->ties),
@@ -137,6 +151,7 @@ std::optional<Nearest> nearest_of(const SharedRay& of, const std::vector<scene::
 }
 
 SharedRay shared(const raycheck::Ray& ray) {
+  const scene::PlainArithmetic plain;
   const scene::Ray given = library::ray(ray);
   return std::make_shared<const Ray::Impl>(
       Ray::Impl{reference::ExactRay(given), reference::ClosedFormRay(given)});
@@ -144,11 +159,13 @@ SharedRay shared(const raycheck::Ray& ray) {
 
 Intersection hit_of(const SharedRay& of, const scene::Sphere& sphere,
                     const scene::Conventions& conventions) {
+  const scene::PlainArithmetic plain;
   return intersection(of, sphere, of->ray.intersect(sphere, conventions), conventions.tangent);
 }
 
 /// Errors: std::invalid_argument where the pixel is outside the image.
 SharedRay shared(const reference::ExactCamera& camera, Pixel pixel) {
+  const scene::PlainArithmetic plain;
   const scene::Camera& of = camera.camera();
   if (pixel.i < 0 || pixel.i >= of.width || pixel.j < 0 || pixel.j >= of.height) {
     throw std::invalid_argument(fmt::format("pixel ({}, {}): the image has {} x {} pixels", pixel.i,
@@ -196,6 +213,7 @@ struct Camera::Impl {
 
 Camera::Camera(const raycheck::Camera& camera, const Conventions& conventions)
     : impl_([&] {
+        const scene::PlainArithmetic plain;
         const scene::Camera inside = library::camera(camera);
         return std::make_shared<const Impl>(
             Impl{reference::ExactCamera(inside, library::conventions(conventions)),

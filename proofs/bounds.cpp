@@ -67,15 +67,15 @@ struct FilterB {
 };
 
 struct FilterA {
-  static constexpr std::array kInputs = {"n", "beta", "alpha"};
+  static constexpr std::array kInputs = {"n", "beta", "alpha", "u", "v", "w"};
   static constexpr bool kIsRelative = false;
   static constexpr double kMost = 1;
   template <class N>
-  static Values<N> computed(const Inputs<N, 3>& x) {
-    return {filter::a_of(x[2], filter::row_terms(x[0], x[1], x[0], x[0], x[0]).a)};
+  static Values<N> computed(const Inputs<N, 6>& x) {
+    return {filter::a_of(x[2], filter::row_terms(x[0], x[1], x[3], x[4], x[5]).a)};
   }
   template <class N, class Note>
-  static Values<N> exact(const Inputs<N, 3>& x, const Note& note) {
+  static Values<N> exact(const Inputs<N, 6>& x, const Note& note) {
     const N ahead = note(x[0] * x[0]), up = note(x[1] * x[1]), across = note(x[2] * x[2]);
     return {note(across + note(ahead + up))};
   }
@@ -109,11 +109,10 @@ struct FilterMoment {
   }
   template <class N, class Note>
   static Values<N> exact(const Inputs<N, 6>& x, const Note& note) {
-    const auto difference = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
-      const N first = note(x[a] * x[b]), second = note(x[c] * x[d]);
-      return note(first - second);
-    };
-    return {difference(0, 4, 1, 5), difference(2, 5, 0, 3), difference(1, 3, 2, 4)};
+    const N nv = note(x[0] * x[4]), beta_w = note(x[1] * x[5]);
+    const N alpha_w = note(x[2] * x[5]), nu = note(x[0] * x[3]);
+    const N alpha_v = note(-x[2] * x[4]), beta_u = note(x[1] * x[3]);
+    return {note(nv - beta_w), note(alpha_w + -nu), note(alpha_v + beta_u)};
   }
 };
 

@@ -9,6 +9,9 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
 #include "tests/has.h"
 
@@ -27,6 +30,24 @@ TEST(Exact, MeetsTheSphereAhead) {
   EXPECT_EQ(met.parameter->ulp_error(std::nextafter(4.0, 5.0)), 1);
   EXPECT_EQ(met.point->rounded().z, 4);
 }
+
+#if defined(__SSE2__)
+/// As a program has it that is linked with -ffast-math.
+TEST(Exact, KeepsSubnormalsWhereTheProgramFlushesThem) {
+  constexpr unsigned kFlush = 0x8040;
+  constexpr double kUnit = 0x1p-1000;
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | kFlush);
+  const exact::Intersection met =
+      exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, kUnit / 2, 5 * kUnit}, kUnit});
+  const double s = met.parameter ? met.parameter->rounded() : 0;
+  const unsigned after = _mm_getcsr();
+  _mm_setcsr(before);
+  EXPECT_EQ(after & kFlush, kFlush);
+  EXPECT_EQ(met.hit_class, exact::HitClass::hit);
+  EXPECT_EQ(s / kUnit, exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0.5, 5}, 1}).parameter->rounded());
+}
+#endif
 
 TEST(Exact, WritesARootInEveryWay) {
   // |(2, 1, 0) - s (1, 1, 0)| = 1: s = (3 - 1)/2 or 2, so the direction (1, 2, 0) is taken: 5 s^2 -

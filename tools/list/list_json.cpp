@@ -77,11 +77,9 @@ std::string bounds_json(const BoundsReport& report, const ViewOptions& /*options
         {"observed", one.observed}};
   });
   json["samples"] = report.samples;
-  const auto promised = [](const auto* method) {
-    return Json{{"method", method->name}, {"bounds", promised_json(*method)}};
-  };
-  json["ray_methods"] = list_json(report.catalogue.ray_methods, promised);
-  json["intersection_methods"] = list_json(report.catalogue.intersect_methods, promised);
+  json["promised"] = {{"ray_methods", list_json(report.catalogue.ray_methods, ray_method_json)},
+                      {"intersection_methods",
+                       list_json(report.catalogue.intersect_methods, intersect_method_json)}};
   return json_text(json);
 }
 

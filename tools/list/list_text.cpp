@@ -105,11 +105,14 @@ std::string bounds_text(const BoundsReport& report, const ViewOptions& /*options
       "doubles "
       "round to\nnearest, keep subnormals and have correct square roots, which is checked when "
       "raycheck starts; and nothing\nelse under- or overflows, which callers ensure.\n"
-      "\npromised, and tried by the laws (none is proved as a whole):\n",
-      report.samples);
+      "\npromised up to condition number {}, in proportion beyond, and tried by the laws (none is "
+      "proved "
+      "as a whole):\n",
+      report.samples, properties::kModerateCondition);
   const auto add = [&](const auto& methods) {
     for (const auto* method : methods) {
-      text += fmt::format("  {:<23} {}\n", method->name, promised_text(*method));
+      text += fmt::format("  {:<23} {}{}{}", method->name, promised_text(*method),
+                          lengths(method->domain), caveat(method->not_kept));
     }
   };
   add(report.catalogue.ray_methods);
