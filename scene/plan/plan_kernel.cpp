@@ -1,5 +1,8 @@
 #include "scene/plan/plan_kernel.h"
 
+#include <algorithm>
+#include <array>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scene/plan/plan_kernel.cpp"
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
@@ -14,19 +17,22 @@ namespace HWY_NAMESPACE {
 #include "scene/plan/bounds_formula.h"
 #include "scene/plan/sphere_formula.h"
 
-/// Of the first spheres: as many as fill a vector, or one.
+/// Of the first spheres, as many as fill a vector; fewer are filled up with copies of the first.
 HWY_FLATTEN std::size_t plan_first(const PlanTerms& terms, std::span<const Sphere> spheres,
                                    PlannedNumbers& to) {
   static_assert(kLaneCount <= PlannedNumbers::kMostLanes && sizeof(Sphere) == 4 * sizeof(double));
-  if (spheres.size() < kLaneCount) {
-    const auto& [centre, radius] = spheres.front();
-    plan_numbers<double>(terms, {centre.x, centre.y, centre.z}, radius, to);
-    return 1;
+  const std::size_t count = std::min(spheres.size(), kLaneCount);
+  std::array<Sphere, kLaneCount> some;
+  const Sphere* first = spheres.data();
+  if (count < kLaneCount) {
+    some.fill(spheres.front());
+    std::copy_n(first, count, some.begin());
+    first = some.data();
   }
   Lanes x, y, z, radius;
-  load_fours(&spheres.front().centre.x, x, y, z, radius);
+  load_fours(&first->centre.x, x, y, z, radius);
   plan_numbers<Lanes>(terms, {x, y, z}, radius, to);
-  return kLaneCount;
+  return count;
 }
 
 }  // namespace HWY_NAMESPACE
