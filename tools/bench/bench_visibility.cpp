@@ -150,8 +150,9 @@ void visibility(benchmark::State& state, bool is_certified, const Prepared& prep
 /// It is planned and checked once, and only if it is timed.
 void register_scene(const std::string& name, const scene::Scene& scene) {
   const auto prepared = std::make_shared<std::optional<const Prepared>>();
-  for (const auto& [what, is_certified] : {std::pair("certified", true), {"uncertified", false}}) {
-    benchmark::RegisterBenchmark((name + "/" + what).c_str(), [=](benchmark::State& state) {
+  for (const bool is_certified : {true, false}) {
+    const std::string what = is_certified ? "/certified" : "/uncertified";
+    benchmark::RegisterBenchmark((name + what).c_str(), [=](benchmark::State& state) {
       if (!*prepared) prepared->emplace(scene);
       visibility(state, is_certified, **prepared);
     })->UseRealTime();
