@@ -367,7 +367,6 @@ double observed_of(int samples) {
   return largest;
 }
 
-using Exactly = Term<false>;
 using Rounded = Term<true>;
 
 /// Ends that move outward, of a real z and the double x that it rounds to.
@@ -533,7 +532,7 @@ std::span<const Bound> bounds() {
                      fast_formula::kRobustB),
       stage<RobustC>("robust-c", "its c, of f^2 + r^2 given r^2", kRobust, fast_formula::kRobustC),
       stage<RobustDiscriminant>("robust-discriminant", "its discriminant, of a (f^2 + r^2)",
-                                kRobust, 45),
+                                kRobust, fast_formula::kRobustDiscriminant),
       stage<FastDot>("a", "a = |d|^2", kTriple, 3),
       stage<FastNorm>("norm", "|d|", kTriple, 2.5),
       stage<FastUnit>("unit-direction", "the coordinates of d/|d|", kTriple, 3.5),

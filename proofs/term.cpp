@@ -9,6 +9,7 @@
 #include <regex>
 
 namespace raycheck::proofs {
+
 std::string in_hexadecimal(double x) { return fmt::format("{:a}", x); }
 
 Script::Script(Rounding rounding, std::optional<Mutation> mutation)
@@ -38,8 +39,7 @@ std::string Script::rounded(char op, const std::string& x, const std::string& y,
   std::string term;
   if (rounding_ == Rounding::kRelative && is_fused) {
     const std::string minus = op == '-' ? "-" : "";
-    term = op == '*' ? "mul(" + x + ", " + y + ")"
-                     : "mul_add(" + x + ", " + y + ", " + minus + z + ")";
+    term = "mul_add(" + x + ", " + y + ", " + minus + z + ")";
   } else if (op == 's' || op == ' ') {
     term = op == ' ' ? x : "rnd(sqrt(" + x + "))";
   } else if (rounding_ == Rounding::kToDouble || op == '/') {

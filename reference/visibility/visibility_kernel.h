@@ -106,10 +106,10 @@ void clear(Tile& tile, const TileRectangle& wanted);
 /// so far; `margin` is the largest E_m so far.
 void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certified certified,
            Tile& tile, double& margin);
-/// Whether every pixel has met a sphere at a smaller t than `distance`.
-bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance);
 /// The same for the class of one sphere alone; numerators do not change.
 void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile);
+/// Whether every pixel has met a sphere at a smaller t than `distance`.
+bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance);
 
 /// Where a tile's answers are written, from its first pixel on; null: not wanted.
 struct TileOutput {

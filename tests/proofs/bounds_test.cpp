@@ -4,6 +4,7 @@
 #include "proofs/bounds.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -21,11 +22,16 @@ const fs::path kScripts = fs::path(RAYCHECK_SOURCE_DIR) / "proofs";
 
 bool has_gappa() { return tests::shell("command -v gappa").code == 0; }
 
-/// What Gappa says of a script: nothing where it is proved.
+/// A place of this process: tests run side by side.
+fs::path own_path(const std::string& name) {
+  return fs::path(testing::TempDir()) / ("raycheck_" + std::to_string(getpid()) + name);
+}
+
+/// What Gappa, which gives up by itself, says of a script: nothing where it is proved.
 std::string complaint(const std::string& script) {
-  const fs::path file = fs::path(testing::TempDir()) / "raycheck_bound.gappa";
+  const fs::path file = own_path(".gappa");
   std::ofstream(file) << script;
-  const tests::Ended ended = tests::shell("timeout 60 gappa " + file.string());
+  const tests::Ended ended = tests::shell("gappa '" + file.string() + "'");
   fs::remove(file);
   return ended.code == 0 ? ended.text : ended.text + "not proved";
 }
@@ -93,13 +99,13 @@ TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
   if (!has_gappa() || tests::shell("command -v coqc").code != 0) {
     GTEST_SKIP() << "there is no gappa, or no coq, to check proofs by";
   }
-  const fs::path folder = fs::path(testing::TempDir()) / "raycheck_coq";
+  const fs::path folder = own_path("_coq");
   fs::create_directories(folder);
   const std::string folder_first = "cd '" + folder.string() + "' && ";
   for (const std::string name : {"double-double-product", "double-double-quotient"}) {
     const std::string script = (kScripts / (name + ".gappa")).string();
     const tests::Ended ended =
-        tests::shell(folder_first + "gappa -Bcoq " + script + " > proof.v && coqc -q proof.v");
+        tests::shell(folder_first + "gappa -Bcoq '" + script + "' > proof.v && coqc -q proof.v");
     EXPECT_EQ(ended.code, 0) << ended.text;
     EXPECT_TRUE(fs::exists(folder / "proof.vo")) << name;
     fs::remove(folder / "proof.vo");
