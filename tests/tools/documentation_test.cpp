@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -345,6 +348,37 @@ TEST(LongDocumentation, campaigns_are_kept_shared_and_merged) {
 
 TEST(LongDocumentation, students_check_three_functions_by_one_command) {
   expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/students.md", 4);
+}
+
+/// A pair of a certificate, [integer, exponent], as the hexadecimal floats of the lists have it.
+double number_of(const nlohmann::json& pair) {
+  const double integer =
+      pair[0].is_string() ? std::stod(pair[0].get<std::string>()) : pair[0].get<double>();
+  return std::ldexp(integer, pair[1].get<int>());
+}
+
+TEST(Documentation, certifies_each_of_the_worst_inputs) {
+  const std::string folder = RAYCHECK_SOURCE_DIR "/docs/worst-cases/intersect";
+  const std::vector<std::string> rows = lines_of(contents(folder + ".csv"));
+  const std::vector<std::string> certificates = lines_of(contents(folder + ".jsonl"));
+  ASSERT_EQ(rows.size(), certificates.size() + 1);
+  for (std::size_t k = 0; k < certificates.size(); ++k) {
+    std::vector<std::string> cells;
+    std::istringstream row(rows[k + 1]);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    const nlohmann::json certificate = nlohmann::json::parse(certificates[k]);
+    const nlohmann::json& inputs = certificate["inputs"];
+    std::size_t at = 7;
+    for (const nlohmann::json* triple :
+         {&inputs["ray"]["origin"], &inputs["ray"]["direction"], &inputs["spheres"][0]["centre"]}) {
+      for (const nlohmann::json& pair : *triple) {
+        EXPECT_EQ(std::strtod(cells.at(at++).c_str(), nullptr), number_of(pair)) << rows[k + 1];
+      }
+    }
+    EXPECT_EQ(std::strtod(cells.at(at).c_str(), nullptr),
+              number_of(inputs["spheres"][0]["radius"]));
+    EXPECT_EQ(cells[1], certificate["precision"]);
+  }
 }
 
 }  // namespace
