@@ -122,6 +122,14 @@ RoundedFrame ExactCamera::rounded_frame(scene::Precision precision) const {
   return finish_frame<RoundedFrame>(*impl_, Round{precision});
 }
 
+DoubleDoubleFrame ExactCamera::frame_in_double_doubles() const {
+  const auto triple = [](const DoubleDoubleKernel::Vector_3& v) {
+    return Triple<DoubleDouble>{v.x(), v.y(), v.z()};
+  };
+  const auto& [U, V, W] = impl_->double_doubles().axes;
+  return {triple(U), triple(V), triple(W)};
+}
+
 Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) const {
   require_pixel_of(impl_->camera, pixel);
   const EnclosureLift lift{bits};

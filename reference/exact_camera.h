@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "reference/enclosure.h"
+#include "reference/internal/double_double.h"
+#include "reference/internal/triple.h"
 #include "scene/camera.h"
 #include "scene/conventions.h"
 #include "scene/geometry.h"
@@ -20,6 +22,11 @@ struct RoundedFrame {
   scene::UnitVector3 U, V, W;
 };
 
+/// The same in double-doubles.
+struct DoubleDoubleFrame {
+  Triple<DoubleDouble> U, V, W;
+};
+
 /// A camera, known exactly; made once per scene, then read from any thread.
 /// Domain: a camera without defects under `conventions` (scene/validate.h); otherwise throws
 ///         std::invalid_argument naming the field.
@@ -35,6 +42,7 @@ class ExactCamera {
   /// Axes of relative width 2^-relative_bits per coordinate; exact where a coordinate is 0.
   EnclosedFrame frame(int relative_bits = 70) const;
   RoundedFrame rounded_frame(scene::Precision precision = scene::Precision::kDouble) const;
+  DoubleDoubleFrame frame_in_double_doubles() const;
   /// alpha(i) and beta(j) of a pixel, with `near` as the third coordinate.
   Enclosure3 plane_position(const scene::Pixel& pixel, int bits = 256) const;
 

@@ -35,12 +35,17 @@ template <class Finish>
 constexpr bool kRounds = std::is_same_v<Finish, Round>;
 
 /// Applies narrow() or round_to_nearest() to value(lift, line), a number; compare(m) is the exact
-/// sign of value - m.
-template <class Value, class Compare, class Finish>
-auto finish_number(const ExactRay& ray, const Value& value, Compare compare, Finish finish) {
+/// sign of value - m. Where double-doubles do not tell that it is not 0, is_zero(lift, line) may
+/// tell that it is.
+template <class Value, class IsZero, class Compare, class Finish>
+auto finish_number(const ExactRay& ray, const Value& value, IsZero is_zero, Compare compare,
+                   Finish finish) {
   const DoubleDouble first = by_double_doubles(ray, value);
   if constexpr (kRounds<Finish>) {
     if (const auto nearest = nearest_of(first)) return finish(*nearest, compare);
+    if (!first.certain_sign() && by_double_doubles(ray, is_zero)) return 0.0;
+  } else {
+    if (!first.certain_sign() && by_double_doubles(ray, is_zero)) return Enclosure(0);
   }
   return finish(
       first.is_within(finish.relative_bits) ? first.enclosure() : by_balls(ray, value, kFirstBits),
@@ -135,6 +140,14 @@ Result finish_direction(const ExactRay& ray, Finish finish) {
       [&](int k, const Rational& m) { return values.compare_direction(k, m); }, finish);
 }
 
+/// Whether c is 0, and the root that of the two, 0 and 2 b/a, which is 0.
+template <class K>
+bool is_certainly_zero(const LineAndSphere<K>& pair, int root_sign) {
+  if (certain_sign(constant_coefficient(pair)) != 0) return false;
+  const std::optional<int> b = certain_sign(linear_coefficient(pair));
+  return b && *b * root_sign <= 0;
+}
+
 template <class Finish>
 auto finish_parameter(const ExactRay& ray, const scene::Sphere& sphere, const Intersection& at,
                       Finish finish) {
@@ -144,6 +157,9 @@ auto finish_parameter(const ExactRay& ray, const scene::Sphere& sphere, const In
       ray,
       [&](const auto& lift, const auto& line) {
         return ray_parameter(line_and_sphere(line, lift_sphere(lift, sphere)), root_sign(at));
+      },
+      [&](const auto& lift, const auto& line) {
+        return is_certainly_zero(line_and_sphere(line, lift_sphere(lift, sphere)), root_sign(at));
       },
       [&](const Rational& m) { return values.compare_parameter(sphere, at, m); }, finish);
 }

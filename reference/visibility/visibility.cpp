@@ -117,6 +117,12 @@ FilteredSphere Visibility::Impl::filtered_of(const scene::SpherePlan& planned,
   return sphere;
 }
 
+const PairView* Visibility::Impl::pair_view() const {
+  const bool has_pairs = plan.eye.scaling() == scene::Scaling{} && plan.items.filter &&
+                         plan.conventions.valid.is_usual();
+  return has_pairs ? &pair_view_.get([this] { return PairView(camera); }) : nullptr;
+}
+
 void Visibility::Impl::list_bands() {
   std::vector<NearFirst> order;
   order.reserve(plan.spheres.size());

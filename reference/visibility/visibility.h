@@ -28,7 +28,8 @@ struct SeenRows {
 /// How many pixels were decided by what.
 struct DecidedBy {
   std::uint64_t filter = 0;  ///< Doubles, within bounds on their errors.
-  /// ExactRay, by the highest rung that a pixel's decisions needed (index: Rung).
+  /// By the highest rung that a pixel's decisions needed (index: Rung): of ExactRay, or the filter
+  /// once more in double-doubles.
   std::array<std::uint64_t, 4> rungs{};
 
   std::uint64_t fallback() const { return rungs[0] + rungs[1] + rungs[2] + rungs[3]; }
@@ -46,7 +47,7 @@ struct DecidedBy {
 /// Memory: some 100 bytes per column and row, and up to kMostVisibleParts list entries.
 /// Error:  no decision is wrong. A tangent counts as a hit unless the convention is `miss`. s is
 ///         within kVisibleParameterError |Q - E|, within a few u of it far from silhouettes, and
-///         correctly rounded where the filter did not decide; Q is within kVisibleParameterError |Q
+///         correctly rounded where an exact ray decided; Q is within kVisibleParameterError |Q
 ///         - E| + 4u |Q| per coordinate.
 /// Thread safety: const functions may be called from several threads.
 /// Source: reference/internal/formulas.h; the filter's bound is proved in

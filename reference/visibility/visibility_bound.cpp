@@ -11,16 +11,15 @@ using scene::Bounds;
 
 double magnitude(const Bounds& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
-constexpr double kUnitRoundoff = 0x1p-53;
 /// The form by h takes longer: only where its bound is so much smaller.
 constexpr double kMomentGain = 0.25;
 
 /// e of h = f x g.
 double moment_error(const FilteredSphere& sphere, const PlaneSizes& sizes, double rho) {
   const double u = std::abs(sphere.u), v = std::abs(sphere.v), w = std::abs(sphere.w);
-  const auto& [N, X, Y, delta, A, E_a] = sizes;
-  const auto of = [&, d = delta](double x, double y, double z, double t) {
-    return kMomentRoundings * kUnitRoundoff * (x * y + z * t) + rho * (y + t) + d * (x + z) +
+  const double N = sizes.N, X = sizes.X, Y = sizes.Y;
+  const auto of = [&, d = sizes.delta](double x, double y, double z, double t) {
+    return kMomentRoundings * sizes.u0 * (x * y + z * t) + rho * (y + t) + d * (x + z) +
            2 * rho * d;
   };
   return kSlack * (of(v, N, w, Y) + of(w, X, u, N) + of(u, Y, v, X));
@@ -41,46 +40,57 @@ PlaneSizes plane_sizes(const std::vector<Bounds>& alpha, const std::vector<Bound
     sizes.Y = std::max(sizes.Y, magnitude(y));
     sizes.delta = std::max(sizes.delta, half_width(y));
   }
-  const double I_a =
-      2 * (sizes.N + sizes.X + sizes.Y) * sizes.delta + 3 * sizes.delta * sizes.delta;
-  sizes.A = kSlack * (sizes.N * sizes.N + sizes.X * sizes.X + sizes.Y * sizes.Y + I_a);
-  sizes.E_a = kSlack * (kSumRoundings * kUnitRoundoff * sizes.A + I_a);
+  sizes.set_squares();
   return sizes;
 }
 
-FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const PlaneSizes& sizes) {
-  FilteredSphere sphere;
-  sphere.u = middle(plan.seen.u);
-  sphere.v = middle(plan.seen.v);
-  sphere.w = middle(plan.seen.w);
-  sphere.power = middle(plan.seen.power);
-  sphere.index = static_cast<std::int32_t>(index);
-  sphere.roots_matter = plan.origin_inside || plan.reaches_behind;
-  const auto& [N, X, Y, delta, A, E_a] = sizes;
-  const double rho =
-      std::max({half_width(plan.seen.u), half_width(plan.seen.v), half_width(plan.seen.w)});
+void PlaneSizes::set_squares() {
+  const double I_a = 2 * (N + X + Y) * delta + 3 * delta * delta;
+  A = kSlack * (N * N + X * X + Y * Y + I_a);
+  E_a = kSlack * (kSumRoundings * u0 * A + I_a);
+}
+
+SphereBound bound_of(const FilteredSphere& sphere, const SphereDoubt& doubt,
+                     const PlaneSizes& sizes) {
+  const auto& [u0, N, X, Y, delta, A, E_a] = sizes;
+  const auto& [rho, rho_c, rho_r] = doubt;
   const double u = std::abs(sphere.u), v = std::abs(sphere.v), w = std::abs(sphere.w);
   const double c = std::abs(sphere.power);
   const double I_b = (N + X + Y) * rho + delta * (u + v + w + 3 * rho);
   const double B = kSlack * (N * w + Y * v + X * u + I_b);
-  const double E_b = kSlack * (kSumRoundings * kUnitRoundoff * B + I_b);
-  const double by_roots =
-      kSlack * (kSquareShare * B * E_b + kDiscRoundings * kUnitRoundoff * B * B +
-                c * (kProductShare * E_a + kDiscRoundings * kUnitRoundoff * A) +
-                kProductShare * half_width(plan.seen.power) * A);
+  SphereBound bound;
+  bound.E_b = kSlack * (kSumRoundings * u0 * B + I_b);
+  bound.roots = 4 * u0 * (B + std::sqrt(B * B + c * A));
+  bound.by_roots =
+      kSlack * (kSquareShare * B * bound.E_b + kDiscRoundings * u0 * B * B +
+                c * (kProductShare * E_a + kDiscRoundings * u0 * A) + kProductShare * rho_c * A);
   const double e = moment_error(sphere, sizes, rho);
-  const Bounds radius_sq = square(plan.seen.radius);
-  sphere.radius_sq = middle(radius_sq);
   const double S = std::sqrt(sphere.radius_sq * A);
-  const double by_moment =
-      kSlack * (4 * S * e + e * e + kByMomentRoundings * kUnitRoundoff * S * S +
-                sphere.radius_sq * kProductShare * E_a + kProductShare * half_width(radius_sq) * A);
-  sphere.by_moment = kLeastMoment * e <= S && by_moment < kMomentGain * by_roots;
-  const double E = sphere.by_moment ? by_moment : by_roots;
-  sphere.decided = kDecidedBeyond * E;
-  sphere.root_margin = kSlack * (E_b + 1.02 * kRootShare * std::sqrt(E / kDecidedBeyond) +
-                                 4 * kUnitRoundoff * (B + std::sqrt(B * B + c * A)));
-  sphere.exact = !(E >= kLeastBound && sphere.decided <= kLargestBound);
+  bound.by_moment = kSlack * (4 * S * e + e * e + kByMomentRoundings * u0 * S * S +
+                              sphere.radius_sq * kProductShare * E_a + kProductShare * rho_r * A);
+  bound.has_moment = kLeastMoment * e <= S;
+  return bound;
+}
+
+double SphereBound::root_margin(double E) const {
+  return kSlack * (E_b + 1.02 * kRootShare * std::sqrt(E / kDecidedBeyond) + roots);
+}
+
+FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const PlaneSizes& sizes) {
+  const scene::EyeSphere& seen = plan.seen;
+  const Bounds radius_sq = square(seen.radius);
+  FilteredSphere sphere;
+  sphere.u = middle(seen.u);
+  sphere.v = middle(seen.v);
+  sphere.w = middle(seen.w);
+  sphere.power = middle(seen.power);
+  sphere.radius_sq = middle(radius_sq);
+  sphere.index = static_cast<std::int32_t>(index);
+  sphere.roots_matter = plan.origin_inside || plan.reaches_behind;
+  const double rho = std::max({half_width(seen.u), half_width(seen.v), half_width(seen.w)});
+  const SphereBound bound =
+      bound_of(sphere, {rho, half_width(seen.power), half_width(radius_sq)}, sizes);
+  set_bound(bound, bound.has_moment && bound.by_moment < kMomentGain * bound.by_roots, sphere);
   return sphere;
 }
 

@@ -33,15 +33,45 @@ inline double half_width(const scene::Bounds& x) {
 
 /// The sizes of the image plane in the filter's bound; the names are those of visibility_kernel.h.
 struct PlaneSizes {
+  double u0 = 0x1p-53;
   double N = 0, X = 0, Y = 0;
   double delta = 0;
   double A = 0, E_a = 0;
+
+  /// Sets A and E_a by the rest.
+  void set_squares();
 };
 
 PlaneSizes plane_sizes(const std::vector<scene::Bounds>& alpha,
                        const std::vector<scene::Bounds>& beta, const scene::Bounds& near);
 
-/// A planned sphere for the filter; `exact` if the bound leaves the range of doubles.
+/// How well the numbers of a sphere are known.
+struct SphereDoubt {
+  double rho = 0, rho_c = 0, rho_r = 0;
+};
+
+/// The bounds of a sphere in the filter.
+struct SphereBound {
+  double E_b = 0, roots = 0;  ///< The terms of E_m.
+  double by_roots = 0, by_moment = 0;
+  bool has_moment = false;  ///< |h^| cannot exceed 2 S where the line meets the sphere.
+
+  double root_margin(double E) const;
+};
+SphereBound bound_of(const FilteredSphere& sphere, const SphereDoubt& doubt,
+                     const PlaneSizes& sizes);
+
+/// Sets a sphere's bounds, E being one of them; `exact` if they leave the range of doubles.
+template <class Number>
+void set_bound(const SphereBound& bound, bool by_moment, FilteredSphereOf<Number>& sphere) {
+  const double E = by_moment ? bound.by_moment : bound.by_roots;
+  sphere.by_moment = by_moment;
+  sphere.decided = kDecidedBeyond * E;
+  sphere.root_margin = bound.root_margin(E);
+  sphere.exact = !(E >= kLeastBound && sphere.decided <= kLargestBound);
+}
+
+/// A planned sphere for the filter.
 FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const PlaneSizes& sizes);
 
 }  // namespace raycheck::reference

@@ -12,9 +12,11 @@
 #include <vector>
 
 #include "reference/exact_camera.h"
+#include "reference/internal/kept.h"
 #include "reference/visibility/visibility.h"
 #include "reference/visibility/visibility_bound.h"
 #include "reference/visibility/visibility_kernel.h"
+#include "reference/visibility/visibility_pairs.h"
 
 namespace raycheck::reference {
 
@@ -63,6 +65,8 @@ struct Visibility::Impl {
 
   /// The filter's view of a planned sphere.
   FilteredSphere filtered_of(const scene::SpherePlan& planned, std::size_t index) const;
+  /// The filter's view in double-doubles, made when it is first asked for; null if it has none.
+  const PairView* pair_view() const;
 
   scene::Scene scene;
   scene::ScenePlan plan;
@@ -81,6 +85,8 @@ struct Visibility::Impl {
 
  private:
   static constexpr std::size_t kMostKept = 16384;
+
+  OnDemand<PairView> pair_view_;
 
   void set_plane();
   void list_bands();

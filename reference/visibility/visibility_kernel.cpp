@@ -9,27 +9,46 @@
 #include <hwy/foreach_target.h>  // IWYU pragma: keep
 #include <hwy/highway.h>
 
+#include "reference/visibility/lanes.h"
 #include "reference/visibility/visibility_formula.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::reference {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-using D = hn::CappedTag<double, 8>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A number of visibility_formula.h.
-struct Lanes {
-  V raw;
-};
-HWY_INLINE Lanes operator*(Lanes x, Lanes y) { return {hn::Mul(x.raw, y.raw)}; }
-HWY_INLINE Lanes mul_add(Lanes x, Lanes y, Lanes z) { return {hn::MulAdd(x.raw, y.raw, z.raw)}; }
-HWY_INLINE Lanes mul_sub(Lanes x, Lanes y, Lanes z) { return {hn::MulSub(x.raw, y.raw, z.raw)}; }
-HWY_INLINE Lanes sub_mul(Lanes x, Lanes y, Lanes z) { return {hn::NegMulAdd(x.raw, y.raw, z.raw)}; }
+HWY_INLINE Lanes all(D d, double x) { return {hn::Set(d, x)}; }
+HWY_INLINE PairLanes all(D d, const Pair& x) { return {hn::Set(d, x.high), hn::Set(d, x.low)}; }
+
+HWY_INLINE Lanes alpha_of(D d, const TileRays& rays, int column) {
+  return {hn::LoadU(d, rays.alpha + column)};
+}
+HWY_INLINE PairLanes alpha_of(D d, const PairRays& rays, int column) {
+  const PairLanes index{hn::Iota(d, rays.first_column + column), hn::Zero(d)};
+  return mul_add(index, all(d, rays.step), all(d, rays.first));
+}
+
+HWY_INLINE Lanes load_numerators(D d, const Tile& tile, std::size_t at) {
+  return {hn::Load(d, tile.numerator.data() + at)};
+}
+HWY_INLINE PairLanes load_numerators(D d, const PairTile& tile, std::size_t at) {
+  return {hn::Load(d, tile.numerator.data() + at), hn::Load(d, tile.rest.data() + at)};
+}
+HWY_INLINE void store_numerators(D d, Lanes numerators, std::size_t at, Tile& tile) {
+  hn::Store(numerators.high, d, tile.numerator.data() + at);
+}
+HWY_INLINE void store_numerators(D d, PairLanes numerators, std::size_t at, PairTile& tile) {
+  hn::Store(numerators.high, d, tile.numerator.data() + at);
+  hn::Store(numerators.low, d, tile.rest.data() + at);
+}
+
+/// Whether any of some columns, as many as a vector has lanes, is asked for.
+HWY_INLINE bool any_wanted(const Tile& /*tile*/, int /*row*/, int /*column*/) { return true; }
+HWY_INLINE bool any_wanted(const PairTile& tile, int row, int column) {
+  const std::uint64_t from = tile.wanted[static_cast<std::size_t>(row)] >> column;
+  return (from & ((std::uint64_t{1} << hn::Lanes(D())) - 1)) != 0;
+}
 
 HWY_INLINE void mark_undecided(D d, M undecided, int row, int column, Tile& tile) {
   std::uint8_t bits[8] = {};
@@ -38,28 +57,30 @@ HWY_INLINE void mark_undecided(D d, M undecided, int row, int column, Tile& tile
 }
 
 /// A sphere's roots m = b -+ q on some lines, a = |g|^2, and which lines meet it, or may.
+template <class N>
 struct Roots {
-  V b, q, a;
+  N b, q, a;
   M met;
   M undecided;
 };
 
 /// The root that counts; whether the sphere is certainly met there, in front.
+template <class N>
 struct Met {
-  V numerator;
+  N numerator;
   M hit;
   M undecided;
 };
 
-template <Certified kCertified>
-HWY_INLINE Met choose_root(D d, const Roots& roots, V root_margin, const TileRays& rays) {
+template <Certified kCertified, class N, class Rays>
+HWY_INLINE Met<N> choose_root(D d, const Roots<N>& roots, V root_margin, const Rays& rays) {
   const auto& [b, q, a, met, undecided] = roots;
-  const V start = hn::Mul(hn::Set(d, rays.start_factor), a);
+  const N start = scaled(a, hn::Set(d, rays.start_factor));
   const V margin = kCertified == Certified::kYes
                        ? hn::Add(root_margin, hn::Set(d, rays.start_margin))
                        : hn::Zero(d);
-  const V smaller = hn::Sub(hn::Sub(b, q), start);
-  const V larger = hn::Sub(hn::Add(b, q), start);
+  const N near_root = b - q, far_root = b + q;
+  const V smaller = (near_root - start).high, larger = (far_root - start).high;
   const M smaller_in_front =
       kCertified == Certified::kYes ? hn::Gt(smaller, margin) : hn::Ge(smaller, margin);
   const M larger_in_front =
@@ -73,65 +94,63 @@ HWY_INLINE Met choose_root(D d, const Roots& roots, V root_margin, const TileRay
     decided =
         hn::Or(smaller_in_front, hn::And(smaller_behind, hn::Or(larger_in_front, larger_behind)));
   }
-  return {hn::IfThenElse(smaller_in_front, hn::Sub(b, q), hn::Add(b, q)), hn::And(met, hit),
+  return {select(smaller_in_front, near_root, far_root), hn::And(met, hit),
           kCertified == Certified::kYes ? hn::Or(undecided, hn::AndNot(decided, met)) : undecided};
 }
 
 enum class Answer { kNearest, kClass };
 
-template <Certified kCertified, Answer kAnswer, bool kRootsMatter, bool kByMoment>
-void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRays& rays,
-                  Tile& tile) {
+template <Certified kCertified, Answer kAnswer, bool kRootsMatter, bool kByMoment, class Number,
+          class Rays, class SomeTile>
+void sweep_sphere(const SphereInTileOf<Number>& entry, double margin_so_far, const Rays& rays,
+                  SomeTile& tile) {
   const D d;
   const int lanes = static_cast<int>(hn::Lanes(d));
-  const FilteredSphere& sphere = *entry.sphere;
+  const FilteredSphereOf<Number>& sphere = *entry.sphere;
   const V decided = hn::Set(d, kCertified == Certified::kYes ? sphere.decided : 0);
   const V root_margin = hn::Set(d, sphere.root_margin);
   const V order_margin = hn::Set(d, sphere.root_margin + margin_so_far);
-  const auto all = [d](double x) { return Lanes{hn::Set(d, x)}; };
-  const Lanes u = all(sphere.u), v = all(sphere.v), w = all(sphere.w);
-  const Lanes power = all(sphere.power), radius_sq = all(sphere.radius_sq);
+  using N = decltype(all(d, sphere.u));
+  const N u = all(d, sphere.u), v = all(d, sphere.v), w = all(d, sphere.w);
+  const N power = all(d, sphere.power), radius_sq = all(d, sphere.radius_sq);
   const V here = hn::Set(d, sphere.index);
   const int first = entry.pixels.i_begin / lanes * lanes;
   for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
-    const double beta = rays.beta[static_cast<std::size_t>(row)];
-    const RowTerms<double> shared = row_terms(rays.near, beta, sphere.u, sphere.v, sphere.w);
-    const RowTerms<Lanes> terms = {all(shared.b), all(shared.a), all(shared.moment),
-                                   all(shared.n_u), all(shared.beta_u)};
+    const RowTerms<N> terms =
+        row_terms(all(d, rays.near), all(d, rays.beta[static_cast<std::size_t>(row)]), u, v, w);
     for (int column = first; column < entry.pixels.i_end; column += lanes) {
-      const Lanes alpha{hn::LoadU(d, rays.alpha + column)};
-      const Lanes line_b = b_of(alpha, u, terms.b), line_a = a_of(alpha, terms.a);
-      const V b = line_b.raw, a = line_a.raw;
-      const V disc =
-          (kByMoment ? discriminant_by_moment(moment_of(alpha, v, w, terms), line_a, radius_sq)
-                     : discriminant(line_b, line_a, power))
-              .raw;
-      M met = hn::Gt(disc, decided);
-      M undecided =
-          kCertified == Certified::kYes ? hn::Le(hn::Abs(disc), decided) : hn::Lt(b, b);  // none
+      if (!any_wanted(tile, row, column)) continue;
+      const N alpha = alpha_of(d, rays, column);
+      const N b = b_of(alpha, u, terms.b), a = a_of(alpha, terms.a);
+      const N disc = kByMoment ? discriminant_by_moment(moment_of(alpha, v, w, terms), a, radius_sq)
+                               : discriminant(b, a, power);
+      M met = hn::Gt(disc.high, decided);
+      M undecided = kCertified == Certified::kYes ? hn::Le(hn::Abs(disc.high), decided)
+                                                  : hn::Lt(b.high, b.high);  // none
       if (hn::AllFalse(d, hn::Or(met, undecided))) continue;
       const std::size_t at = static_cast<std::size_t>(row * Tile::kWidth + column);
-      V numerator = b;
+      N numerator = b;
       if (kAnswer == Answer::kNearest || kRootsMatter) {
-        const V q = hn::Sqrt(hn::IfThenElseZero(met, disc));
+        const N q = root_where(met, disc);
         if (kRootsMatter) {
-          const Met chosen =
-              choose_root<kCertified>(d, {b, q, a, met, undecided}, root_margin, rays);
+          const Met<N> chosen =
+              choose_root<kCertified, N>(d, {b, q, a, met, undecided}, root_margin, rays);
           numerator = chosen.numerator;
           met = chosen.hit;
           undecided = chosen.undecided;
         } else {
-          numerator = hn::Sub(b, q);
+          numerator = b - q;
         }
       }
       if (kAnswer == Answer::kNearest) {
-        const V nearest = hn::Load(d, tile.numerator.data() + at);
+        const N nearest = load_numerators(d, tile, at);
+        const V apart = (numerator - nearest).high;
         if (kCertified == Certified::kYes) {
-          const M close = hn::Le(hn::Abs(hn::Sub(numerator, nearest)), order_margin);
+          const M close = hn::Le(hn::Abs(apart), order_margin);
           undecided = hn::Or(undecided, hn::And(met, close));
         }
-        met = hn::And(met, hn::Lt(numerator, nearest));
-        hn::Store(hn::IfThenElse(met, numerator, nearest), d, tile.numerator.data() + at);
+        met = hn::And(met, hn::Lt(apart, hn::Zero(d)));
+        store_numerators(d, select(met, numerator, nearest), at, tile);
       }
       double* const seen = tile.sphere.data() + at;
       hn::Store(hn::IfThenElse(met, here, hn::Load(d, seen)), d, seen);
@@ -143,9 +162,7 @@ void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRay
 }
 
 void leave_to_exact(const TileRectangle& pixels, Tile& tile) {
-  const std::uint64_t below_end =
-      pixels.i_end == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << pixels.i_end) - 1;
-  const std::uint64_t columns = below_end & ~((std::uint64_t{1} << pixels.i_begin) - 1);
+  const std::uint64_t columns = columns_of(pixels);
   for (int row = pixels.j_begin; row < pixels.j_end; ++row) {
     tile.undecided[static_cast<std::size_t>(row)] |= columns;
   }
@@ -157,11 +174,14 @@ void sweep_by_form(const SphereInTile& entry, double margin_so_far, const TileRa
                    Tile& tile) {
   const FilteredSphere& sphere = *entry.sphere;
   if (kCertified == Certified::kYes && sphere.exact) return leave_to_exact(entry.pixels, tile);
-  const auto sweep = sphere.roots_matter
-                         ? (sphere.by_moment ? sweep_sphere<kCertified, kAnswer, true, true>
-                                             : sweep_sphere<kCertified, kAnswer, true, false>)
-                         : (sphere.by_moment ? sweep_sphere<kCertified, kAnswer, false, true>
-                                             : sweep_sphere<kCertified, kAnswer, false, false>);
+  const auto sweep =
+      sphere.roots_matter
+          ? (sphere.by_moment
+                 ? sweep_sphere<kCertified, kAnswer, true, true, double, TileRays, Tile>
+                 : sweep_sphere<kCertified, kAnswer, true, false, double, TileRays, Tile>)
+          : (sphere.by_moment
+                 ? sweep_sphere<kCertified, kAnswer, false, true, double, TileRays, Tile>
+                 : sweep_sphere<kCertified, kAnswer, false, false, double, TileRays, Tile>);
   sweep(entry, margin_so_far, rays, tile);
 }
 
@@ -196,6 +216,19 @@ void sweep_certified(std::span<const SphereInTile> spheres, const TileRays& rays
 void sweep_uncertified(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile,
                        double& margin) {
   sweep_all<Certified::kNo>(spheres, rays, tile, margin);
+}
+
+void sweep_in_pairs(std::span<const SphereInTileOf<Pair>> spheres, const PairRays& rays,
+                    PairTile& tile) {
+  double margin = 0;
+  for (const SphereInTileOf<Pair>& entry : spheres) {
+    if (entry.sphere->exact) {
+      leave_to_exact(entry.pixels, tile);
+      continue;
+    }
+    sweep_sphere<Certified::kYes, Answer::kNearest, true, true>(entry, margin, rays, tile);
+    margin = std::max(margin, entry.sphere->root_margin);
+  }
 }
 
 void sweep_class(const SphereInTile& entry, const TileRays& rays, Tile& tile) {
@@ -283,6 +316,7 @@ namespace raycheck::reference {
 
 HWY_EXPORT(sweep_certified);
 HWY_EXPORT(sweep_uncertified);
+HWY_EXPORT(sweep_in_pairs);
 HWY_EXPORT(sweep_class);
 HWY_EXPORT(all_nearer);
 HWY_EXPORT(finish_tile);
@@ -299,6 +333,22 @@ void clear(Tile& tile, const TileRectangle& wanted) {
   }
   tile.sphere.fill(-1);
   tile.undecided.fill(0);
+}
+
+void clear(PairTile& tile, const std::array<std::uint64_t, Tile::kHeight>& wanted) {
+  tile.undecided.fill(0);
+  tile.wanted = wanted;
+  for (std::size_t row = 0; row < wanted.size(); ++row) {
+    if (wanted[row] == 0) continue;
+    const std::size_t at = row * Tile::kWidth;
+    std::fill_n(tile.numerator.data() + at, Tile::kWidth, std::numeric_limits<double>::max());
+    std::fill_n(tile.rest.data() + at, Tile::kWidth, 0.0);
+    std::fill_n(tile.sphere.data() + at, Tile::kWidth, -1.0);
+  }
+}
+
+void sweep(std::span<const SphereInTileOf<Pair>> spheres, const PairRays& rays, PairTile& tile) {
+  HWY_DYNAMIC_DISPATCH(sweep_in_pairs)(spheres, rays, tile);
 }
 
 void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certified certified,

@@ -40,6 +40,10 @@
 // a^ (or 0) by more than E_m + 2 E_a. Underflow adds less than 2^-1000, which is negligible if E is
 // at least kLeastBound; all this holds while nothing overflows, as it does if E is at most
 // kLargestBound. The bounds are themselves computed in doubles, with 1% to spare.
+//
+// What doubles leave undecided double-doubles sweep again, by h for every sphere. The bound is the
+// same with u0 = kDoubleDoubleError, as each of their operations is within that of its result, and
+// with delta and rho from the same numbers in double-doubles (visibility_pairs.h).
 
 #include <array>
 #include <cstddef>
@@ -52,11 +56,17 @@ inline constexpr double kDecidedBeyond = 0x1p6;
 inline constexpr double kLeastBound = 0x1p-900;
 inline constexpr double kLargestBound = 0x1p900;
 
-/// A sphere in the filter, with the names of the comment above.
-struct FilteredSphere {
-  double u = 0, v = 0, w = 0;
-  double power = 0;          ///< c
-  double radius_sq = 0;      ///< R^2
+/// A double-double.
+struct Pair {
+  double high = 0, low = 0;
+};
+
+/// A sphere in the filter, in doubles or in pairs, with the names of the comment above.
+template <class Number>
+struct FilteredSphereOf {
+  Number u{}, v{}, w{};
+  Number power{};            ///< c
+  Number radius_sq{};        ///< R^2
   double decided = 0;        ///< kDecidedBeyond E
   double root_margin = 0;    ///< E_m
   std::int32_t index = 0;    ///< In the scene.
@@ -64,16 +74,26 @@ struct FilteredSphere {
   bool by_moment = false;    ///< disc = r^2 a - |f x g|^2
   bool exact = false;        ///< No bound holds: the filter skips its pixels.
 };
+using FilteredSphere = FilteredSphereOf<double>;
 
 /// Part of a tile: rows and columns counted from the tile's first.
 struct TileRectangle {
   int i_begin = 0, i_end = 0, j_begin = 0, j_end = 0;
 };
+/// Its columns, one bit each.
+inline std::uint64_t columns_of(const TileRectangle& pixels) {
+  const auto before = [](int end) {
+    return end == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << end) - 1;
+  };
+  return before(pixels.i_end) & ~before(pixels.i_begin);
+}
 
-struct SphereInTile {
-  const FilteredSphere* sphere = nullptr;
+template <class Number>
+struct SphereInTileOf {
+  const FilteredSphereOf<Number>* sphere = nullptr;
   TileRectangle pixels;
 };
+using SphereInTile = SphereInTileOf<double>;
 
 struct Tile {
   static constexpr int kWidth = 64;
@@ -84,16 +104,29 @@ struct Tile {
   alignas(64) std::array<double, kPixels> sphere;     ///< Its index in the scene, or -1.
   std::array<std::uint64_t, kHeight> undecided;       ///< One bit per column.
 };
+/// Some pixels of a tile in pairs.
+struct PairTile : Tile {
+  alignas(64) std::array<double, kPixels> rest;  ///< The low parts of numerators.
+  std::array<std::uint64_t, kHeight> wanted;     ///< The pixels, one bit per column.
+};
 
-/// What the rays of a tile share, besides the columns' alpha (kWidth of them).
-struct TileRays {
-  const double* alpha = nullptr;
-  std::array<double, Tile::kHeight> beta{};
-  double near = 0;          ///< n^
+/// What the rays of a tile share, besides their columns' alpha.
+template <class Number>
+struct TileRaysOf {
+  std::array<Number, Tile::kHeight> beta{};
+  Number near{};            ///< n^
   double start_factor = 0;  ///< A root is in front where m >= start_factor a; 0 for focal rays.
   double start_margin = 0;  ///< 2 start_factor E_a
   double least_length = 0;  ///< No ray of the tile has a smaller l.
   bool larger_counts = true;
+};
+struct TileRays : TileRaysOf<double> {
+  const double* alpha = nullptr;  ///< kWidth of them.
+};
+/// alpha = first + column step
+struct PairRays : TileRaysOf<Pair> {
+  Pair first, step;
+  double first_column = 0;
 };
 
 enum class Certified { kNo, kYes };
@@ -101,11 +134,15 @@ enum class Certified { kNo, kYes };
 /// Resets to nothing seen, everything decided; pixels outside of what is wanted, some rows of the
 /// first columns, see what is nearer than any sphere.
 void clear(Tile& tile, const TileRectangle& wanted);
+/// Resets to nothing seen of these pixels.
+void clear(PairTile& tile, const std::array<std::uint64_t, Tile::kHeight>& wanted);
 
 /// Sweeps spheres over the tile, whose pixels but the undecided ones then have the nearest sphere
 /// so far; `margin` is the largest E_m so far.
 void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certified certified,
            Tile& tile, double& margin);
+/// The same, certified, for the wanted pixels of a tile in pairs.
+void sweep(std::span<const SphereInTileOf<Pair>> spheres, const PairRays& rays, PairTile& tile);
 /// The same for the class of one sphere alone; numerators do not change.
 void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile);
 /// Whether every pixel has met a sphere at a smaller t than `distance`.

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -33,6 +35,7 @@ class NearestOfRows {
     DecidedBy decided_by;
     at_.for_each_band([&](std::size_t band) {
       const std::span<const std::uint32_t> in_band = impl_.bands.of(band);
+      tangents_ = {};
       if (in_band.empty()) {
         fill_band();
         return;
@@ -117,16 +120,27 @@ class NearestOfRows {
     const double least = finish_tile(tile_, wanted, rays, impl_.scale, output);
     if (!impl_.plan.items.quantities) compute_all(rays, wanted);
     if (certified == Certified::kNo) return;
-    if (!rows_.parameter.empty() || !rows_.point_x.empty()) require_precise(rays, least, wanted);
-    const std::uint64_t inside =
-        wanted.i_end == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << wanted.i_end) - 1;
+    const bool is_precise = !wants_values() || is_plane_precise(rays);
+    if (wants_values()) require_precise(is_precise, least, wanted);
+    std::uint64_t undecided = 0;
+    const std::uint64_t inside = columns_of(wanted);
+    for (int row = 0; row < Tile::kHeight; ++row) {
+      std::uint64_t& in_row = tile_.undecided[static_cast<std::size_t>(row)];
+      in_row = row < wanted.j_begin || row >= wanted.j_end ? 0 : in_row & inside;
+      undecided |= in_row;
+    }
+    if (undecided == 0) return;
+    if (is_precise && decide_in_pairs(tile, rays, decided_by)) {
+      finish_tile(tile_, wanted, rays, impl_.scale, output);
+    }
     for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
-      for (std::uint64_t left = tile_.undecided[static_cast<std::size_t>(row)] & inside; left != 0;
+      for (std::uint64_t left = tile_.undecided[static_cast<std::size_t>(row)]; left != 0;
            left &= left - 1) {
         const int column = __builtin_ctzll(left);
         const Rung rung =
             decide_exactly({at_.first_column(tile) + column, at_.first_row() + row},
-                           at_.output_at(row, tile) + static_cast<std::size_t>(column));
+                           at_.output_at(row, tile) + static_cast<std::size_t>(column),
+                           tangents_[static_cast<std::size_t>(row)]);
         ++decided_by.rungs[static_cast<std::size_t>(rung)];
       }
     }
@@ -149,11 +163,16 @@ class NearestOfRows {
   // a coordinate by less than 1.6 kShare t; the sum with E is rounded.
   static constexpr double kShare = kVisibleParameterError / 2;
 
-  /// Leaves imprecise pixels to the exact ray.
-  void require_precise(const TileRays& rays, double least, const TileRectangle& wanted) {
-    const bool with_points = !rows_.point_x.empty();
-    if (!(2 * impl_.sizes.delta <= kShare / 8 * rays.least_length) ||
-        (with_points && impl_.axis_doubt > kShare / 32)) {
+  bool wants_values() const { return !rows_.parameter.empty() || !rows_.point_x.empty(); }
+
+  bool is_plane_precise(const TileRays& rays) const {
+    return 2 * impl_.sizes.delta <= kShare / 8 * rays.least_length &&
+           (rows_.point_x.empty() || impl_.axis_doubt <= kShare / 32);
+  }
+
+  /// Leaves imprecise pixels undecided.
+  void require_precise(bool is_plane_precise, double least, const TileRectangle& wanted) {
+    if (!is_plane_precise) {
       for (int row = wanted.j_begin; row < wanted.j_end; ++row) {
         for (int column = 0; column < wanted.i_end; ++column) {
           if (tile_.sphere[static_cast<std::size_t>(row * Tile::kWidth + column)] < 0) continue;
@@ -182,32 +201,117 @@ class NearestOfRows {
     }
   }
 
-  Rung decide_exactly(const scene::Pixel& pixel, std::size_t at) {
+  /// Sweeps spheres in double-doubles over the undecided pixels. Returns whether any is decided.
+  bool decide_in_pairs(std::size_t tile, const TileRays& rays, DecidedBy& decided_by) {
+    const PairView* const view = impl_.pair_view();
+    if (view == nullptr) return false;
+    pair_spheres_.clear();
+    pair_spheres_.reserve(list_.size());
+    pair_list_.clear();
+    double margin = 0;
+    for (const auto& [sphere, pixels] : list_) {
+      if (!any_undecided(pixels)) continue;
+      const auto index = static_cast<std::size_t>(sphere->index);
+      const FilteredSphereOf<Pair>& in_pairs =
+          pair_spheres_.emplace_back(view->sphere(impl_.scene.spheres[index], index));
+      pair_list_.push_back({&in_pairs, pixels});
+      if (!in_pairs.exact) margin = std::max(margin, in_pairs.root_margin);
+    }
+    clear(pair_tile_, tile_.undecided);
+    sweep(pair_list_, view->rays(rays, at_.first_column(tile), at_.first_row()), pair_tile_);
+    std::uint64_t decided = 0;
+    for (std::size_t row = 0; row < Tile::kHeight; ++row) {
+      const std::uint64_t candidates = tile_.undecided[row] & ~pair_tile_.undecided[row];
+      for (std::uint64_t left = candidates; left != 0; left &= left - 1) {
+        const std::size_t at =
+            row * Tile::kWidth + static_cast<std::size_t>(std::countr_zero(left));
+        const bool is_hit = pair_tile_.sphere[at] >= 0;
+        if (is_hit && wants_values() && !(margin <= kShare * pair_tile_.numerator[at])) continue;
+        tile_.numerator[at] = is_hit ? pair_tile_.numerator[at] : kNoParameter;
+        tile_.sphere[at] = pair_tile_.sphere[at];
+        tile_.undecided[row] &= ~(left & -left);
+        ++decided;
+      }
+    }
+    decided_by.rungs[static_cast<std::size_t>(Rung::kDoubleDoubles)] += decided;
+    return decided > 0;
+  }
+
+  bool any_undecided(const TileRectangle& pixels) const {
+    const std::uint64_t columns = columns_of(pixels);
+    for (int row = pixels.j_begin; row < pixels.j_end; ++row) {
+      if ((tile_.undecided[static_cast<std::size_t>(row)] & columns) != 0) return true;
+    }
+    return false;
+  }
+
+  /// How many pixels of a row are exactly tangent to the sphere that alone they may meet. The
+  /// discriminant is quadratic in alpha: if it is 0 at three columns it is at all. Then (f.d)^2 = c
+  /// of every direction d in a plane, of d and -d, hence f.d = 0 = c: the eye is on the sphere, and
+  /// all rays of the row touch it there.
+  struct RowTangent {
+    std::size_t sphere = 0;
+    int columns = 0;
+    Rung rung = Rung::kIntervals;
+
+    bool is_whole_row(std::span<const std::size_t> candidates) const {
+      return columns >= 3 && candidates.size() == 1 && candidates.front() == sphere;
+    }
+    void add(std::size_t of, const Intersection& at, Rung by) {
+      if (at.hit_class != HitClass::kTangent) return;
+      columns = of == sphere ? columns + 1 : 1;
+      sphere = of;
+      rung = by;
+    }
+  };
+
+  Rung decide_exactly(const scene::Pixel& pixel, std::size_t at, RowTangent& tangent) {
     candidates_.clear();
     for (const SphereInTile& entry : list_) {
       const auto index = static_cast<std::size_t>(entry.sphere->index);
       if (impl_.plan.spheres[index].pixels.contains(pixel)) candidates_.push_back(index);
+    }
+    const auto put = [at](auto array, auto value) {
+      if (!array.empty()) array[at] = value;
+    };
+    const auto put_all = [&](std::int32_t sphere, double s, const scene::Point3& Q) {
+      put(rows_.sphere, sphere);
+      put(rows_.parameter, s);
+      put(rows_.point_x, Q.x);
+      put(rows_.point_y, Q.y);
+      put(rows_.point_z, Q.z);
+    };
+    const scene::Point3 nowhere = {kNoParameter, kNoParameter, kNoParameter};
+    const scene::Conventions& conventions = impl_.plan.conventions;
+    if (tangent.is_whole_row(candidates_)) {
+      if (counts_as_hit(HitClass::kTangent, conventions.tangent)) {
+        const auto& [x, y, z] = impl_.scene.camera->eye;
+        put_all(static_cast<std::int32_t>(tangent.sphere), 0, {x + 0.0, y + 0.0, z + 0.0});
+      } else {
+        put_all(kNoSphere, kNoParameter, nowhere);
+      }
+      return tangent.rung;
     }
     std::sort(candidates_.begin(), candidates_.end());  // among equals the first in the file
     spheres_.clear();
     for (const std::size_t index : candidates_) spheres_.push_back(impl_.scene.spheres[index]);
     const ExactRay ray(impl_.camera, pixel);
     Rung highest = Rung::kIntervals;
-    const auto seen = ray.nearest(spheres_, impl_.plan.conventions, {.highest = &highest});
-    const auto put = [at](auto array, auto value) {
-      if (!array.empty()) array[at] = value;
-    };
-    put(rows_.sphere, seen ? static_cast<std::int32_t>(candidates_[seen->index]) : kNoSphere);
-    if (!rows_.parameter.empty()) {
-      rows_.parameter[at] =
-          seen ? ray.rounded_parameter(spheres_[seen->index], seen->intersection) : kNoParameter;
+    const auto seen = ray.nearest(spheres_, conventions, {.highest = &highest});
+    if (candidates_.size() == 1 &&
+        (seen || !counts_as_hit(HitClass::kTangent, conventions.tangent))) {
+      tangent.add(candidates_.front(),
+                  seen ? seen->intersection : ray.intersect(spheres_.front(), conventions),
+                  highest);
     }
-    if (rows_.point_x.empty() && rows_.point_y.empty() && rows_.point_z.empty()) return highest;
-    const scene::Point3 point = seen ? ray.rounded_point(spheres_[seen->index], seen->intersection)
-                                     : scene::Point3{kNoParameter, kNoParameter, kNoParameter};
-    put(rows_.point_x, point.x);
-    put(rows_.point_y, point.y);
-    put(rows_.point_z, point.z);
+    if (!seen) {
+      put_all(kNoSphere, kNoParameter, nowhere);
+      return highest;
+    }
+    const scene::Sphere& sphere = spheres_[seen->index];
+    put_all(static_cast<std::int32_t>(candidates_[seen->index]),
+            rows_.parameter.empty() ? 0 : ray.rounded_parameter(sphere, seen->intersection),
+            rows_.point_x.empty() ? nowhere : ray.rounded_point(sphere, seen->intersection));
     return highest;
   }
 
@@ -219,6 +323,10 @@ class NearestOfRows {
   Lists tiles_;
   std::vector<SphereInTile> list_;
   std::vector<FilteredSphere> computed_;
+  PairTile pair_tile_;
+  std::vector<FilteredSphereOf<Pair>> pair_spheres_;
+  std::vector<SphereInTileOf<Pair>> pair_list_;
+  std::array<RowTangent, Tile::kHeight> tangents_;
   std::vector<double> all_quantities_;
   std::vector<std::size_t> candidates_;
   std::vector<scene::Sphere> spheres_;

@@ -58,15 +58,26 @@ namespace {
 
 constexpr std::int64_t kSide = 1024;
 
-/// A row of pixels whose plane, y = 0, passes the sphere's surface at the eye, `above` of its
-/// radius from it: 0, and all rays are exactly tangent.
-scene::Scene tangent_row(double above) {
+/// A row of pixels whose plane passes the sphere's surface at the eye, `above` of its radius from
+/// it: 0, and all rays of an upright camera are exactly tangent.
+scene::Scene tangent_row(double above, const scene::Point3& look_at = {0, 0, -1}) {
   scene::Scene scene;
-  scene.camera = scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0},     -1, std::nullopt, -0.75, 0.75,
-                               -0.5,      0.5,        kSide * kSide, 1};
-  scene.spheres = {{{0, -2, 0}, 2 * (1 - above)}};
+  scene.camera = scene::Camera{{0, 0, 0}, look_at, {0, 1, 0},     -1, std::nullopt, -0.75, 0.75,
+                               -0.5,      0.5,     kSide * kSide, 1};
+  const scene::UnitVector3 V = fast::camera_frame(*scene.camera).V;
+  scene.spheres = {{{-2 * V.x, -2 * V.y, -2 * V.z}, 2 * (1 - above)}};
   scene.conventions.origin = scene::Origin::kFocal;
   scene.conventions.samples = scene::Samples::kCentres;
+  return scene;
+}
+
+/// The same, exactly tangent, of positions that are no double-doubles.
+scene::Scene tangent_by_edges() {
+  scene::Scene scene = tangent_row(0);
+  scene.camera->bottom = 0;
+  scene.camera->height = 2;
+  scene.camera->width /= 2;
+  scene.conventions.samples = scene::Samples::kEdges;
   return scene;
 }
 
@@ -93,11 +104,15 @@ scene::Scene from_afar(double times) {
 }  // namespace
 
 std::vector<HardScene> hard_scenes() {
-  std::vector<HardScene> scenes = {
-      {"tangent", tangent_row(0)},   {"near-tangent", tangent_row(-1e-12)},
-      {"at-origin", moved(0)},       {"far-world", moved(1e7)},
-      {"near-camera", from_afar(4)}, {"far-camera", from_afar(1e7)},
-      {"distinct", in_view(1000)}};
+  std::vector<HardScene> scenes = {{"tangent", tangent_row(0)},
+                                   {"tangent-edges", tangent_by_edges()},
+                                   {"near-tangent", tangent_row(-1e-12)},
+                                   {"tilted", tangent_row(-1e-12, {1, -2, -3})},
+                                   {"at-origin", moved(0)},
+                                   {"far-world", moved(1e7)},
+                                   {"near-camera", from_afar(4)},
+                                   {"far-camera", from_afar(1e7)},
+                                   {"distinct", in_view(1000)}};
   scene::Scene equal = in_view(1), nested = equal;
   for (int k = 1; k < 1000; ++k) {
     equal.spheres.push_back(equal.spheres.front());

@@ -15,8 +15,10 @@
 #include "reference/enclosure.h"
 #include "reference/error_measure.h"
 #include "reference/exact_camera.h"
+#include "reference/visibility/lanes.h"
 #include "reference/visibility/visibility_bound.h"
 #include "reference/visibility/visibility_formula.h"
+#include "reference/visibility/visibility_pairs.h"
 #include "scene/plan/plan.h"
 #include "tests/numbers.h"
 
@@ -199,6 +201,32 @@ Computed computed(const reference::FilteredSphere& sphere, double alpha, double 
   return {b.x, disc.x};
 }
 
+/// The same in double-doubles, of the first column and row.
+struct ComputedInPairs {
+  Enclosure b, disc, q;
+};
+
+ComputedInPairs computed(const reference::FilteredSphereOf<reference::Pair>& sphere,
+                         const reference::PairRays& rays) {
+  namespace lanes = reference::HWY_NAMESPACE;
+  using N = lanes::PairLanes;
+  const lanes::D d;
+  const auto all = [d](const reference::Pair& x) {
+    return N{lanes::hn::Set(d, x.high), lanes::hn::Set(d, x.low)};
+  };
+  const N u = all(sphere.u), v = all(sphere.v), w = all(sphere.w);
+  const N index = all({rays.first_column, 0});
+  const N alpha = mul_add(index, all(rays.step), all(rays.first));
+  const auto row = lanes::row_terms(all(rays.near), all(rays.beta[0]), u, v, w);
+  const N b = lanes::b_of(alpha, u, row.b), a = lanes::a_of(alpha, row.a);
+  const N disc =
+      lanes::discriminant_by_moment(lanes::moment_of(alpha, v, w, row), a, all(sphere.radius_sq));
+  const auto sum = [](const N& x) {
+    return exactly(lanes::hn::GetLane(x.high)) + exactly(lanes::hn::GetLane(x.low));
+  };
+  return {sum(b), sum(disc), sum(root_where(lanes::hn::Gt(disc.high, lanes::hn::Zero(d)), disc))};
+}
+
 /// The largest shares of a bound that errors took.
 struct Shares {
   double disc = 0, numerator = 0;
@@ -206,11 +234,29 @@ struct Shares {
 };
 
 /// |got - exact| / bound, at least.
+double share(const Enclosure& got, const Enclosure& exact, double bound) {
+  return (abs(got - exact) / exactly(bound)).upper();
+}
 double share(double got, const Enclosure& exact, double bound) {
-  return (abs(exactly(got) - exact) / exactly(bound)).upper();
+  return share(exactly(got), exact, bound);
 }
 
-void compare(const Case& the_case, Shares& shares) {
+void compare_pairs(const reference::FilteredSphereOf<reference::Pair>& sphere,
+                   const reference::PairRays& rays, const Exact& exact, Shares& shares) {
+  const ComputedInPairs got = computed(sphere, rays);
+  ++shares.compared;
+  shares.disc = std::max(shares.disc,
+                         share(got.disc, exact.disc, sphere.decided / reference::kDecidedBeyond));
+  if ((got.disc - exactly(sphere.decided)).certain_sign() != 1) return;
+  ++shares.decided;
+  for (const double sign : {-1.0, 1.0}) {
+    shares.numerator = std::max(
+        shares.numerator, share(got.b + exactly(sign) * got.q,
+                                exact.b + exactly(sign) * sqrt(exact.disc), sphere.root_margin));
+  }
+}
+
+void compare(const Case& the_case, Shares& shares, Shares& in_pairs, Shares& in_pairs_mutated) {
   const scene::Camera& camera = *the_case.scene.camera;
   const scene::ScenePlan plan =
       scene::plan_scene(the_case.scene, the_case.scene.conventions, scene::Wanted::kNearest);
@@ -224,10 +270,13 @@ void compare(const Case& the_case, Shares& shares) {
   const auto sizes = reference::plane_sizes(alpha, beta, plan.eye.near());
   const reference::ExactCamera exact(camera, the_case.scene.conventions);
   const auto axes = exact.frame(512);
+  const reference::PairView pairs(exact);
   for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
     const auto sphere = reference::filtered(plan.spheres[k], k, sizes);
-    if (sphere.exact) continue;
     const scene::Sphere& given = the_case.scene.spheres[k];
+    const auto sphere_in_pairs = pairs.sphere(given, k);
+    const bool has_pairs = plan.eye.scaling() == scene::Scaling{} && !sphere_in_pairs.exact;
+    if (sphere.exact && !has_pairs) continue;
     const Enclosure unit = power_of_two(-lengths);
     const Enclosure3 T = exactly3(given.centre) - exactly3(camera.eye);
     const Enclosure3 f{T.x * unit, T.y * unit, T.z * unit};
@@ -242,16 +291,25 @@ void compare(const Case& the_case, Shares& shares) {
       const Enclosure b = n * w + y * v + x * u;
       const Enclosure disc = b * b - c * (n * n + x * x + y * y);
       const double E = sphere.decided / reference::kDecidedBeyond;
+      // Of rays that pass so far that the bound says nothing, only that they miss.
+      const Enclosure S_sq = r * r * exactly(sizes.A);
+      const bool passes_far = (disc + exactly(3) * S_sq).certain_sign() == -1;
+      if (has_pairs && !passes_far) {
+        const auto [i, j] = the_case.pixels[at];
+        reference::PairRays rays = pairs.rays({}, i, j);
+        compare_pairs(sphere_in_pairs, rays, {b, disc}, in_pairs);
+        rays.step.low = 0;
+        compare_pairs(sphere_in_pairs, rays, {b, disc}, in_pairs_mutated);
+      }
+      if (sphere.exact) continue;
       for (const bool fused : {true, false}) {
         const auto compute = fused ? computed<true> : computed<false>;
         const Computed got =
             compute(sphere, reference::middle(alpha[at]), reference::middle(beta[at]), near);
         ++shares.compared;
         shares.by_moment += sphere.by_moment ? 1 : 0;
-        // Of rays that pass so far that the bound says nothing, only that they miss.
-        const double S_sq = sphere.radius_sq * sizes.A;
-        if (sphere.by_moment && (disc - exactly(-3 * S_sq)).certain_sign() == -1) {
-          EXPECT_LT(got.disc, -2 * S_sq);
+        if (sphere.by_moment && passes_far) {
+          EXPECT_LT(got.disc, -2 * sphere.radius_sq * sizes.A);
           continue;
         }
         shares.disc = std::max(shares.disc, share(got.disc, disc, E));
@@ -268,23 +326,33 @@ void compare(const Case& the_case, Shares& shares) {
 }
 
 TEST(VisibilityBound, HoldsOnEverySourceOfCameras) {
-  int by_moment = 0;
+  int by_moment = 0, pairs_compared = 0;
+  Shares in_pairs_mutated;
+  double most_in_pairs = 0;
   for (const CaseSource& source : case_sources()) {
     if (!source.has_camera) continue;
     SCOPED_TRACE(source.name);
-    Shares shares;
+    Shares shares, in_pairs;
     for (std::uint64_t seed = 0; seed < 400; ++seed)
-      compare(ChosenSource{&source}.make(seed), shares);
+      compare(ChosenSource{&source}.make(seed), shares, in_pairs, in_pairs_mutated);
     EXPECT_LE(shares.disc, 1);
     EXPECT_LE(shares.numerator, 1);
     // It bounds all pixels and spheres at once, but it is no idle bound.
     EXPECT_GT(shares.disc, 0x1p-6);
     EXPECT_GT(shares.compared, 200);
+    EXPECT_LE(in_pairs.disc, 1);
+    EXPECT_LE(in_pairs.numerator, 1);
+    pairs_compared += in_pairs.compared;
+    most_in_pairs = std::max(most_in_pairs, in_pairs.disc);
     by_moment += shares.by_moment;
     RecordProperty(std::string(source.name) + "-disc", std::to_string(shares.disc));
     RecordProperty(std::string(source.name) + "-numerator", std::to_string(shares.numerator));
   }
   EXPECT_GT(by_moment, 1000);
+  EXPECT_GT(pairs_compared, 1000);
+  EXPECT_GT(most_in_pairs, 0x1p-10);
+  EXPECT_GT(in_pairs_mutated.disc, 1);
+  RecordProperty("disc-in-pairs", std::to_string(most_in_pairs));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -191,6 +192,57 @@ TEST(Visibility, DecidesTangentsAndTiesExactly) {
   EXPECT_GE(seen.decided_by.fallback(), 2U);
 }
 
+/// One row of pixels in a plane that touches a sphere at the eye, or passes that close to it.
+scene::Scene tangent_row(double above, scene::Samples samples, const scene::Point3& look_at) {
+  scene::Scene scene;
+  scene.camera = scene::Camera{{0, 0, 0}, look_at, {0, 1, 0}, -1, {}, -.7, .8, -.5, .5, 131, 1};
+  if (samples == scene::Samples::kEdges) {
+    scene.camera->height = 2;
+    scene.camera->bottom = 0;
+  }
+  scene.conventions.samples = samples;
+  scene.conventions.origin = scene::Origin::kFocal;
+  const RoundedFrame frame = ExactCamera(*scene.camera, scene.conventions).rounded_frame();
+  scene.spheres = {{{-2 * frame.V.x, -2 * frame.V.y, -2 * frame.V.z}, 2 * (1 + above)}};
+  return scene;
+}
+
+TEST(Visibility, DecidesWholeRowsOfTangents) {
+  for (const auto samples : {scene::Samples::kCentres, scene::Samples::kEdges}) {
+    for (const auto tangent : {scene::Tangent::kHit, scene::Tangent::kMiss}) {
+      scene::Scene scene = tangent_row(0, samples, {0, 0, -1});
+      scene.conventions.tangent = tangent;
+      const Seen alone = see(visibility_of(scene));
+      const bool is_hit = tangent == scene::Tangent::kHit;
+      EXPECT_EQ(std::count(alone.sphere.begin(), alone.sphere.begin() + 131, 0), is_hit ? 131 : 0);
+      expect_exact(scene, alone);
+      EXPECT_GE(alone.decided_by.fallback(), 131U);
+      // A sphere from which some of the rays start, before the other in the file.
+      scene.spheres.insert(scene.spheres.begin(), {{1, 0, -1}, std::sqrt(2.0)});
+      scene.spheres.push_back({{3, 0, -6}, 1});
+      expect_exact(scene, see(visibility_of(scene)));
+    }
+  }
+}
+
+TEST(Visibility, DecidesNearTangentsInPairs) {
+  for (const scene::Point3& look_at : {scene::Point3{0, 0, -1}, {1, -2, -3}}) {
+    for (const double above : {1e-12, 1e-14, 1e-15, -1e-12, -1e-15}) {
+      for (const auto origin : {scene::Origin::kFocal, scene::Origin::kPixel}) {
+        scene::Scene scene = tangent_row(above, scene::Samples::kCentres, look_at);
+        scene.conventions.origin = origin;
+        const Seen seen = see(visibility_of(scene));
+        expect_exact(scene, seen);
+        const auto [intervals, pairs, balls, field] = seen.decided_by.rungs;
+        EXPECT_EQ(intervals + balls + field, 0U) << above;
+        if (above > 0 && origin == scene::Origin::kFocal) {
+          EXPECT_EQ(pairs, 131U) << above;
+        }
+      }
+    }
+  }
+}
+
 TEST(Visibility, DoesNotDependOnHowRowsAreAskedFor) {
   const Visibility visibility = visibility_of(random_scene(2));
   const Seen one = see(visibility);
@@ -206,8 +258,14 @@ TEST(Visibility, DoesNotDependOnHowRowsAreAskedFor) {
 }
 
 TEST(Visibility, DoesNotDependOnTheTarget) {
-  const Visibility visibility = visibility_of(random_scene(3));
+  // With a sphere that rays leave or miss so near to the eye that it takes pairs to tell where.
+  scene::Scene scene = random_scene(3);
+  scene.conventions.origin = scene::Origin::kFocal;
+  const auto& [x, y, z] = scene.camera->eye;
+  scene.spheres.push_back({{x, y + 1, z}, 1 - 0x1p-50});
+  const Visibility visibility = visibility_of(scene);
   const Seen best = see(visibility);
+  EXPECT_GT(best.decided_by.rungs[1], best.sphere.size() / 5);
   std::vector<std::int64_t> targets;
   for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
     targets.push_back(left & -left);

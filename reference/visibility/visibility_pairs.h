@@ -1,0 +1,46 @@
+#pragma once
+
+// What the filter of certified visibility takes of a scene in double-doubles. Internal to
+// reference/.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "reference/exact_camera.h"
+#include "reference/visibility/visibility_bound.h"
+#include "reference/visibility/visibility_kernel.h"
+#include "scene/scene.h"
+
+namespace raycheck::reference {
+
+/// Columns or rows, as they are counted along the axis.
+struct PairAxis {
+  DoubleDouble first, step;  ///< position = first + index step
+  double count;
+  double most;  ///< No position is larger in magnitude.
+
+  PairAxis(double low, double high, std::int64_t pixels, scene::Samples samples);
+  /// How far a computed position may be off.
+  double doubt() const;
+};
+
+/// A camera in double-doubles.
+/// Domain: magnitudes that need no scaling (scene::kPlainExponent).
+class PairView {
+ public:
+  explicit PairView(const ExactCamera& camera);
+
+  const PlaneSizes& sizes() const { return sizes_; }
+  FilteredSphereOf<Pair> sphere(const scene::Sphere& sphere, std::size_t index) const;
+  /// The rays of a tile, from these columns and rows on, whose rays in doubles are the same.
+  PairRays rays(const TileRays& same, std::int64_t first_column, std::int64_t first_row) const;
+
+ private:
+  scene::Camera camera_;
+  DoubleDoubleFrame frame_;
+  PairAxis columns_, rows_;
+  bool is_top_first_;
+  PlaneSizes sizes_;
+};
+
+}  // namespace raycheck::reference
