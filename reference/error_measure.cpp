@@ -31,13 +31,6 @@ Measured relative_error_of(const Triple& given, const Enclosure3& exact) {
                                      : in_units_of_u(relative_distance(answer, exact));
 }
 
-/// A separate function, so that no operation moves to where doubles round upward.
-[[gnu::noinline]] std::optional<Measured> unit_defect_by_double_doubles(
-    const scene::UnitVector3& given) {
-  const NearestGuard guard;
-  return narrow_error_in_u(distance_from_unit(in_double_doubles(given)));
-}
-
 }  // namespace
 
 Measured ulp_error(double given, const Enclosure& exact, scene::Precision precision) {
@@ -85,7 +78,9 @@ Measured angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
 
 Measured unit_defect(const scene::UnitVector3& given) {
   if (!is_finite(given)) return {kInfinity};
-  if (const auto defect = unit_defect_by_double_doubles(given)) return *defect;
+  const std::optional<Measured> defect = by_double_doubles(
+      [&] { return narrow_error_in_u(distance_from_unit(in_double_doubles(given))); });
+  if (defect) return *defect;
   return in_units_of_u(distance_from_unit(enclose_exactly(given)));
 }
 

@@ -25,19 +25,18 @@ Axes<K> converted(const Axes<From>& axes, Convert convert) {
   return {vector(axes.U), vector(axes.V), vector(axes.W)};
 }
 
-/// Empty where some interval would be wider than from one double to the next. A separate function,
-/// so that no operation moves to where doubles round upward.
-[[gnu::noinline]] std::optional<Axes<IntervalKernel>> axes_by_double_doubles(
-    const scene::Camera& camera) {
-  constexpr int kNarrow = 60;
-  const NearestGuard guard;
-  bool is_narrow = true;
-  const auto axes = converted<IntervalKernel>(camera_axes(lift_camera(DoubleDoubleLift{}, camera)),
-                                              [&](const DoubleDouble& x) {
-                                                is_narrow = is_narrow && x.is_within(kNarrow);
-                                                return Interval(x.lower(), x.upper());
-                                              });
-  return is_narrow ? std::optional(axes) : std::nullopt;
+/// Empty where some interval would be wider than from one double to the next.
+std::optional<Axes<IntervalKernel>> axes_by_double_doubles(const scene::Camera& camera) {
+  return by_double_doubles([&]() -> std::optional<Axes<IntervalKernel>> {
+    constexpr int kNarrow = 60;
+    bool is_narrow = true;
+    const auto axes = converted<IntervalKernel>(
+        camera_axes(lift_camera(DoubleDoubleLift{}, camera)), [&](const DoubleDouble& x) {
+          is_narrow = is_narrow && x.is_within(kNarrow);
+          return Interval(x.lower(), x.upper());
+        });
+    return is_narrow ? std::optional(axes) : std::nullopt;
+  });
 }
 
 Axes<IntervalKernel> axes_in_intervals(const scene::Camera& camera) {

@@ -14,11 +14,11 @@
 namespace raycheck::reference {
 namespace {
 
-/// A separate function, so that no operation moves to where doubles round upward.
-[[gnu::noinline]] ExactRay::Direction direction_of(const ExactRay::Source& source) {
-  const NearestGuard guard;
-  const auto line = line_of(DoubleDoubleLift{}, source);
-  return {{line.g.x(), line.g.y(), line.g.z()}, line.a};
+ExactRay::Direction direction_of(const ExactRay::Source& source) {
+  return by_double_doubles([&]() -> ExactRay::Direction {
+    const auto line = line_of(DoubleDoubleLift{}, source);
+    return {{line.g.x(), line.g.y(), line.g.z()}, line.a};
+  });
 }
 
 void raise(Rungs by, Rung rung) {
@@ -63,15 +63,6 @@ struct ExactRay::Filter {
   Line<IntervalKernel> line;
 };
 
-/// A sign by double-doubles. A separate function, so that no operation moves to where doubles round
-/// upward.
-template <class SignUnder>
-[[gnu::noinline]] std::optional<int> sign_by_double_doubles(const ExactRay& ray,
-                                                            const SignUnder& sign_under) {
-  const NearestGuard guard;
-  return sign_under(DoubleDoubleLift{}, line_in_double_doubles(ray));
-}
-
 /// The ladder: `sign` of the ray and two spheres under intervals, double-doubles, balls, the exact
 /// field, until one is certain; the last always is.
 template <class F>
@@ -92,8 +83,10 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Ru
         return take(Rung::kIntervals, *answer);
       }
     }
-    if (const auto answer = sign_by_double_doubles(*this, sign_under)) {
-      return take(Rung::kDoubleDoubles, *answer);
+    const std::optional<int> certain = by_double_doubles(
+        [&] { return sign_under(DoubleDoubleLift{}, line_in_double_doubles(*this)); });
+    if (certain) {
+      return take(Rung::kDoubleDoubles, *certain);
     }
     const EnclosureLift lift{kMiddleBits};
     if (const auto answer = sign_under(lift, line_of(lift, source_))) {

@@ -16,12 +16,10 @@ constexpr int kBits = 256;
 
 Triple<DoubleDouble> triple(const DoubleDoubleKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// measure(line) by double-doubles. A separate function, so that no operation moves to where
-/// doubles round upward.
+/// measure(line) by double-doubles.
 template <class Measure>
-[[gnu::noinline]] auto by_double_doubles(const ExactRay& ray, const Measure& measure) {
-  const NearestGuard guard;
-  return measure(line_in_double_doubles(ray));
+auto by_double_doubles(const ExactRay& ray, const Measure& measure) {
+  return reference::by_double_doubles([&] { return measure(line_in_double_doubles(ray)); });
 }
 
 template <class Measure>
@@ -98,20 +96,13 @@ Measured hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
   return error ? *error : relative_error(given, ray.point(sphere, intersection));
 }
 
-namespace {
-
-[[gnu::noinline]] std::optional<Measured> sphere_residual_by_double_doubles(
-    const scene::Sphere& sphere, const scene::Point3& given) {
-  const NearestGuard guard;
-  return narrow_error_in_u(distance_from_sphere(
-      in_double_doubles(given), in_double_doubles(sphere.centre), DoubleDouble(sphere.radius)));
-}
-
-}  // namespace
-
 std::optional<Measured> sphere_residual(const scene::Sphere& sphere, const scene::Point3& given) {
   if (sphere.radius == 0) return std::nullopt;
-  if (const auto error = sphere_residual_by_double_doubles(sphere, given)) return error;
+  const std::optional<Measured> error = by_double_doubles([&] {
+    return narrow_error_in_u(distance_from_sphere(
+        in_double_doubles(given), in_double_doubles(sphere.centre), DoubleDouble(sphere.radius)));
+  });
+  if (error) return error;
   return in_units_of_u(distance_from_sphere(enclose_exactly(given), enclose_exactly(sphere.centre),
                                             Enclosure(sphere.radius, kBits)));
 }

@@ -12,12 +12,11 @@ namespace {
 
 ExactNumber exact(const Rational& value) { return ExactNumber(FirstExtension(value)); }
 
-/// value(lift, line) by double-doubles. A separate function, so that no operation moves to where
-/// doubles round upward.
+/// value(lift, line) by double-doubles.
 template <class Value>
-[[gnu::noinline]] auto by_double_doubles(const ExactRay& ray, const Value& value) {
-  const NearestGuard guard;
-  return value(DoubleDoubleLift{}, line_in_double_doubles(ray));
+auto by_double_doubles(const ExactRay& ray, const Value& value) {
+  return reference::by_double_doubles(
+      [&] { return value(DoubleDoubleLift{}, line_in_double_doubles(ray)); });
 }
 
 template <class Value>
@@ -26,10 +25,9 @@ auto by_balls(const ExactRay& ray, const Value& value, int bits) {
   return value(lift, line_of(lift, ray.source()));
 }
 
-/// The double nearest to a number, where double-doubles tell. A separate function, likewise.
-[[gnu::noinline]] std::optional<double> nearest_of(const DoubleDouble& value) {
-  const NearestGuard guard;
-  return value.nearest();
+/// The double nearest to a number, where double-doubles tell.
+std::optional<double> nearest_of(const DoubleDouble& value) {
+  return reference::by_double_doubles([&] { return value.nearest(); });
 }
 template <class Finish>
 constexpr bool kRounds = std::is_same_v<Finish, Round>;

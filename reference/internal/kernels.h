@@ -31,6 +31,39 @@ class NearestGuard : CGAL::Protect_FPU_rounding<true> {
   NearestGuard() : Protect_FPU_rounding(CGAL_FE_TONEAREST) {}
 };
 
+// Sanitizers' code is too large to be compiled as one function.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define RAYCHECK_FLATTEN
+#else
+#define RAYCHECK_FLATTEN gnu::flatten,
+#endif
+
+// f(). Separate functions, so that no operation moves to where doubles round upward.
+template <class F>
+[[RAYCHECK_FLATTEN gnu::noinline]] auto called(const F& f) {
+  return f();
+}
+#ifdef __x86_64__
+template <class F>
+[[ RAYCHECK_FLATTEN gnu::noinline, gnu::target("fma") ]] auto called_with_fma(const F& f) {
+  return f();
+}
+inline const bool has_fma = [] {
+  __builtin_cpu_init();
+  return __builtin_cpu_supports("fma") != 0;
+}();
+#endif
+
+/// f() by double-doubles, with fused multiply-adds where the processor has them.
+template <class F>
+auto by_double_doubles(const F& f) {
+  const NearestGuard guard;
+#ifdef __x86_64__
+  if (has_fma) return called_with_fma(f);
+#endif
+  return called(f);
+}
+
 using EnclosureKernel = CGAL::Simple_cartesian<Enclosure>;
 
 /// The exact field Q(sqrt |w|^2, sqrt |u|^2): rationals with two square roots adjoined in turn.
