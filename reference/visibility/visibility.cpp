@@ -28,17 +28,22 @@ bool fits(double length, int exponent) {
   return length == 0 || (std::isfinite(length) && std::ilogb(length) + exponent < kLargestExponent);
 }
 
-/// A sphere by the bits of its distance, which are in order as those of floats >= 0 are.
+/// A sphere by the bits of its distance, which are in order as those of floats >= 0 are, and the
+/// bands that it reaches.
 struct NearFirst {
   std::uint32_t distance, sphere;
+  Blocks bands;
 };
 
 /// By distance, those of one distance in the order that they have.
 void sort(std::vector<NearFirst>& items) {
+  constexpr int kDigit = (32 - kDistanceRounds) / 2;
   std::vector<NearFirst> sorted(items.size());
-  for (int shift = 0; shift < 32; shift += 8) {
-    const auto digit = [shift](const NearFirst& item) { return item.distance >> shift & 0xff; };
-    std::array<std::size_t, 257> begin{};
+  for (const int shift : {kDistanceRounds, kDistanceRounds + kDigit}) {
+    const auto digit = [shift](const NearFirst& item) {
+      return item.distance >> shift & ((1U << kDigit) - 1);
+    };
+    std::array<std::size_t, (1U << kDigit) + 1> begin{};
     for (const NearFirst& item : items) ++begin[digit(item) + 1];
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     for (const NearFirst& item : items) sorted[begin[digit(item)]++] = item;
@@ -51,7 +56,10 @@ void sort(std::vector<NearFirst>& items) {
 float no_farther(double distance) {
   const auto most = static_cast<double>(std::numeric_limits<float>::max());
   const auto rounded = static_cast<float>(std::min(distance, most));
-  return static_cast<double>(rounded) > distance ? std::nextafter(rounded, 0.0F) : rounded;
+  const float below =
+      static_cast<double>(rounded) > distance ? std::nextafter(rounded, 0.0F) : rounded;
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(below) >> kDistanceRounds
+                                                                         << kDistanceRounds);
 }
 
 Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
@@ -126,15 +134,14 @@ const PairView* Visibility::Impl::pair_view() const {
 void Visibility::Impl::list_bands() {
   std::vector<NearFirst> order;
   order.reserve(plan.spheres.size());
-  std::vector<Blocks> bands_of(plan.spheres.size());
   std::uint64_t parts = 0;
   for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
     const scene::PixelRectangle& pixels = plan.spheres[k].pixels;
     if (pixels.empty()) continue;
+    const Blocks its_bands = blocks(pixels.j_begin, pixels.j_end, Tile::kHeight);
     order.push_back({std::bit_cast<std::uint32_t>(no_farther(plan.spheres[k].nearest_distance)),
-                     static_cast<std::uint32_t>(k)});
-    bands_of[k] = blocks(pixels.j_begin, pixels.j_end, Tile::kHeight);
-    parts += bands_of[k].last - bands_of[k].first;
+                     static_cast<std::uint32_t>(k), its_bands});
+    parts += its_bands.last - its_bands.first;
   }
   if (parts > kMostVisibleParts) {
     throw std::invalid_argument("spheres: they reach into " + std::to_string(parts) +
@@ -147,8 +154,8 @@ void Visibility::Impl::list_bands() {
   scene::poll();
   distribute(
       order.size(), static_cast<std::size_t>((height - 1) / kBandRows + 1),
-      [&](std::size_t k) { return bands_of[order[k].sphere]; },
-      [&](std::size_t k) { return order[k].sphere; }, bands);
+      [&](std::size_t k) { return order[k].bands; }, [&](std::size_t k) { return order[k].sphere; },
+      bands);
 }
 
 RowsInTiles::RowsInTiles(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end)

@@ -57,8 +57,9 @@ inline Blocks blocks(std::int64_t begin, std::int64_t end, int size) {
           static_cast<std::uint32_t>((end - 1) / size + 1)};
 }
 
-/// By what spheres are sorted: their nearest distance, rounded down.
+/// By what spheres are sorted: their nearest distance, rounded down to 12 bits.
 float no_farther(double distance);
+inline constexpr int kDistanceRounds = 12;  ///< So many bits of a float are 0.
 
 struct Visibility::Impl {
   Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan);
