@@ -189,45 +189,77 @@ def rate(row):
     return row["items_per_second"] / 1e6
 
 
+def beside_embree(rows, scene):
+    """How often as fast as Embree's image the certified one is, and the pixels that Embree has wrong."""
+    ours, embree = rows[f"{scene}/certified"], rows[f"{scene}/embree"]
+    wrong = embree["wrong"] / (ours["items_per_second"] * ours["real_time"] / 1e9)
+    return f"{rate(ours) / rate(embree):.2g}, {wrong:.2g}"
+
+
 def spheres_table(rows):
-    lines = ["| spheres | seen | certified, M/s | of uncertified | fallback pixels | wrong "
-             "| plan + build, ms |", "|---|---|---|---|---|---|---|"]
+    lines = ["| spheres | seen | certified, M/s | of uncertified | of Embree, its share wrong | fallback pixels | wrong "
+             "| plan + build, ms |", "|---|---|---|---|---|---|---|---|"]
     for name, ours in rows.items():
         if not (name.startswith("spheres:") and name.endswith("/certified")):
             continue
         scene = name.split("/")[0]
         lines.append(
             f"| {scene[8:]} | {ours['seen']:.0%} | {rate(ours):.0f} "
-            f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2f} "
+            f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2f} | {beside_embree(rows, scene)} "
             f"| {ours['fallback']:.0f} | {ours['wrong']:.0f} | {ours['plan_ms']:.1f} + {ours['build_ms']:.1f} |")
     return "\n".join(lines)
 
 
 def scenes_table(rows, kind):
-    lines = ["| scene | spheres | seen | certified, M/s | of uncertified | fallback pixels | wrong |",
-             "|---|---|---|---|---|---|---|"]
+    lines = ["| scene | spheres | seen | certified, M/s | of uncertified | of Embree, its share wrong "
+             "| fallback pixels | wrong |", "|---|---|---|---|---|---|---|---|"]
     for name, ours in rows.items():
         if not (name.startswith(kind + ":") and name.endswith("/certified")):
             continue
         scene = name.split("/")[0]
         lines.append(
             f"| {scene.split(':')[1]} | {ours['spheres']:.0f} | {ours['seen']:.0%} | {rate(ours):.3g} "
-            f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2g} "
+            f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2g} | {beside_embree(rows, scene)} "
             f"| {ours['fallback']:.0f} | {ours['wrong']:.0f} |")
     return "\n".join(lines)
 
 
-def families_table(rows):
-    """Certified images of each stress family, by severity: M/s, and the pixels that fall back."""
+def families_of(rows, kind):
+    """The severities of each stress family in order, each with its row."""
     families = {}
     for name, row in rows.items():
-        if name.startswith("family:") and name.endswith("/certified"):
+        if name.startswith("family:") and name.endswith("/" + kind):
             family, severity = name.split("/")[0][7:].split("@")
             families.setdefault(family, []).append((int(severity), row))
+    return {family: sorted(found, key=lambda one: one[0]) for family, found in families.items()}
+
+
+def plot_families(rows, path):
+    """A panel for each family: throughput against severity, and the pixels that Embree has wrong."""
+    ours, embree = families_of(rows, "certified"), families_of(rows, "embree")
+    script = [f"set terminal svg size 900,560 font 'sans,12' background 'white'; set output '{path}'",
+              "set multiplot layout 2,3; set logscale y; set yrange [0.05:5000]; set ytics nomirror; set grid ytics",
+              "set y2range [0:100]; set xlabel 'severity'"]
+    for k, family in enumerate(ours):
+        end = ours[family][-1][0]
+        script += ["$certified << EOD"] + [f"{x} {rate(row)}" for x, row in ours[family]] + ["EOD"]
+        script += ["$embree << EOD"] + [f"{x} {rate(row)} {row['wrong'] / 128 ** 2 * 100}"
+                                        for x, row in embree[family]] + ["EOD"]
+        script += [f"set title '{family}'; set xrange [{-0.02 * end}:{1.02 * end}]; set xtics {end / 3}",
+                   "set ylabel 'M rays/s'; unset y2label" if k % 3 == 0 else "unset ylabel; unset y2label",
+                   "set y2tics 25; set y2label 'wrong pixels, %'" if k % 3 == 2 else "unset y2tics",
+                   "set key bottom left" if k == 0 else "unset key",
+                   "plot $certified with linespoints pointtype 7 linecolor '#0072b2' title 'certified', "
+                   "$embree with linespoints pointtype 5 linecolor '#d55e00' title 'Embree', "
+                   "$embree using 1:3 axes x1y2 with lines dashtype 2 linecolor '#777777' title 'wrong in Embree, %'"]
+    subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
+
+
+def families_table(rows):
+    """Certified images of each stress family, by severity: M/s, and the pixels that fall back."""
     lines = ["| family | M/s at severity 0 | at others | the least, of severity 0 | most pixels that fall back |",
              "|---|---|---|---|---|"]
-    for family, found in families.items():
-        found.sort(key=lambda one: one[0])
+    for family, found in families_of(rows, "certified").items():
         first, others = found[0][1], found[1:]
         lines.append(f"| {family} | {rate(first):.3g} | "
                      + ", ".join(f"@{severity}: {rate(row):.3g}" for severity, row in others)
@@ -378,6 +410,7 @@ def performance():
     methods = benchmarks("bench_kernels", "--benchmark_filter=intersect/", "--benchmark_repetitions=5",
                          "--benchmark_report_aggregates_only=true")
     plot_spheres(rows, ROOT / "docs/images/visibility.svg")
+    plot_families(rows, ROOT / "docs/images/families.svg")
     parts = {"spheres": spheres_table(rows), "shipped": scenes_table(rows, "shipped"),
              "hard": scenes_table(rows, "hard"), "families": families_table(rows),
              "methods": methods_table(methods), "laws": laws_table(), "growth": growth_table()}

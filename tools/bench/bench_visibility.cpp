@@ -1,7 +1,8 @@
-// Primary rays of whole images: certified visibility, and the same code without certificates. Items
-// are rays; ray set-up is included everywhere, plans and scene builds are excluded and reported in
-// ms as the counters `plan_ms` and `build_ms`. Before anything is timed, a sample of certified
-// pixels, and all pixels of the small scenes, are compared with the exact ray.
+// Primary rays of whole images: certified visibility, the same code without certificates, and
+// Embree where it was found. Items are rays; ray set-up is included everywhere, plans and scene
+// builds are excluded and reported in ms as the counters `plan_ms` and `build_ms`. Before anything
+// is timed, a sample of certified pixels, and all pixels of the small scenes, are compared with the
+// exact ray.
 //   --target=NAME    is taken by choose_target; all else is Google Benchmark's
 
 #include <benchmark/benchmark.h>
@@ -10,6 +11,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +21,7 @@
 #include "properties/cases/case_source.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
+#include "tools/bench/bench_embree.h"
 #include "tools/bench/bench_scenes.h"
 
 namespace {
@@ -114,21 +117,42 @@ struct Prepared {
   }
 };
 
-void visibility(benchmark::State& state, bool is_certified, const Prepared& prepared) {
+enum class By { kCertified, kUncertified, kEmbree };
+
+/// Fills a frame; tells how it was decided.
+using FillFrame = std::function<reference::DecidedBy(Frame&)>;
+
+FillFrame fill_by(By by, const Prepared& prepared) {
+  const Visibility& seen = *prepared.visibility;
+  const std::int64_t height = prepared.scene.camera->height;
+  if (by == By::kCertified) {
+    return [&seen, height](Frame& frame) { return seen.nearest(0, height, frame.rows()); };
+  }
+#ifdef RAYCHECK_HAS_EMBREE
+  if (by == By::kEmbree) {
+    const auto embree = std::make_shared<tools::EmbreeImage>(prepared.scene);
+    return [embree](Frame& frame) {
+      embree->nearest(frame.sphere);
+      return reference::DecidedBy();
+    };
+  }
+#endif
+  return [&seen, height](Frame& frame) {
+    seen.nearest_uncertified(0, height, frame.rows());
+    return reference::DecidedBy();
+  };
+}
+
+void visibility(benchmark::State& state, By by, const Prepared& prepared) {
   if (!prepared.wrong.empty()) {
     state.SkipWithError(prepared.wrong.c_str());
     return;
   }
-  const Visibility& seen = *prepared.visibility;
-  const std::int64_t height = prepared.scene.camera->height;
   Frame frame(*prepared.scene.camera);
+  const FillFrame fill = fill_by(by, prepared);
   reference::DecidedBy decided_by;
   for (auto _ : state) {
-    if (is_certified) {
-      decided_by = seen.nearest(0, height, frame.rows());
-    } else {
-      seen.nearest_uncertified(0, height, frame.rows());
-    }
+    decided_by = fill(frame);
     benchmark::DoNotOptimize(frame.sphere.data());
     benchmark::ClobberMemory();
   }
@@ -150,11 +174,16 @@ void visibility(benchmark::State& state, bool is_certified, const Prepared& prep
 /// It is planned and checked once, and only if it is timed.
 void register_scene(const std::string& name, const scene::Scene& scene) {
   const auto prepared = std::make_shared<std::optional<const Prepared>>();
-  for (const bool is_certified : {true, false}) {
-    const std::string what = is_certified ? "/certified" : "/uncertified";
-    benchmark::RegisterBenchmark((name + what).c_str(), [=](benchmark::State& state) {
+  for (const auto& [by, what] : {std::pair(By::kCertified, "/certified"),
+                                 {By::kUncertified, "/uncertified"}
+#ifdef RAYCHECK_HAS_EMBREE
+                                 ,
+                                 {By::kEmbree, "/embree"}
+#endif
+       }) {
+    benchmark::RegisterBenchmark((name + what).c_str(), [=, by = by](benchmark::State& state) {
       if (!*prepared) prepared->emplace(scene);
-      visibility(state, is_certified, **prepared);
+      visibility(state, by, **prepared);
     })->UseRealTime();
   }
 }
