@@ -138,7 +138,8 @@ class Containing {
     const auto most = static_cast<std::uint64_t>(std::max(camera.width, camera.height));
     while (most >> shift_ >= kSteps) ++shift_;
     for (std::size_t o = 0; o < occluders.size(); ++o) {
-      for (std::uint64_t* mask : at(occluders[o].pixels)) *mask |= std::uint64_t{1} << o;
+      const std::array<std::size_t, 4> at = steps(occluders[o].pixels);
+      for (std::size_t side = 0; side < 4; ++side) masks_[side][at[side]] |= std::uint64_t{1} << o;
     }
     // One that begins at a step begins before the next; one that ends there ends after the last.
     for (std::size_t step = 1; step < kSteps; ++step) {
@@ -149,18 +150,17 @@ class Containing {
     }
   }
 
-  std::uint64_t operator()(const PixelRectangle& pixels) {
-    const auto [i_begin, i_end, j_begin, j_end] = at(pixels);
-    return *i_begin & *i_end & *j_begin & *j_end;
+  std::uint64_t operator()(const PixelRectangle& pixels) const {
+    const auto [i_begin, i_end, j_begin, j_end] = steps(pixels);
+    return masks_[0][i_begin] & masks_[1][i_end] & masks_[2][j_begin] & masks_[3][j_end];
   }
 
  private:
   static constexpr std::size_t kSteps = 256;
 
-  std::array<std::uint64_t*, 4> at(const PixelRectangle& pixels) {
+  std::array<std::size_t, 4> steps(const PixelRectangle& pixels) const {
     const auto step = [this](std::int64_t x) { return static_cast<std::size_t>(x) >> shift_; };
-    return {&masks_[0][step(pixels.i_begin)], &masks_[1][step(pixels.i_end)],
-            &masks_[2][step(pixels.j_begin)], &masks_[3][step(pixels.j_end)]};
+    return {step(pixels.i_begin), step(pixels.i_end), step(pixels.j_begin), step(pixels.j_end)};
   }
 
   unsigned shift_ = 0;
@@ -168,7 +168,17 @@ class Containing {
 };
 static_assert(kMostOccluders <= 64);
 
-void leave_out_hidden(const Scene& scene, std::vector<SpherePlan>& plans) {
+/// Calls body(begin, end) of parts of [0, count).
+void for_each_part(const ForEach& for_each, std::size_t count,
+                   const std::function<void(std::size_t, std::size_t)>& body) {
+  constexpr std::size_t kPart = 4096;
+  for_each((count + kPart - 1) / kPart, [&](std::size_t part) {
+    poll();
+    body(part * kPart, std::min(count, (part + 1) * kPart));
+  });
+}
+
+void leave_out_hidden(const Scene& scene, const ForEach& for_each, std::vector<SpherePlan>& plans) {
   const std::vector<Sphere>& spheres = scene.spheres;
   const auto leave_out = [&](std::size_t sphere, std::size_t by) {
     plans[sphere].left_out = LeftOut::kHidden;
@@ -199,19 +209,21 @@ void leave_out_hidden(const Scene& scene, std::vector<SpherePlan>& plans) {
   for (const auto& [size, k] : by_size) {
     occluders.push_back({k, spheres[k], plans[k].pixels, plans[k].seen});
   }
-  Containing containing(occluders, *scene.camera);
-  for (std::size_t k = 0; k < spheres.size(); ++k) {
-    poll();
-    if (plans[k].left_out) continue;
+  const Containing containing(occluders, *scene.camera);
+  const auto leave_out_if_hidden = [&](std::size_t k) {
     for (std::uint64_t left = containing(plans[k].pixels); left != 0; left &= left - 1) {
       const Occluder& by = occluders[static_cast<std::size_t>(std::countr_zero(left))];
       if (by.index != k && by.pixels.contains(plans[k].pixels) &&
           (covers(by, plans[k]) || contains(by.sphere, spheres[k]))) {
-        leave_out(k, by.index);
-        break;
+        return leave_out(k, by.index);
       }
     }
-  }
+  };
+  for_each_part(for_each, spheres.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (!plans[k].left_out) leave_out_if_hidden(k);
+    }
+  });
 }
 
 /// The least and the largest nonzero magnitude; {0, 0} if there is none.
@@ -247,13 +259,14 @@ Scaling scaling_of(const Scene& scene, bool only_if_needed) {
   return {plane.exponent(only_if_needed), lengths.exponent(only_if_needed)};
 }
 
-/// How many spheres are planned between polls.
-constexpr std::size_t kAtOnce = 256;
-
 }  // namespace
 
+void one_by_one(std::size_t count, const std::function<void(std::size_t)>& body) {
+  for (std::size_t k = 0; k < count; ++k) body(k);
+}
+
 ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted wanted,
-                     const PlanItems& items) {
+                     const PlanItems& items, const ForEach& for_each) {
   require_valid(scene, conventions);
   if (!scene.camera) {
     throw std::invalid_argument("camera: absent; a scene of given rays has no plan");
@@ -266,18 +279,16 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
                  {}};
   const PlanTerms terms = terms_of(camera, plan);
   std::vector<SpherePlan>& spheres = plan.spheres;
-  spheres.reserve(scene.spheres.size());
-  std::vector<SpherePlan> some(std::min(kAtOnce, scene.spheres.size()));
-  while (spheres.size() < scene.spheres.size()) {
-    poll();
-    const auto rest = std::span(scene.spheres).subspan(spheres.size());
-    const std::size_t count = std::min(kAtOnce, rest.size());
-    plan_each(terms, rest.first(count), some);
-    spheres.insert(spheres.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
-  }
+  spheres.resize(scene.spheres.size());
+  for_each_part(for_each, spheres.size(), [&](std::size_t begin, std::size_t end) {
+    plan_each(terms, std::span(scene.spheres).subspan(begin, end - begin),
+              std::span(spheres).subspan(begin, end - begin));
+  });
   // A sphere whose near root does not count hides nothing.
   const bool all_count = conventions.valid.is_usual();
-  if (items.hidden && wanted == Wanted::kNearest && all_count) leave_out_hidden(scene, spheres);
+  if (items.hidden && wanted == Wanted::kNearest && all_count) {
+    leave_out_hidden(scene, for_each, spheres);
+  }
   return plan;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -95,7 +96,13 @@ inline constexpr std::size_t kMostOccluders = 64;
 /// them neither overflow nor vanish.
 inline constexpr int kPlainExponent = 120;
 
+/// Calls body(k) of every k < count, in any order or several at once.
+using ForEach =
+    std::function<void(std::size_t count, const std::function<void(std::size_t)>& body)>;
+void one_by_one(std::size_t count, const std::function<void(std::size_t)>& body);
+
+/// The plan does not depend on `for_each`.
 ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted wanted,
-                     const PlanItems& items = {});
+                     const PlanItems& items = {}, const ForEach& for_each = one_by_one);
 
 }  // namespace raycheck::scene

@@ -6,6 +6,7 @@
 //   --target=NAME    is taken by choose_target; all else is Google Benchmark's
 
 #include <benchmark/benchmark.h>
+#include <tbb/info.h>
 
 #include <algorithm>
 #include <chrono>
@@ -23,6 +24,7 @@
 #include "scene/files/scene_file.h"
 #include "tools/bench/bench_embree.h"
 #include "tools/bench/bench_scenes.h"
+#include "tools/run/for_each.h"
 
 namespace {
 
@@ -81,10 +83,12 @@ struct Frame {
   reference::SeenRows rows() { return {sphere, parameter, {}, {}, {}}; }
 };
 
+const properties::RunControl on_all_threads = {.threads = tbb::info::default_concurrency()};
+
 /// A scene with its plan made and its exact answer checked.
 struct Prepared {
   scene::Scene scene;
-  double plan_ms = 0, build_ms = 0;
+  double plan_ms = 0, threaded_plan_ms = 0, build_ms = 0;
   std::optional<Visibility> visibility;
   Frame truth;
   std::string wrong;
@@ -96,6 +100,10 @@ struct Prepared {
     visibility.emplace(scene, std::move(plan));
     build_ms = 1e3 * (seconds_now() - planned);
     plan_ms = 1e3 * (planned - start);
+    const auto built = seconds_now();
+    scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest, {},
+                      tools::for_each_on(on_all_threads));
+    threaded_plan_ms = 1e3 * (seconds_now() - built);
     visibility->nearest(0, scene.camera->height, truth.rows());
     check();
   }
@@ -160,6 +168,7 @@ void visibility(benchmark::State& state, By by, const Prepared& prepared) {
   state.SetItemsProcessed(state.iterations() * pixels);
   state.counters["spheres"] = static_cast<double>(prepared.scene.spheres.size());
   state.counters["plan_ms"] = prepared.plan_ms;
+  state.counters["threaded_plan_ms"] = prepared.threaded_plan_ms;
   state.counters["build_ms"] = prepared.build_ms;
   state.counters["fallback"] = static_cast<double>(decided_by.fallback());
   std::int64_t hits = 0, wrong = 0;

@@ -12,6 +12,7 @@
 #include "properties/case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
+#include "tools/run/for_each.h"
 #include "tools/run/in_order.h"
 
 namespace raycheck::tools {
@@ -246,7 +247,8 @@ ImageReport make_image(const ImageOptions& options, PictureFile& file,
   require_picture(options.path, *scene.camera);
   file.start(report.width, report.height);
   const Visibility visibility(
-      scene, scene::plan_scene(scene, report.conventions, scene::Wanted::kNearest));
+      scene, scene::plan_scene(scene, report.conventions, scene::Wanted::kNearest, {},
+                               for_each_on(control)));
   const Bands bands(*scene.camera, report.conventions);
   const bool is_of_spheres = options.what == Picture::kSphere;
   const Painter painter =

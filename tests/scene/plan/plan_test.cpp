@@ -186,6 +186,26 @@ TEST(Plan, LeavesOutAllButTheFirstOfEqualSpheres) {
   EXPECT_EQ(plan.spheres[3].hidden_by, 0u);
 }
 
+TEST(Plan, DoesNotDependOnTheOrderOfItsParts) {
+  Scene scene = scene_of({});
+  std::mt19937 bits(1);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * bits() * 0x1p-32;
+  };
+  for (int k = 0; k < 20'000; ++k) {
+    scene.spheres.push_back(
+        ahead(between(-9, 9), between(-9, 9), between(-2, 20), between(.01, 1)));
+  }
+  std::size_t parts = 0;
+  const ForEach last_first = [&](std::size_t count, const std::function<void(std::size_t)>& body) {
+    for (std::size_t k = count; k > 0; --k) body(k - 1);
+    parts += count;
+  };
+  EXPECT_EQ(plan_scene(scene, {}, Wanted::kNearest, {}, last_first).spheres,
+            plan_of(scene).spheres);
+  EXPECT_GT(parts, 8U);
+}
+
 TEST(Plan, DoesWhatItIsToldToLeaveAlone) {
   const Sphere outside = ahead(50, 0, 10, 2), behind = ahead(0, 0, -4, 1);
   const Sphere big = ahead(0, 0, 10, 3), hidden = ahead(0, 0, 20, 1);

@@ -14,6 +14,7 @@
 #include "tools/image/image_paint.h"
 #include "tools/report/picture_file.h"
 #include "tools/report/spelling.h"
+#include "tools/run/for_each.h"
 
 namespace raycheck::tools {
 namespace {
@@ -194,7 +195,8 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
   const scene::Camera& camera = *scene.camera;
   const auto count = static_cast<std::size_t>(camera.width * camera.height);
   const reference::Visibility visibility(
-      scene, scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest));
+      scene, scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest, {},
+                               for_each_on(control)));
   struct Shown {
     properties::Candidate candidate;
     Painter painter;
