@@ -190,7 +190,9 @@ def rate(row):
 
 
 def beside_embree(rows, scene):
-    """How often as fast as Embree's image the certified one is, and the pixels that Embree has wrong."""
+    """How many times as long Embree takes, and the share of the pixels that it has wrong."""
+    if f"{scene}/embree" not in rows:
+        sys.exit("bench_visibility was built without Embree: Debian's libembree-dev")
     ours, embree = rows[f"{scene}/certified"], rows[f"{scene}/embree"]
     wrong = embree["wrong"] / (ours["items_per_second"] * ours["real_time"] / 1e9)
     return f"{rate(ours) / rate(embree):.2g}, {wrong:.2g}"

@@ -3,10 +3,11 @@
 //
 // Every operation of double-doubles is within kDoubleDoubleError, 16 u^2, of its exact result while
 // nothing over- or underflows. Their sums are AccurateDWPlusDW (3 u^2/(1 - 4 u)), products
-// DWTimesDW3 (4 u^2; 7 u^2 where a product's rest is not fused) of M. Joldes, J.-M. Muller, V.
-// Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
-// 2017; roots SQRTDWtoDW (25/8 u^2) of V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau,
-// Accurate calculation of Euclidean norms using double-word arithmetic, 2023.
+// DWTimesDW3 (4 u^2) of M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for
+// basic building blocks of double-word arithmetic, 2017, where products are fused; where not, five
+// roundings of numbers below u, 2u, 2u, 3u times |x y| take 8 u^2 at most. Roots are SQRTDWtoDW
+// (25/8 u^2) of V. Lefevre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, Accurate calculation of
+// Euclidean norms using double-word arithmetic, 2023.
 
 #if defined(RAYCHECK_REFERENCE_VISIBILITY_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_REFERENCE_VISIBILITY_LANES_H_

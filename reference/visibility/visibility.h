@@ -41,7 +41,8 @@ struct DecidedBy {
 /// which sphere is nearer.
 /// Shape:  rows j_begin <= j < j_end of a camera's image -> one answer per pixel, in (j, i) order.
 /// Units:  scene lengths.
-/// Domain: what its plan was made for: fewer than 2^31 spheres; a plan of another scene is an
+/// Domain: doubles that round to nearest; what its plan was made for: fewer than 2^31 spheres; a
+/// plan of another scene is an
 ///         undetected error. Arrays of the wrong size throw std::invalid_argument, as do, naming
 ///         the camera's field, more than kMostVisibleSide columns or rows.
 /// Memory: some 100 bytes per column and row, and up to kMostVisibleParts list entries.

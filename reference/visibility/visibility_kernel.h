@@ -43,7 +43,9 @@
 //
 // What doubles leave undecided double-doubles sweep again, by h for every sphere. The bound is the
 // same with u0 = kDoubleDoubleError, as each of their operations is within that of its result, and
-// with delta and rho from the same numbers in double-doubles (visibility_pairs.h).
+// with delta and rho from the same numbers in double-doubles (visibility_pairs.h). They have scenes
+// whose magnitudes need no scaling (scene::kPlainExponent), so that nothing overflows; spheres with
+// e > S/8 are left to the exact ray.
 
 #include <array>
 #include <cstddef>

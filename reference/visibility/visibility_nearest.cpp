@@ -247,8 +247,9 @@ class NearestOfRows {
 
   /// How many pixels of a row are exactly tangent to the sphere that alone they may meet. The
   /// discriminant is quadratic in alpha: if it is 0 at three columns it is at all. Then (f.d)^2 = c
-  /// of every direction d in a plane, of d and -d, hence f.d = 0 = c: the eye is on the sphere, and
-  /// all rays of the row touch it there.
+  /// of every unit direction d in the plane of the row; f.d changes its sign from d to -d, so that
+  /// it is 0 somewhere between, and c is: the eye is on the sphere, and the lines of all rays touch
+  /// it there. Of the usual roots that is at s = 0 of focal rays, and behind all others.
   struct RowTangent {
     std::size_t sphere = 0;
     int columns = 0;
@@ -259,9 +260,10 @@ class NearestOfRows {
     }
     void add(std::size_t of, const Intersection& at, Rung by) {
       if (at.hit_class != HitClass::kTangent) return;
-      columns = of == sphere ? columns + 1 : 1;
+      const bool is_same = of == sphere && columns > 0;
+      columns = is_same ? columns + 1 : 1;
+      rung = is_same ? std::max(rung, by) : by;
       sphere = of;
-      rung = by;
     }
   };
 
@@ -298,7 +300,7 @@ class NearestOfRows {
     const ExactRay ray(impl_.camera, pixel);
     Rung highest = Rung::kIntervals;
     const auto seen = ray.nearest(spheres_, conventions, {.highest = &highest});
-    if (candidates_.size() == 1 &&
+    if (candidates_.size() == 1 && conventions.valid.is_usual() &&
         (seen || !counts_as_hit(HitClass::kTangent, conventions.tangent))) {
       tangent.add(candidates_.front(),
                   seen ? seen->intersection : ray.intersect(spheres_.front(), conventions),

@@ -59,7 +59,7 @@ FilteredSphereOf<Pair> PairView::sphere(const scene::Sphere& sphere, std::size_t
   high.radius_sq = radius_sq.high();
   const double rho = std::max({u.radius(), v.radius(), w.radius()});
   const SphereBound bound = bound_of(high, {rho, power.radius(), radius_sq.radius()}, sizes_);
-  FilteredSphereOf<Pair> result{pair(u), pair(v), pair(w), pair(power), pair(radius_sq)};
+  FilteredSphereOf<Pair> result{pair(u), pair(v), pair(w), {}, pair(radius_sq)};
   result.index = static_cast<std::int32_t>(index);
   set_bound(bound, true, result);
   result.exact = result.exact || !bound.has_moment;

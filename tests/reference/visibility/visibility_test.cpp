@@ -225,6 +225,71 @@ TEST(Visibility, DecidesWholeRowsOfTangents) {
   }
 }
 
+/// What is not exactly tangent there would be, were fewer columns asked, other rows' tangents
+/// counted, or other spheres.
+TEST(Visibility, TakesNoOtherRowsForTangents) {
+  scene::Scene scene = tangent_row(0, scene::Samples::kEdges, {0, 0, -1});
+  const scene::Sphere below = scene.spheres.front(), aside = {{3, 0, -5}, 3};
+  scene.camera->width = 11;
+  scene.camera->height = 33;
+  scene.conventions.tangent = scene::Tangent::kMiss;
+  expect_exact(scene, see(visibility_of(scene)));
+  scene.camera->width = 131;
+  scene.camera->height = 2;
+  scene.spheres = {below, {{3, 0, -6}, 1}};
+  EXPECT_GT(expect_exact(scene, see(visibility_of(scene))), 30);
+  scene.conventions.tangent = scene::Tangent::kHit;
+  scene.camera->left = 0;
+  scene.camera->right = 0x1p-100;
+  scene.camera->width = 9;
+  scene.spheres = {aside};
+  expect_exact(scene, see(visibility_of(scene)));
+}
+
+/// Where roots behind the eye count, tangents of one row are at different s.
+TEST(Visibility, DecidesTangentsOfLinesOneByOne) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double t_max : {kInfinity, -1.05}) {
+    scene::Scene scene = tangent_row(0, scene::Samples::kCentres, {0, 0, -1});
+    scene.conventions.origin = scene::Origin::kPixel;
+    scene.conventions.valid = {-kInfinity, t_max, {}, {}, {}};
+    EXPECT_GT(expect_exact(scene, see(visibility_of(scene))), 20);
+  }
+}
+
+/// Spheres whose surfaces pass within some ulps of the eye, of pixel points, or of rays.
+TEST(Visibility, IsExactNearSurfaces) {
+  std::uint64_t pairs = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    std::mt19937_64 bits(seed);
+    const auto between = [&](double low, double high) {
+      return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+    };
+    scene::Scene scene = random_scene(seed);
+    scene.camera->width = 9;
+    scene.camera->height = 7;
+    scene.conventions.origin = seed % 2 == 0 ? scene::Origin::kFocal : scene::Origin::kPixel;
+    scene.conventions.root = seed % 3 == 0 ? scene::Root::kSmaller : scene::Root::kNearest;
+    scene.conventions.rows = seed % 7 < 3 ? scene::Rows::kTopFirst : scene::Rows::kBottomFirst;
+    scene.spheres.clear();
+    const ExactCamera camera(*scene.camera, scene.conventions);
+    const ExactRay ray(camera, {static_cast<std::int64_t>(seed % 9), 3});
+    for (const scene::Point3& at : {scene.camera->eye, ray.rounded_pixel_point()}) {
+      const double r = std::exp2(between(-3, 3)), x = between(-1, 1), y = between(-1, 1);
+      const double z = std::sqrt(1 - x * x / 2 - y * y / 2);
+      const double off = r * (1 + std::exp2(between(-52, -25)));
+      const double size = std::hypot(x, y, z);
+      scene.spheres.push_back(
+          {{at.x + off * x / size, at.y + off * y / size, at.z + off * z / size}, r});
+      scene.spheres.push_back({scene.spheres.back().centre, r * (1 + 0x1p-50)});
+    }
+    const Seen seen = see(visibility_of(scene));
+    expect_exact(scene, seen);
+    pairs += seen.decided_by.rungs[1];
+  }
+  EXPECT_GT(pairs, 300U);
+}
+
 TEST(Visibility, DecidesNearTangentsInPairs) {
   for (const scene::Point3& look_at : {scene::Point3{0, 0, -1}, {1, -2, -3}}) {
     for (const double above : {1e-12, 1e-14, 1e-15, -1e-12, -1e-15}) {

@@ -190,7 +190,7 @@ TEST(Plan, DoesNotDependOnTheOrderOfItsParts) {
   Scene scene = scene_of({});
   std::mt19937 bits(1);
   const auto between = [&](double low, double high) {
-    return low + (high - low) * bits() * 0x1p-32;
+    return low + (high - low) * static_cast<double>(bits()) * 0x1p-32;
   };
   for (int k = 0; k < 20'000; ++k) {
     scene.spheres.push_back(
