@@ -50,7 +50,7 @@ const std::map<std::string, Rooms> kSees = {
      {"scene", "scene/files", "reference", "reference/account", "fast", "properties",
       "properties/laws", "properties/cases", "properties/candidates", "properties/mistakes",
       "properties/search", "tools/report"}},
-    {"tools/run", {"scene", "properties"}},
+    {"tools/run", {"scene", "scene/plan", "properties"}},
     {"tools/report",
      {"scene", "scene/files", "reference", "reference/account", "reference/visibility",
       "properties", "properties/laws", "properties/mistakes"}},

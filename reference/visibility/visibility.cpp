@@ -128,7 +128,9 @@ FilteredSphere Visibility::Impl::filtered_of(const scene::SpherePlan& planned,
 const PairView* Visibility::Impl::pair_view() const {
   const bool has_pairs = plan.eye.scaling() == scene::Scaling{} && plan.items.filter &&
                          plan.conventions.valid.is_usual();
-  return has_pairs ? &pair_view_.get([this] { return PairView(camera); }) : nullptr;
+  if (!has_pairs) return nullptr;
+  std::call_once(pair_view_made_, [this] { pair_view_.emplace(camera); });
+  return &*pair_view_;
 }
 
 void Visibility::Impl::list_bands() {

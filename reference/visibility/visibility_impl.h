@@ -6,13 +6,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "reference/exact_camera.h"
-#include "reference/internal/kept.h"
 #include "reference/visibility/visibility.h"
 #include "reference/visibility/visibility_bound.h"
 #include "reference/visibility/visibility_kernel.h"
@@ -87,7 +88,8 @@ struct Visibility::Impl {
  private:
   static constexpr std::size_t kMostKept = 16384;
 
-  OnDemand<PairView> pair_view_;
+  mutable std::once_flag pair_view_made_;
+  mutable std::optional<PairView> pair_view_;
 
   void set_plane();
   void list_bands();
