@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -39,6 +40,21 @@ struct EmbreeImage::Impl {
   RTCDevice device = rtcNewDevice("threads=1");
   RTCScene embree = rtcNewScene(device);
 };
+
+bool EmbreeImage::has(const scene::Scene& scene) {
+  constexpr double kMost = 1e18;
+  const auto is_small = [](double x) { return std::abs(x) < kMost; };
+  const auto is_near = [&](const scene::Point3& p) {
+    return is_small(p.x) && is_small(p.y) && is_small(p.z);
+  };
+  const scene::Camera& camera = *scene.camera;
+  return is_near(camera.eye) && is_small(camera.near) && std::abs(camera.near) > 1 / kMost &&
+         is_small(camera.left) && is_small(camera.right) && is_small(camera.bottom) &&
+         is_small(camera.top) &&
+         std::all_of(scene.spheres.begin(), scene.spheres.end(), [&](const scene::Sphere& sphere) {
+           return is_near(sphere.centre) && is_small(sphere.radius);
+         });
+}
 
 EmbreeImage::EmbreeImage(const scene::Scene& scene) {
   auto impl = std::make_unique<Impl>();

@@ -13,6 +13,10 @@ namespace raycheck::tools {
 /// Source: the Embree 3 manual, RTC_GEOMETRY_TYPE_SPHERE_POINT, rtcIntersect8.
 class EmbreeImage {
  public:
+  /// Whether floats have the squares of its magnitudes; else Embree may end the program.
+  static bool has(const scene::Scene& scene);
+
+  /// Domain: has(scene).
   explicit EmbreeImage(const scene::Scene& scene);
   ~EmbreeImage();
 

@@ -190,6 +190,9 @@ void register_scene(const std::string& name, const scene::Scene& scene) {
                                  {By::kEmbree, "/embree"}
 #endif
        }) {
+#ifdef RAYCHECK_HAS_EMBREE
+    if (by == By::kEmbree && !tools::EmbreeImage::has(scene)) continue;
+#endif
     benchmark::RegisterBenchmark((name + what).c_str(), [=, by = by](benchmark::State& state) {
       if (!*prepared) prepared->emplace(scene);
       visibility(state, by, **prepared);

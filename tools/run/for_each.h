@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -15,6 +16,8 @@ namespace raycheck::tools {
 /// On the threads of `control`, which must outlive it. Throws scene::Interrupted on an interrupt.
 inline scene::ForEach for_each_on(const properties::RunControl& control) {
   return [&control](std::size_t count, const std::function<void(std::size_t)>& body) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(control.threads));
     tbb::task_arena arena(control.threads);
     arena.execute([&] {
       tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
