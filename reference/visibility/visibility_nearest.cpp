@@ -227,7 +227,8 @@ class NearestOfRows {
             row * Tile::kWidth + static_cast<std::size_t>(std::countr_zero(left));
         const bool is_hit = pair_tile_.sphere[at] >= 0;
         if (is_hit && wants_values() && !(margin <= kShare * pair_tile_.numerator[at])) continue;
-        tile_.numerator[at] = is_hit ? pair_tile_.numerator[at] : kNoParameter;
+        tile_.numerator[at] = kNoParameter;
+        if (is_hit) tile_.numerator[at] = pair_tile_.numerator[at];
         tile_.sphere[at] = pair_tile_.sphere[at];
         tile_.undecided[row] &= ~(left & -left);
         ++decided;
