@@ -41,10 +41,9 @@ auto finish_number(const ExactRay& ray, const Value& value, IsZero is_zero, Comp
   const DoubleDouble first = by_double_doubles(ray, value);
   if constexpr (kRounds<Finish>) {
     if (const auto nearest = nearest_of(first)) return finish(*nearest, compare);
-    if (!first.certain_sign() && by_double_doubles(ray, is_zero)) return 0.0;
-  } else {
-    if (!first.certain_sign() && by_double_doubles(ray, is_zero)) return Enclosure(0);
   }
+  using Result = std::conditional_t<kRounds<Finish>, double, Enclosure>;
+  if (!first.certain_sign() && by_double_doubles(ray, is_zero)) return Result(0);
   return finish(
       first.is_within(finish.relative_bits) ? first.enclosure() : by_balls(ray, value, kFirstBits),
       [&](int bits) { return by_balls(ray, value, bits); }, compare);
@@ -138,7 +137,7 @@ Result finish_direction(const ExactRay& ray, Finish finish) {
       [&](int k, const Rational& m) { return values.compare_direction(k, m); }, finish);
 }
 
-/// Whether c is 0, and the root that of the two, 0 and 2 b/a, which is 0.
+/// Whether c is certainly 0 and, of the roots 0 and 2 b/a, the one asked for is 0.
 template <class K>
 bool is_certainly_zero(const LineAndSphere<K>& pair, int root_sign) {
   if (certain_sign(constant_coefficient(pair)) != 0) return false;
