@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,13 @@ std::vector<std::string> shown_below(const std::string& command) {
   return lines;
 }
 
+/// A line but for what differs by machine: who isolates a candidate, and the last bits of Embree,
+/// whose roots and reciprocals begin with the estimates of the processor at hand.
+std::string on_any_machine(const std::string& line) {
+  static const std::regex figures("isolated by: .*| +[0-9.]+ +[0-9.]+ +88  ulp of float  .*");
+  return std::regex_replace(line, figures, "");
+}
+
 /// Runs what the page shows, beside a library of that name, and compares what is printed.
 void expect_as_shown(const std::string& library, const std::string& name,
                      const std::string& command) {
@@ -55,8 +63,7 @@ void expect_as_shown(const std::string& library, const std::string& name,
   for (const std::string& expected : shown) {
     std::string line;
     std::getline(printed, line);
-    const std::size_t kept = line.find("isolated by: ");  // which differs by machine
-    EXPECT_EQ(line.substr(0, kept), expected.substr(0, kept)) << command;
+    EXPECT_EQ(on_any_machine(line), on_any_machine(expected)) << command;
   }
   std::filesystem::remove_all(folder);
 }
