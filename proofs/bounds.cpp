@@ -222,13 +222,30 @@ struct RobustStep {
   static constexpr bool kIsRelative = false;
   static constexpr double kMost = 1;
   template <class N>
+  static fast_formula::Triple<N> difference(const Inputs<N, 10>& x) {
+    return fast_formula::Triple<N>{x[0], x[1], x[2]} - fast_formula::Triple<N>{x[3], x[4], x[5]};
+  }
+  template <class N>
+  static fast_formula::Triple<N> direction(const Inputs<N, 10>& x) {
+    return {x[6], x[7], x[8]};
+  }
+  template <class N>
   static fast_formula::Coefficients<N> coefficients(const Inputs<N, 10>& x) {
-    return fast_formula::coefficients<N>({{x[3], x[4], x[5]}, {x[6], x[7], x[8]}},
-                                         {x[0], x[1], x[2]}, x[9]);
+    return fast_formula::coefficients<N>(difference(x), direction(x), x[9]);
   }
   template <class N>
   static std::array<N, 3> to_centre(const Inputs<N, 10>& x) {
     return {x[0] - x[3], x[1] - x[4], x[2] - x[5]};
+  }
+};
+
+/// Of a (f^2 + r^2), which no note exceeds.
+struct RobustDiscriminant : RobustStep {
+  template <class N>
+  static N scale(const Inputs<N, 10>& x) {
+    const auto T = to_centre(x);
+    return (x[6] * x[6] + (x[7] * x[7] + x[8] * x[8])) *
+           ((T[0] * T[0] + (T[1] * T[1] + T[2] * T[2])) + abs(x[9]));
   }
 };
 
@@ -261,11 +278,26 @@ struct RobustC : RobustStep {
   }
 };
 
-/// Of a (f^2 + r^2).
-struct RobustDiscriminant : RobustStep {
+struct RobustNear : RobustDiscriminant {
   template <class N>
   static Values<N> computed(const Inputs<N, 10>& x) {
-    return {coefficients(x).discriminant};
+    const auto [a, b, distance_sq, c] = coefficients(x);
+    return {fast_formula::near_discriminant<N>(a, b, c)};
+  }
+  template <class N, class Note>
+  static Values<N> exact(const Inputs<N, 10>& x, const Note& note) {
+    const auto T = to_centre(x);
+    const N b = note(note(T[0] * x[6]) + note(note(T[1] * x[7]) + note(T[2] * x[8])));
+    const N f_sq = note(note(T[0] * T[0]) + note(note(T[1] * T[1]) + note(T[2] * T[2])));
+    const N a = note(note(x[6] * x[6]) + note(note(x[7] * x[7]) + note(x[8] * x[8])));
+    return {note(note(b * b) + -note(a * note(f_sq - note(x[9]))))};
+  }
+};
+struct RobustFar : RobustDiscriminant {
+  template <class N>
+  static Values<N> computed(const Inputs<N, 10>& x) {
+    const auto T = difference(x), d = direction(x);
+    return {fast_formula::far_discriminant<N>(T, d, fused_dot(d, d), x[9])};
   }
   template <class N, class Note>
   static Values<N> exact(const Inputs<N, 10>& x, const Note& note) {
@@ -277,7 +309,7 @@ struct RobustDiscriminant : RobustStep {
     const N mx = component(1, 2), my = component(2, 0), mz = component(0, 1);
     const N moment_sq = note(mx * mx + note(my * my + mz * mz));
     const N xx = note(x[6] * x[6]), yy = note(x[7] * x[7]), zz = note(x[8] * x[8]);
-    return {note(note(note(xx + note(yy + zz)) * note(x[9])) - moment_sq)};
+    return {note(note(note(xx + note(yy + zz)) * note(x[9])) + -moment_sq)};
   }
 };
 
@@ -350,6 +382,8 @@ double observed_of(int samples) {
     };
     const Values<Enclosure> exact =
         F::exact(given(enclosed, static_cast<Enclosure*>(nullptr), kAll), note);
+    if constexpr (requires { F::template scale<Enclosure>; })
+      scale = abs(F::scale(given(enclosed, static_cast<Enclosure*>(nullptr), kAll)));
     const auto compare = [&]<bool kFused>(std::bool_constant<kFused>) {
       using N = Plain<kFused>;
       const auto plain = [](double one) { return N(one); };
@@ -531,8 +565,10 @@ std::span<const Bound> bounds() {
       stage<RobustB>("robust-b", "b of robust's first step, of f |d|", kRobust,
                      fast_formula::kRobustB),
       stage<RobustC>("robust-c", "its c, of f^2 + r^2 given r^2", kRobust, fast_formula::kRobustC),
-      stage<RobustDiscriminant>("robust-discriminant", "its discriminant, of a (f^2 + r^2)",
-                                kRobust, fast_formula::kRobustDiscriminant),
+      stage<RobustNear>("robust-near", "its discriminant by b^2 - a c, of a (f^2 + r^2)", kRobust,
+                        fast_formula::kRobustNear),
+      stage<RobustFar>("robust-far", "its discriminant by the moment, of a (f^2 + r^2)", kRobust,
+                       fast_formula::kRobustFar),
       stage<FastDot>("a", "a = |d|^2", kTriple, 3),
       stage<FastNorm>("norm", "|d|", kTriple, 2.5),
       stage<FastUnit>("unit-direction", "the coordinates of d/|d|", kTriple, 3.5),

@@ -44,6 +44,7 @@ HWY_INLINE LaneMask operator^(LaneMask a, LaneMask b) { return {hn::Xor(a.raw, b
 HWY_INLINE LaneMask operator!(LaneMask a) { return {hn::Not(a.raw)}; }
 HWY_INLINE bool any(LaneMask a) { return !hn::AllFalse(DoubleTag(), a.raw); }
 HWY_INLINE bool any(bool a) { return a; }
+HWY_INLINE bool all(bool a) { return a; }
 HWY_INLINE bool all(LaneMask a) { return hn::AllTrue(DoubleTag(), a.raw); }
 
 /// As many doubles as one register of the target holds.

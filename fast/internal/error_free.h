@@ -62,8 +62,8 @@ HWY_INLINE N square_error(N a, N square) {
   return fused_minus(a, a, square);
 }
 template <class N>
-HWY_INLINE N square_rest(N a, N /*square*/, N high) {
-  return fused_minus(a, a, high);
+HWY_INLINE N product_rest(N a, N b, N high) {
+  return fused_minus(a, b, high);
 }
 
 #else
@@ -116,8 +116,9 @@ HWY_INLINE N square_error(N a, N square) {
 }
 
 template <class N>
-HWY_INLINE N square_rest(N a, N square, N high) {
-  return (square - high) + square_error(a, square);
+HWY_INLINE N product_rest(N a, N b, N high) {
+  const N product = a * b;
+  return (product - high) + product_error(a, b, product);
 }
 
 #endif
@@ -135,17 +136,6 @@ template <class N>
 HWY_INLINE Rounded<N> two_square(N a) {
   const N square = a * a;
   return {square, square_error(a, square)};
-}
-
-/// a^2 as a multiple of ulp(scale), and the rest, at most ulp(scale) + ulp(a^2)/2 and rounded once:
-/// such multiples have exact sums and differences up to 2^53 ulp(scale). (As Rump, Ogita and Oishi
-/// extract leading parts, Accurate floating-point summation, 2008.)
-/// Domain: a^2 <= scale, which is at least 2^-800.
-template <class N>
-HWY_INLINE Rounded<N> coarse_square(N a, N scale) {
-  const N square = a * a;
-  const N high = (scale + square) - scale;
-  return {high, square_rest(a, square, high)};
 }
 
 /// x y - z w with no more error than a few roundings of the result (Kahan; analysed by Jeannerod,

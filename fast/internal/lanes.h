@@ -30,6 +30,23 @@ using scene::HWY_NAMESPACE::smaller;
 using scene::HWY_NAMESPACE::square_root;
 using scene::HWY_NAMESPACE::store;
 
+/// a b + c and a b - c, rounded once where the target has an instruction for it, else twice.
+HWY_INLINE Lanes mul_add(Lanes a, Lanes b, Lanes c) {
+  return Lanes(hn::MulAdd(a.raw, b.raw, c.raw));
+}
+HWY_INLINE Lanes mul_sub(Lanes a, Lanes b, Lanes c) {
+  return Lanes(hn::MulSub(a.raw, b.raw, c.raw));
+}
+HWY_INLINE double mul_add(double a, double b, double c) {
+  return HWY_NATIVE_FMA ? __builtin_fma(a, b, c) : a * b + c;
+}
+HWY_INLINE double mul_sub(double a, double b, double c) { return mul_add(a, b, -c); }
+/// c - a b.
+HWY_INLINE Lanes sub_mul(Lanes a, Lanes b, Lanes c) {
+  return Lanes(hn::NegMulAdd(a.raw, b.raw, c.raw));
+}
+HWY_INLINE double sub_mul(double a, double b, double c) { return mul_add(-a, b, c); }
+
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -15,40 +15,46 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-// A class is certain where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2, and f^2 differs
-// from r^2 by more than kSurfaceShare r^2 + K M^2, M = |C|_1 + r, K = min(kReachShare + kSmallShare
-// (M/r)^2, kMostReach); and where disc > kLeastDiscriminant and a + f^2, r^2 < kLargestSquare, so
-// that no product overflows, a > 2^-700, for a hit r^2 > 2^-700, and anything that underflows is
-// negligible beside the margins.
+// A class is certain where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2 (kNearShare a f^2
+// where disc = b^2 - a c), and f^2 differs from r^2 by more than kSurfaceShare r^2 + K M^2, M =
+// |C|_1 + r, K = min(kReachShare + kSmallShare (M/r)^2, kMostReach); and where disc >
+// kLeastDiscriminant and a + f^2, r^2 < kLargestSquare, so that no product overflows, a > 2^-600,
+// for a hit r^2 > 2^-600, and anything that underflows is negligible beside the margins.
 //
-// Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 12u a (f^2 + r^2) + u |disc^|, less than a
-// hundredth of what is required; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b requires no more of
-// b: with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while |b^ - b| <= 4u f|d|.
-// (kRobustDiscriminant and those beside it are what a machine has proved.)
-// With disc < 0 the ray misses whatever b is.
+// Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 19u a (f^2 + r^2) + u |disc^| by either
+// formula, less than a hundredth of what is required; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b
+// requires no more of b: with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while
+// |b^ - b| <= 4u f|d|. (kRobustFar and those beside it are what a machine has proved.)
+// With disc < 0 the ray misses whatever b is. All of this holds whether or not products are fused
+// with sums.
 
 /// What is required of disc and f^2 - r^2 in N's format. Signs alone require no more than 16u of
 /// each term (tests/fast/small_formats_test.cpp); these values are what s requires of doubles.
 template <class N>
 struct Margins {
   static constexpr double kDiscriminantShare = 0x1p-13;
+  static constexpr double kNearShare = 0x1p-16;
   static constexpr double kFarShare = 0x1p-31;
   static constexpr double kSurfaceShare = 0x1p-26;
   static constexpr double kReachShare = 0x1p-32;
   static constexpr double kSmallShare = 0x1p-66;
   static constexpr double kMostReach = 0x1p-24;
   static constexpr double kLeastDiscriminant = 0x1p-300;
-  static constexpr double kLargestSquare = 0x1p400;
+  static constexpr double kLargestSquare = 0x1p300;
 };
 
 // What proofs/ proves by machine of the coefficients below, in u: enough for all signs.
-inline constexpr double kRobustB = 8;              ///< Of f |d|.
-inline constexpr double kRobustC = 13;             ///< Of f^2 + r^2.
-inline constexpr double kRobustDiscriminant = 45;  ///< Of a (f^2 + r^2).
-static_assert(Margins<double>::kFarShare > 100 * kRobustDiscriminant * 0x1p-53 &&
+inline constexpr double kRobustB = 8;      ///< Of f |d|.
+inline constexpr double kRobustC = 13;     ///< Of f^2 + r^2.
+inline constexpr double kRobustNear = 38;  ///< Of a (f^2 + r^2), as the next.
+inline constexpr double kRobustFar = 42;
+static_assert(Margins<double>::kFarShare > 100 * (kRobustNear + kRobustFar) * 0x1p-53 &&
               Margins<double>::kFarShare < Margins<double>::kDiscriminantShare &&
               Margins<double>::kReachShare > 100 * kRobustC * 0x1p-53 &&
               Margins<double>::kFarShare / 2 > kRobustB * kRobustB * 0x1p-106);
+
+/// The residual is taken in multiples of ulp(kScale (M + f^2/M)): intersect_robust.cpp.
+inline constexpr double kScale = 4;
 
 /// What depends on the sphere alone.
 template <class N>
@@ -68,58 +74,93 @@ struct Ball {
     const N known = select(square < N(Required::kLargestSquare), square, N(std::nan("")));
     inside = known - margin;
     outside = known + margin;
+    scale = N(kScale) * reach;
+    scale_share = N(kScale) / reach;
   }
 
   Triple<N> centre;
   N square;
   N doubt;
-  N inside, outside;  ///< f^2 below/above: the origin is inside/outside.
+  N scale, scale_share;  ///< kScale M, kScale/M.
+  N inside, outside;     ///< f^2 below/above: the origin is inside/outside.
 };
 
-/// What the class is decided by.
+/// What the class is decided by: T, a, b, f^2 and c.
 template <class N>
 struct Coefficients {
-  N a, b, distance_sq, c, discriminant;
+  N a, b, distance_sq, c;
 };
 template <class N>
-HWY_INLINE Coefficients<N> coefficients(const RayOf<N>& ray, const Triple<N>& centre,
+HWY_INLINE Coefficients<N> coefficients(const Triple<N>& T, const Triple<N>& direction,
                                         const N& radius_sq) {
-  const Triple<N> T = centre - ray.origin;
-  const N a = dot(ray.direction, ray.direction);
-  const N distance_sq = dot(T, T);
-  const Triple<N> moment = cross(T, ray.direction);
-  return {a, dot(T, ray.direction), distance_sq, distance_sq - radius_sq,
-          a * radius_sq - dot(moment, moment)};
+  const N distance_sq = fused_dot(T, T);
+  return {fused_dot(direction, direction), fused_dot(T, direction), distance_sq,
+          distance_sq - radius_sq};
 }
 
-/// The class where it is certain, and the first root.
+/// disc twice: as cheap as can be, and without the squares that cancel far away.
+template <class N>
+HWY_INLINE N near_discriminant(const N& a, const N& b, const N& c) {
+  return mul_sub(b, b, a * c);
+}
+template <class N>
+HWY_INLINE N far_discriminant(const Triple<N>& T, const Triple<N>& direction, const N& a,
+                              const N& radius_sq) {
+  const Triple<N> moment = cross(T, direction);
+  return mul_sub(a, radius_sq, fused_dot(moment, moment));
+}
+
+/// The first root, and what its correction takes.
+template <class N>
+struct First {
+  N s0;
+  N per_slope;  ///< 1 over the slope of |T - s d|^2 at the root.
+  N scale;      ///< kScale (M + f^2/M).
+};
+
+/// The class where it is certain, and the root of a hit.
 template <class N>
 struct Guess {
   MaskOf<N> hit;
   MaskOf<N> certain;
-  N s0;
-  N slope;  ///< Of |T - s d|^2 at the root.
+  First<N> root;
 };
 
+/// Whether disc has a certain sign: kNearShare or kFarShare of a f^2 is required.
 template <class N>
-Guess<N> guess(const RayOf<N>& ray, const Ball<N>& ball, scene::Root root) {
+HWY_INLINE MaskOf<N> has_sign(N discriminant, N a, N distance_sq, const Ball<N>& ball,
+                              double share) {
+  return absolute(discriminant) >
+         larger(a * mul_add(N(share), distance_sq, ball.doubt), N(Margins<N>::kLeastDiscriminant));
+}
+
+template <class N>
+HWY_INLINE Guess<N> guess(const RayOf<N>& ray, const Ball<N>& ball, scene::Root root) {
   using Required = Margins<N>;
-  const auto& [a, b, distance_sq, c, discriminant] = coefficients(ray, ball.centre, ball.square);
-  const N doubt = larger(a * (ball.doubt + N(Required::kFarShare) * distance_sq),
-                         N(Required::kLeastDiscriminant));
+  const Triple<N> T = ball.centre - ray.origin;
+  const auto [a, b, distance_sq, c] = coefficients(T, ray.direction, ball.square);
+  N discriminant = near_discriminant(a, b, c);
+  MaskOf<N> decided = has_sign(discriminant, a, distance_sq, ball, Required::kNearShare);
+  if (!all(decided)) {
+    discriminant =
+        select(decided, discriminant, far_discriminant(T, ray.direction, a, ball.square));
+    decided = has_sign(discriminant, a, distance_sq, ball, Required::kFarShare);
+  }
   const auto outside = distance_sq > ball.outside;
   const auto behind = b < N(0);
-  const MaskOf<N> certain = (absolute(discriminant) > doubt) &
-                            (a + distance_sq < N(Required::kLargestSquare)) &
+  const MaskOf<N> certain = decided & (a + distance_sq < N(Required::kLargestSquare)) &
                             (outside | (distance_sq < ball.inside));
   const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
   const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
-  if (!any(hit)) return {hit, certain, N(0), N(0)};
-  const N half_slope = square_root(discriminant);
-  const N q = absolute(b) + half_slope;
-  const MaskOf<N> through_c = outside | behind;
-  const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
-  return {hit, certain, s0, select(outside, N(-2), N(2)) * half_slope};
+  if (!any(hit)) return {hit, certain, {}};
+  // One division for two, beside the square root.
+  const N inverse = N(1) / (a * discriminant);
+  const N root_of = square_root(discriminant);
+  const N half_slope = select(outside, -root_of, root_of);
+  return {hit,
+          certain,
+          {(b + half_slope) * (discriminant * inverse), (N(0.5) * half_slope) * (a * inverse),
+           mul_add(ball.scale_share, distance_sq, ball.scale)}};
 }
 
 }  // namespace raycheck::fast::HWY_NAMESPACE

@@ -55,6 +55,11 @@ template <class N>
 HWY_INLINE N dot(const Triple<N>& a, const Triple<N>& b) {
   return a.x * b.x + (a.y * b.y + a.z * b.z);
 }
+/// The same by mul_add.
+template <class N>
+HWY_INLINE N fused_dot(const Triple<N>& a, const Triple<N>& b) {
+  return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z));
+}
 template <class N>
 HWY_INLINE Triple<N> cross(const Triple<N>& a, const Triple<N>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};

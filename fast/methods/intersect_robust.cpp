@@ -13,82 +13,93 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-// The first step: robust_guess.h, then one Newton step from a residual in pairs.
+// The first step: robust_guess.h, then one Newton step from a residual in multiples of powers of 2.
 //
-// The first root s0, of relative error e. Let t = disc/(a r^2) <= 1 and x = f/r, so that t > 0.99
-// (2^-13 + 2^-31 x^2); then t^2.5 > 2^-39.8 x and t > 2^-21.1 x. On a hit |m| <= |d| r, hence f|d|
-// <= |b| + |d| r <= 2q/sqrt(t), and
-//   |disc^ - disc| <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2
-// moves q by at most 13.2u/t of itself (next to nothing from the last term, as f|d| < 2^15.6
-// sqrt(disc)), b^ by 8u/sqrt(t): e <= 24u/t + 6u (f^2 + r^2)/|c|, the latter only through c.
+// Let h = sqrt(disc), t = disc/(a r^2) <= 1 and x = f/r, so that t > 0.99 (2^-13 + 2^-31 x^2), and
+// t > 0.99 x^2/2^16 where disc comes from b^2 - a c. On a hit |m| <= |d| r, hence f|d| <= |b| +
+// |d| r <= q/sqrt(t), and
+//   |disc^ - disc| <= 19u f^2 |d|^2 + 10u a r^2 + u disc       near, by b^2 - a c,
+//                  <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2   far, by |m|^2,
+// moves h by (9.5x + 5)u q/t or 8.8u q/t (next to nothing from the last term, as f|d| < 2^15.6 h).
+// b^ is off by 4u q/sqrt(t), what follows by 9.5u q at most: s0 by E q/(a t) in all, where E is
+// (9.5x + 5 + 4 sqrt(t) + 9.5t)u near and 24u far.
 //
-// Newton's step leaves e^2 g, g = a s/(2 sqrt(disc)), of s. With c > 0, g <= f|d|/(2 sqrt(disc)) =
-// x/(2 sqrt(t)) and g <= a c/(2 disc); with c < 0, a |c| = disc - b^2 and q <= 2 sqrt(disc) make g
-// <= 1 and, through c, g <= a |c|/(2 disc).
-//   (24u/t)^2 2 g <= (24u)^2 x/t^2.5 <= 2^-57, or (24u/t)^2 2 <= 2^-69
-//   (6u (f^2 + r^2)/c)^2 2 g <= 2^-80 where f^2 >= 2r^2, since then f^2 + r^2 <= 3c;
-//   otherwise <= 36u^2 ((f^2 + r^2)/|c|) 3/t <= 2^-58.5.
-// sqrt(disc^) stands for sqrt(disc): off by at most 2^-29 of itself (2^-36 where f^2 < 2r^2), which
-// times e is below 2^-59.
+// Newton's step leaves (E q/(a t))^2 a/(2h). As a share of s that is E^2/t^2 where s = q/a, which
+// counts only where c < 0 and hence q <= 2h; and with y = a|c|/h^2 = |x^2 - 1|/t, where s = |c|/q,
+//   E^2/(2 t^2) (1 + sqrt(1 + y))^3/y      with c > 0, else E^2/(2 t^2) 8/y:
+//   far, y > 2^10: 0.55 (24u)^2 x/t^2.5 <= 2^-57.9, as t^2.5 > 2^-39.8 x
+//   near, y > 2^10: 0.55 (9.5x + 19)^2 u^2 x/t^2.5 <= 2^-61, and below 2^-60 where y > 1
+//   y < 1: 4E^2/(t |x^2 - 1|) <= 2^-57.3, as x^2 is 2^-26 from 1 and E <= 14.6u where t is least.
+// 1/(2h) stands for its exact value: off by (9.5x^2 + 11)u/t of itself near and (4.3x + 11)u/t far,
+// which times the error of s0 is 2^-65 of s, or, as the line before, 2^-57.3 where y < 1.
 //
-// The residual |C - L - s0 d|^2 - r^2 is taken from w = C - fl(L + s0 d), rounded, and the sum v of
-// the roundings on the way there, each exact. s0 is so near that |w|^2 <= r^2 (1 + 2^-15), the
-// domain of coarse_square; the high parts add up exactly, the low parts are off by 56u^2 r^2. Then
-// |v| <= u(M + f + 2.1r) is off by at most u^2(2M + 3.1(f + r)), the product 2 w.v and the sums by
-// at most 8u r |v| + 18u^2 r^2 more, and |v|^2 is left out: 120u^2 (M + f)^2 in all. Half of that
-// over s sqrt(disc) is the error as a share of s:
-//   120u^2 f^2/(s sqrt(disc)) <= 2^-64, as 200u^2/t at q/a and by q <= 2^8 sqrt(disc) where
-//   f^2 < 2r^2, q <= 2^15.6 sqrt(disc) otherwise, at |c|/q;
-//   120u^2 M^2/(s sqrt(disc)) <= 2^-58, as s sqrt(disc) >= |f - r| max(2^-6.6 r, 2^-15.6 f)
-//   > 2^-40 M^2 by what is required of f^2 - r^2.
+// The residual |L + s0 d - C|^2 - r^2. Let S = 4 (M + f^2/M) >= 3.3 (M + f), and o' be o rounded to
+// a multiple of ulp(S) by adding S, off by at most 1.31u S. L' + (s0 d)' is exact, and so is w,
+// what it is more than C' (which is rounded by 4M): all are multiples of ulp(2.7M), and |w| <= 1.01
+// r. v, the sum of what was rounded off, is at most 3.9u S < 2^-17 r (as f < 2^15.6 r, and M <
+// 2^24.3 r by what is required of f^2 - r^2), and off by 8u^2 S a coordinate. The squares of w are
+// split by 4r^2 alike: the high parts add up exactly. v's errors cost 28u^2 S r, the product (2w +
+// v) v, the low parts and their sums 112u^2 S r more. That over 2 s h is the error as a share of s:
+//   560u^2 M r/(2 s h) <= 2^-57.9, as s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-40 M^2 by what
+//   is required of f^2 - r^2; 560u^2 (f^2/M) r/(2 s h) <= 2^-61.
 //
-// All in all s is off by less than 2^-56 of itself before it is rounded: 0.63 ulp. Q = L + s d is
-// made from fl(L + s0 d), its rounding error and the correction of s, and rounded once.
-/// A coordinate of L + s0 d, and of C less that, as unevaluated sums.
-template <class N>
-struct Reached {
-  N point, point_rest;
-  N away, away_rest;
-};
+// All in all s is off by less than 2^-55.9 of itself before it is rounded: 0.64 ulp. Q = L + s d is
+// made from L' + (s0 d)', the rest and the correction of s, and rounded once.
 
+/// x to multiples of ulp(scale).
 template <class N>
-HWY_INLINE Reached<N> reached(N origin, N s0, N direction, N centre) {
-  const Rounded<N> product = two_product(s0, direction);
-  const Rounded<N> point = two_sum(origin, product.x);
-  const N rest = point.error + product.error;
-  const Rounded<N> away = two_difference(centre, point.x);
-  return {point.x, rest, away.x, away.error - rest};
+HWY_INLINE N coarse(const N& x, const N& scale) {
+  return (x + scale) - scale;
+}
+template <class N>
+HWY_INLINE Triple<N> coarse(const Triple<N>& x, const N& scale) {
+  return {coarse(x.x, scale), coarse(x.y, scale), coarse(x.z, scale)};
 }
 
-/// With the square of the radius as the residual takes it.
+/// With the centre and the square of the radius as the residual takes them.
 template <class N>
 struct Target : Ball<N> {
   HWY_INLINE explicit Target(const SphereOf<N>& sphere)
-      : Ball<N>(sphere), scale(N(2) * this->square), coarse(coarse_square(sphere.radius, scale)) {}
+      : Ball<N>(sphere),
+        high(coarse(sphere.centre, this->scale)),
+        low(sphere.centre - high),
+        base(N(4) * this->square),
+        end(mul_add(sphere.radius, sphere.radius, base) - base),
+        end_rest(product_rest(sphere.radius, sphere.radius, end)) {}
 
-  N scale;
-  Rounded<N> coarse;  ///< The square, in units of ulp(scale).
+  Triple<N> high, low;  ///< Of the centre.
+  N base;
+  N end, end_rest;  ///< r^2.
 };
 
 /// Newton's step from s0, and the point there.
 template <class N>
-ChosenOf<N> correct(const RayOf<N>& ray, const Target<N>& ball, const Guess<N>& found) {
+HWY_INLINE ChosenOf<N> correct(const RayOf<N>& ray, const Target<N>& ball, const First<N>& root) {
   const auto& [origin, direction] = ray;
-  const Reached<N> x = reached(origin.x, found.s0, direction.x, ball.centre.x);
-  const Reached<N> y = reached(origin.y, found.s0, direction.y, ball.centre.y);
-  const Reached<N> z = reached(origin.z, found.s0, direction.z, ball.centre.z);
-  const Rounded<N> xx = coarse_square(x.away, ball.scale);
-  const Rounded<N> yy = coarse_square(y.away, ball.scale);
-  const Rounded<N> zz = coarse_square(z.away, ball.scale);
-  const N residual = (((xx.x + yy.x) + zz.x) - ball.coarse.x) +
-                     (((xx.error + yy.error) + (zz.error - ball.coarse.error)) +
-                      N(2) * (x.away * x.away_rest + y.away * y.away_rest + z.away * z.away_rest));
-  const N correction = residual / found.slope;
-  return {found.hit,
-          found.s0 - correction,
-          {x.point + (x.point_rest - correction * direction.x),
-           y.point + (y.point_rest - correction * direction.y),
-           z.point + (z.point_rest - correction * direction.z)}};
+  const N scale = root.scale;
+  const N s0 = root.s0;
+  const Triple<N> from = coarse(origin, scale);
+  const Triple<N> by = {mul_add(s0, direction.x, scale) - scale,
+                        mul_add(s0, direction.y, scale) - scale,
+                        mul_add(s0, direction.z, scale) - scale};
+  const Triple<N> point = from + by;
+  const Triple<N> rest =
+      Triple<N>{product_rest(s0, direction.x, by.x), product_rest(s0, direction.y, by.y),
+                product_rest(s0, direction.z, by.z)} -
+      (from - origin);
+  const Triple<N> w = point - ball.high;
+  const Triple<N> v = rest - ball.low;
+  const N x = mul_add(w.x, w.x, ball.base) - ball.base;
+  const N y = mul_add(w.y, w.y, ball.base) - ball.base;
+  const N z = mul_add(w.z, w.z, ball.base) - ball.base;
+  const N low = (mul_add(mul_add(N(2), w.x, v.x), v.x, product_rest(w.x, w.x, x)) +
+                 mul_add(mul_add(N(2), w.y, v.y), v.y, product_rest(w.y, w.y, y))) +
+                (mul_add(mul_add(N(2), w.z, v.z), v.z, product_rest(w.z, w.z, z)) - ball.end_rest);
+  const N correction = (((x + y) + (z - ball.end)) + low) * root.per_slope;
+  const Triple<N> moved = {sub_mul(correction, direction.x, rest.x),
+                           sub_mul(correction, direction.y, rest.y),
+                           sub_mul(correction, direction.z, rest.z)};
+  return {s0 == s0, s0 - correction, point + moved};
 }
 
 bool any_hit(const std::uint8_t* codes) {
@@ -114,15 +125,15 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
       if (!all(found.certain)) [[unlikely]]
         codes |= kOpen * bytes(!found.certain);
       store(codes, to.hit + k);
-      store(found.s0, to.parameter + k);
-      store(found.slope, to.point[0] + k);
+      store(found.root.s0, to.parameter + k);
+      store(found.root.per_slope, to.point[0] + k);
+      store(found.root.scale, to.point[1] + k);
     }
     for (std::size_t k = first; k < last; k += kLaneCount) {
       if (!any_hit(to.hit + k)) continue;
-      const Lanes slope = load(to.point[0] + k);
       const ChosenOf<Lanes> chosen =
           correct(load(asked.rays, k), ball,
-                  {slope == slope, slope == slope, load(to.parameter + k), slope});
+                  {load(to.parameter + k), load(to.point[0] + k), load(to.point[1] + k)});
       store(chosen.parameter, to.parameter + k);
       store(chosen.point, to.point, k);
     }
@@ -140,7 +151,7 @@ bool batch(const BatchInput& input, const HitArrays& answers) {
   const auto asked = ray_of<double>(ray);
   const Target<double> ball(sphere_of<double>(sphere));
   const Guess<double> found = guess(asked, ball, rule.root);
-  if (found.hit) return plain(correct(asked, ball, found));
+  if (found.hit) return plain(correct(asked, ball, found.root));
   return found.certain ? std::optional<Chosen>({false, {}}) : std::nullopt;
 }
 
@@ -189,7 +200,7 @@ std::optional<Hit> intersect_one(const scene::Ray& ray, const scene::Sphere& sph
 /// overflows to infinity as IEEE-754. kWideDomain is where Q's relative error means something.
 const IntersectMethod kRobust = {
     .name = "robust",
-    .sentence = "cross corrected once in pairs of doubles where proven; else pairs, integers",
+    .sentence = "a root corrected once by a residual in parts where proven; else pairs, integers",
     .intersect = intersect,
     .intersect_one = intersect_one,
     .max_ulp = 1,

@@ -21,6 +21,7 @@ struct SmallMask {
   friend SmallMask operator&(SmallMask a, SmallMask b) { return {a.raw & b.raw}; }
   friend SmallMask operator|(SmallMask a, SmallMask b) { return {a.raw | b.raw}; }
   friend SmallMask operator!(SmallMask a) { return {~a.raw}; }
+  friend bool all(SmallMask a) { return !any(!a); }
   friend bool any(SmallMask a) { return ((a.raw[0] | a.raw[1]) | (a.raw[2] | a.raw[3])) != 0; }
 };
 
@@ -46,6 +47,10 @@ struct SmallFloat {
   friend SmallFloat operator-(SmallFloat a, SmallFloat b) { return SmallFloat(a.raw - b.raw); }
   friend SmallFloat operator*(SmallFloat a, SmallFloat b) { return SmallFloat(a.raw * b.raw); }
   friend SmallFloat operator/(SmallFloat a, SmallFloat b) { return SmallFloat(a.raw / b.raw); }
+  friend SmallFloat operator-(SmallFloat a) { return SmallFloat(-a.raw); }
+  // Not fused: the float of a fused result would be rounded twice.
+  friend SmallFloat mul_add(SmallFloat a, SmallFloat b, SmallFloat c) { return a * b + c; }
+  friend SmallFloat mul_sub(SmallFloat a, SmallFloat b, SmallFloat c) { return a * b - c; }
   friend SmallFloat sqrt(SmallFloat a) {
     Floats root;
     for (std::size_t k = 0; k < kFloats; ++k) root[k] = std::sqrt(a.raw[k]);

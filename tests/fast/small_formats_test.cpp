@@ -31,14 +31,16 @@ using HWY_NAMESPACE::Margins;
 ///   a^ <= U^3 a, (r^2)^ <= U r^2, (f^2)^ <= U^5 f^2, as many powers of 1 - u the other way,
 ///   |m^ - m| <= 1.155 (U^3 - U) F + u |m|, as the moment of absolute values is at most 1.155 F,
 ///   |b^ - b| <= (U^4 - 1) F.
-/// Before its last rounding, which keeps the sign, disc^ is then off by at most 5.2u a r^2 + 10.3u
-/// F^2. |disc^| > doubt^ leaves 8u (1-u)^6/U a r^2 + 16u (1-u)^10/U F^2, at least 7.1u a r^2
+/// Before its last rounding, which keeps the sign, far disc^ is then off by at most 5.2u a r^2
+/// + 10.3u F^2, near disc^ by 10u a r^2 + 20u F^2 to first order, where 32u F^2 are required.
+/// |disc^| > doubt^ leaves 8u (1-u)^6/U a r^2 + 16u (1-u)^10/U F^2, at least 7.1u a r^2
 /// + 13.4u F^2, more than that. Where disc > 0 outside, b^2 > disc > 3u F^2 > (U^4 - 1)^2 F^2, so
 /// b^ has b's sign. f^2 > r^2 as (1 + 8u)(1 - u)^2 > U^5, f^2 < r^2 as (1 - 8u) U^2 < (1 - u)^5.
 template <int kBits>
 struct Signs {
   static constexpr double kUnitRoundoff = 1 / static_cast<double>(std::int64_t{1} << kBits);
   static constexpr double kDiscriminantShare = 8 * kUnitRoundoff;
+  static constexpr double kNearShare = 32 * kUnitRoundoff;
   static constexpr double kFarShare = 16 * kUnitRoundoff;
   static constexpr double kSurfaceShare = 8 * kUnitRoundoff;
   static constexpr double kReachShare = 0, kSmallShare = 0, kMostReach = 0;
@@ -46,6 +48,7 @@ struct Signs {
   static constexpr double kLargestSquare = 0x1p60;
 };
 static_assert(Margins<double>::kDiscriminantShare > Signs<53>::kDiscriminantShare &&
+              Margins<double>::kNearShare > Signs<53>::kNearShare &&
               Margins<double>::kFarShare > Signs<53>::kFarShare &&
               Margins<double>::kSurfaceShare > Signs<53>::kSurfaceShare);
 
@@ -223,6 +226,10 @@ struct WithAnEighthOfTheDoubt : Signs<kBits> {
   static constexpr double kFarShare = Signs<kBits>::kFarShare / 8;
 };
 template <int kBits>
+struct WithoutNearDoubt : Signs<kBits> {
+  static constexpr double kNearShare = 0;
+};
+template <int kBits>
 struct WithoutFarDoubt : Signs<kBits> {
   static constexpr double kFarShare = 0;
 };
@@ -244,6 +251,7 @@ TEST(SmallFormats, HaveWrongClassesByMutants) {
   const Part in_8_bits = {{0, 0, 0}, {7, 7, 0}, {63, 63, 0}, 31};
   EXPECT_GT((enumerate<6, WithoutDoubt<6>>(in_8_bits).wrong), 0);
   EXPECT_GT((enumerate<6, WithAnEighthOfTheDoubt<6>>(in_8_bits).wrong), 0);
+  EXPECT_GT((enumerate<6, WithoutNearDoubt<6>>(in_8_bits).wrong), 0);
   EXPECT_GT((enumerate<6, WithoutFarDoubt<6>>(in_8_bits).wrong), 0);
   EXPECT_GT((enumerate<6, WithFarDoubtOfTheOtherSign<6>>(in_8_bits).wrong), 0);
   EXPECT_GT((enumerate<6, WithoutSurface<6>>(in_8_bits).wrong), 0);
@@ -251,6 +259,7 @@ TEST(SmallFormats, HaveWrongClassesByMutants) {
   const Part in_10_bits = {{0, 0, 0}, {4, 4, 0}, {255, 7, 0}, 255};
   EXPECT_GT((enumerate<8, WithoutDoubt<8>>(in_10_bits).wrong), 0);
   EXPECT_GT((enumerate<8, WithAnEighthOfTheDoubt<8>>(in_10_bits).wrong), 0);
+  EXPECT_GT((enumerate<8, WithoutNearDoubt<8>>(in_10_bits).wrong), 0);
   EXPECT_GT((enumerate<8, WithFarDoubtOfTheOtherSign<8>>(in_10_bits).wrong), 0);
   EXPECT_GT((enumerate<8, WithSurfaceOfTheOtherSign<8>>(in_10_bits).wrong), 0);
 }
