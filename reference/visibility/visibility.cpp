@@ -62,8 +62,8 @@ float no_farther(double distance) {
                                                                          << kDistanceRounds);
 }
 
-Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
-    : scene(its_scene),
+Visibility::Impl::Impl(scene::Scene its_scene, scene::ScenePlan its_plan)
+    : scene(std::move(its_scene)),
       plan(std::move(its_plan)),
       camera(scene.camera.value(), plan.conventions),
       width(scene.camera->width),
@@ -206,8 +206,8 @@ TileRays RowsInTiles::rays_of(std::size_t tile) const {
   return rays;
 }
 
-Visibility::Visibility(const scene::Scene& scene, scene::ScenePlan plan)
-    : impl_(std::make_unique<const Impl>(scene, std::move(plan))) {}
+Visibility::Visibility(scene::Scene scene, scene::ScenePlan plan)
+    : impl_(std::make_unique<const Impl>(std::move(scene), std::move(plan))) {}
 Visibility::~Visibility() = default;
 Visibility::Visibility(Visibility&&) noexcept = default;
 

@@ -57,7 +57,7 @@ class Visibility {
  public:
   struct Impl;
 
-  Visibility(const scene::Scene& scene, scene::ScenePlan plan);
+  Visibility(scene::Scene scene, scene::ScenePlan plan);
   ~Visibility();
   Visibility(Visibility&&) noexcept;
 

@@ -63,7 +63,7 @@ float no_farther(double distance);
 inline constexpr int kDistanceRounds = 12;  ///< So many bits of a float are 0.
 
 struct Visibility::Impl {
-  Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan);
+  Impl(scene::Scene its_scene, scene::ScenePlan its_plan);
 
   /// The filter's view of a planned sphere.
   FilteredSphere filtered_of(const scene::SpherePlan& planned, std::size_t index) const;

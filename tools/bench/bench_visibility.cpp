@@ -87,38 +87,39 @@ const properties::RunControl on_all_threads = {.threads = tbb::info::default_con
 
 /// A scene with its plan made and its exact answer checked.
 struct Prepared {
-  scene::Scene scene;
   double plan_ms = 0, threaded_plan_ms = 0, build_ms = 0;
   std::optional<Visibility> visibility;
   Frame truth;
   std::string wrong;
 
-  explicit Prepared(const scene::Scene& its_scene) : scene(its_scene), truth(*scene.camera) {
+  explicit Prepared(scene::Scene its_scene) : truth(*its_scene.camera) {
+    const auto begun = seconds_now();
+    scene::plan_scene(its_scene, its_scene.conventions, scene::Wanted::kNearest, {},
+                      tools::for_each_on(on_all_threads));
     const auto start = seconds_now();
-    auto plan = scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest);
+    auto plan = scene::plan_scene(its_scene, its_scene.conventions, scene::Wanted::kNearest);
     const auto planned = seconds_now();
-    visibility.emplace(scene, std::move(plan));
+    visibility.emplace(std::move(its_scene), std::move(plan));
     build_ms = 1e3 * (seconds_now() - planned);
     plan_ms = 1e3 * (planned - start);
-    const auto built = seconds_now();
-    scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest, {},
-                      tools::for_each_on(on_all_threads));
-    threaded_plan_ms = 1e3 * (seconds_now() - built);
-    visibility->nearest(0, scene.camera->height, truth.rows());
+    threaded_plan_ms = 1e3 * (start - begun);
+    visibility->nearest(0, scene().camera->height, truth.rows());
     check();
   }
 
+  const scene::Scene& scene() const { return visibility->scene(); }
+
   /// Pixels compared with the exact ray, which tests every sphere: limited by a budget of pairs.
   void check() {
-    const scene::Camera& camera = *scene.camera;
+    const scene::Camera& camera = *scene().camera;
     const std::size_t pixels = truth.sphere.size();
-    const std::size_t budget = 2'000'000 / std::max<std::size_t>(1, scene.spheres.size()) + 2;
+    const std::size_t budget = 2'000'000 / std::max<std::size_t>(1, scene().spheres.size()) + 2;
     const std::size_t step = std::max<std::size_t>(1, pixels / std::min(budget, pixels));
-    const reference::ExactCamera exact(camera, scene.conventions);
+    const reference::ExactCamera exact(camera, scene().conventions);
     for (std::size_t at = 0; at < pixels; at += step) {
       const auto index = static_cast<std::int64_t>(at);
       const reference::ExactRay ray(exact, {index % camera.width, index / camera.width});
-      const auto nearest = ray.nearest(scene.spheres, scene.conventions);
+      const auto nearest = ray.nearest(scene().spheres, scene().conventions);
       const auto expected = nearest ? static_cast<std::int32_t>(nearest->index) : -1;
       if (truth.sphere[at] != expected) wrong = "pixel " + std::to_string(at) + " is wrong";
     }
@@ -132,13 +133,13 @@ using FillFrame = std::function<reference::DecidedBy(Frame&)>;
 
 FillFrame fill_by(By by, const Prepared& prepared) {
   const Visibility& seen = *prepared.visibility;
-  const std::int64_t height = prepared.scene.camera->height;
+  const std::int64_t height = prepared.scene().camera->height;
   if (by == By::kCertified) {
     return [&seen, height](Frame& frame) { return seen.nearest(0, height, frame.rows()); };
   }
 #ifdef RAYCHECK_HAS_EMBREE
   if (by == By::kEmbree) {
-    const auto embree = std::make_shared<tools::EmbreeImage>(prepared.scene);
+    const auto embree = std::make_shared<tools::EmbreeImage>(prepared.scene());
     return [embree](Frame& frame) {
       embree->nearest(frame.sphere);
       return reference::DecidedBy();
@@ -156,7 +157,7 @@ void visibility(benchmark::State& state, By by, const Prepared& prepared) {
     state.SkipWithError(prepared.wrong.c_str());
     return;
   }
-  Frame frame(*prepared.scene.camera);
+  Frame frame(*prepared.scene().camera);
   const FillFrame fill = fill_by(by, prepared);
   reference::DecidedBy decided_by;
   for (auto _ : state) {
@@ -166,7 +167,7 @@ void visibility(benchmark::State& state, By by, const Prepared& prepared) {
   }
   const auto pixels = static_cast<std::int64_t>(frame.sphere.size());
   state.SetItemsProcessed(state.iterations() * pixels);
-  state.counters["spheres"] = static_cast<double>(prepared.scene.spheres.size());
+  state.counters["spheres"] = static_cast<double>(prepared.scene().spheres.size());
   state.counters["plan_ms"] = prepared.plan_ms;
   state.counters["threaded_plan_ms"] = prepared.threaded_plan_ms;
   state.counters["build_ms"] = prepared.build_ms;

@@ -240,15 +240,15 @@ ImageReport make_image(const ImageOptions& options, PictureFile& file,
   scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
   if (options.size && loaded.scene.camera) resize(*options.size, loaded.scene);
   const std::size_t changed = round_for(options, loaded.scene);
-  const scene::Scene& scene = loaded.scene;
   ImageReport report = report_on(options, loaded, file);
   if (report.error) report.error->rounded_numbers = changed;
   report.threads = control.threads;
-  require_picture(options.path, *scene.camera);
+  require_picture(options.path, *loaded.scene.camera);
   file.start(report.width, report.height);
-  const Visibility visibility(
-      scene, scene::plan_scene(scene, report.conventions, scene::Wanted::kNearest, {},
-                               for_each_on(control)));
+  scene::ScenePlan plan = scene::plan_scene(loaded.scene, report.conventions,
+                                            scene::Wanted::kNearest, {}, for_each_on(control));
+  const Visibility visibility(std::move(loaded.scene), std::move(plan));
+  const scene::Scene& scene = visibility.scene();
   const Bands bands(*scene.camera, report.conventions);
   const bool is_of_spheres = options.what == Picture::kSphere;
   const Painter painter =
