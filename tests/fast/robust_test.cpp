@@ -4,6 +4,7 @@
 #include "fast/internal/robust.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -246,6 +247,56 @@ TEST(Robust, IsRightInEachOfItsSteps) {
   expect_kept(by_pairs, 20000, 8000);
   // All but exact tangents and origins exactly on the surface.
   EXPECT_GT(proven, by_pairs.pairs * 8 / 10);
+}
+
+/// Where the margins of the first step lie: origins beside the surface, up to 2^17 radii away and
+/// inside, grazing down to t = 2^-15, centres up to 2^26 radii from the world's origin.
+void near_margins(Random& random, Ray& ray, Sphere& sphere) {
+  const double r = std::exp2(random.between(-10, 10));
+  const double t = std::exp2(random.between(-15, 0));
+  const scene::Vector3 to_centre = random.direction();
+  scene::Vector3 across = random.direction();
+  const double along = across.x * to_centre.x + across.y * to_centre.y + across.z * to_centre.z;
+  across = {across.x - along * to_centre.x, across.y - along * to_centre.y,
+            across.z - along * to_centre.z};
+  const double width = std::hypot(across.x, across.y, across.z);
+  const double far = std::exp2(random.between(0, 17));
+  const double beside = 1 + random.sign() * std::exp2(random.between(-28, 0));
+  const double x = random.one_in(3) ? far : random.one_in(2) ? beside : random.between(0, 1);
+  const double sine = std::min(1.0, std::sqrt(1 - t) / x);
+  const double cosine = random.sign() * std::sqrt(1 - sine * sine);
+  const double length = std::exp2(random.between(-3, 3));
+  const scene::Vector3 place = random.direction();
+  const double reach = random.one_in(3) ? 0 : r * std::exp2(random.between(-4, 26));
+  sphere = {{reach * place.x, reach * place.y, reach * place.z}, r};
+  const auto aim = [&](double toward, double aside) {
+    return length * (cosine * toward + sine * aside / width);
+  };
+  ray.origin = {sphere.centre.x - x * r * to_centre.x, sphere.centre.y - x * r * to_centre.y,
+                sphere.centre.z - x * r * to_centre.z};
+  ray.direction = {aim(to_centre.x, across.x), aim(to_centre.y, across.y),
+                   aim(to_centre.z, across.z)};
+}
+
+/// By what the first step's proof says of s, which is more than the promise.
+TEST(Robust, IsRightNearItsMarginsOnEveryTarget) {
+  constexpr double kFirstStepUlp = 0.64;
+  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+    SCOPED_TRACE(hwy::TargetName(left & -left));
+    hwy::SetSupportedTargetsForTest(left & -left);
+    Random random(3);
+    RobustAudit audit;
+    for (int k = 0; k < 40000; ++k) {
+      Ray ray;
+      Sphere sphere;
+      near_margins(random, ray, sphere);
+      compare(kRobust.intersect_one, ray, sphere,
+              {random.one_in(2) ? Root::kNearest : Root::kSmaller}, audit);
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    expect_kept(audit, 40000, 15000);
+    EXPECT_LE(audit.worst_s, kFirstStepUlp) << audit.worst;
+  }
 }
 
 TEST(Robust, AnswersWhatIsNoProblemWithAMiss) {
