@@ -33,7 +33,7 @@ namespace raycheck::fast::HWY_NAMESPACE {
 template <class N>
 struct Margins {
   static constexpr double kDiscriminantShare = 0x1p-13;
-  static constexpr double kNearShare = 0x1p-16;
+  static constexpr double kNearShare = 0x1p-28;
   static constexpr double kFarShare = 0x1p-31;
   static constexpr double kSurfaceShare = 0x1p-26;
   static constexpr double kReachShare = 0x1p-32;
@@ -53,9 +53,6 @@ static_assert(Margins<double>::kFarShare > 100 * (kRobustNear + kRobustFar) * 0x
               Margins<double>::kReachShare > 100 * kRobustC * 0x1p-53 &&
               Margins<double>::kFarShare / 2 > kRobustB * kRobustB * 0x1p-106);
 
-/// The residual is taken in multiples of ulp(kScale (M + f^2/M)): intersect_robust.cpp.
-inline constexpr double kScale = 4;
-
 /// What depends on the sphere alone.
 template <class N>
 struct Ball {
@@ -64,8 +61,8 @@ struct Ball {
   HWY_INLINE explicit Ball(const SphereOf<N>& sphere)
       : centre(sphere.centre),
         square(sphere.radius * sphere.radius),
-        doubt(N(Required::kDiscriminantShare) * square) {
-    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + sphere.radius;
+        doubt(N(Required::kDiscriminantShare) * square),
+        reach(absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + sphere.radius) {
     const N ratio = reach / sphere.radius;
     const N share = smaller(N(Required::kReachShare) + N(Required::kSmallShare) * (ratio * ratio),
                             N(Required::kMostReach));
@@ -74,15 +71,13 @@ struct Ball {
     const N known = select(square < N(Required::kLargestSquare), square, N(std::nan("")));
     inside = known - margin;
     outside = known + margin;
-    scale = N(kScale) * reach;
-    scale_share = N(kScale) / reach;
   }
 
   Triple<N> centre;
   N square;
   N doubt;
-  N scale, scale_share;  ///< kScale M, kScale/M.
-  N inside, outside;     ///< f^2 below/above: the origin is inside/outside.
+  N reach;            ///< M.
+  N inside, outside;  ///< f^2 below/above: the origin is inside/outside.
 };
 
 /// What the class is decided by: T, a, b, f^2 and c.
@@ -110,12 +105,11 @@ HWY_INLINE N far_discriminant(const Triple<N>& T, const Triple<N>& direction, co
   return mul_sub(a, radius_sq, fused_dot(moment, moment));
 }
 
-/// The first root, and what its correction takes.
+/// The first root.
 template <class N>
 struct First {
   N s0;
   N per_slope;  ///< 1 over the slope of |T - s d|^2 at the root.
-  N scale;      ///< kScale (M + f^2/M).
 };
 
 /// The class where it is certain, and the root of a hit.
@@ -159,8 +153,7 @@ HWY_INLINE Guess<N> guess(const RayOf<N>& ray, const Ball<N>& ball, scene::Root 
   const N half_slope = select(outside, -root_of, root_of);
   return {hit,
           certain,
-          {(b + half_slope) * (discriminant * inverse), (N(0.5) * half_slope) * (a * inverse),
-           mul_add(ball.scale_share, distance_sq, ball.scale)}};
+          {(b + half_slope) * (discriminant * inverse), (N(0.5) * half_slope) * (a * inverse)}};
 }
 
 }  // namespace raycheck::fast::HWY_NAMESPACE

@@ -16,37 +16,47 @@ namespace {
 // The first step: robust_guess.h, then one Newton step from a residual in multiples of powers of 2.
 //
 // Let h = sqrt(disc), t = disc/(a r^2) <= 1 and x = f/r, so that t > 0.99 (2^-13 + 2^-31 x^2), and
-// t > 0.99 x^2/2^16 where disc comes from b^2 - a c. On a hit |m| <= |d| r, hence f|d| <= |b| +
-// |d| r <= q/sqrt(t), and
+// t > 0.99 (2^-13 + 2^-28 x^2) where disc comes from b^2 - a c. On a hit |m| <= |d| r, hence f|d|
+// <= |b| + |d| r <= q/sqrt(t), and f|d| <= 1.16 q where x > 2;
 //   |disc^ - disc| <= 19u f^2 |d|^2 + 10u a r^2 + u disc       near, by b^2 - a c,
 //                  <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2   far, by |m|^2,
-// moves h by (9.5x + 5)u q/t or 8.8u q/t (next to nothing from the last term, as f|d| < 2^15.6 h).
-// b^ is off by 4u q/sqrt(t), what follows by 9.5u q at most: s0 by E q/(a t) in all, where E is
-// (9.5x + 5 + 4 sqrt(t) + 9.5t)u near and 24u far.
+// moves h by (9.5x + 5)u q/t near (11x + 3)u q/sqrt(t) where x > 2, and 8.8u q/t far (next to
+// nothing from the last term, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), what follows by 9.5u
+// q at most: s0 by E q/a in all, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, (11x +
+// 17)u/sqrt(t) where x > 2, and 24u/t far.
 //
-// Newton's step leaves (E q/(a t))^2 a/(2h). As a share of s that is E^2/t^2 where s = q/a, which
-// counts only where c < 0 and hence q <= 2h; and with y = a|c|/h^2 = |x^2 - 1|/t, where s = |c|/q,
-//   E^2/(2 t^2) (1 + sqrt(1 + y))^3/y      with c > 0, else E^2/(2 t^2) 8/y:
+// Newton's step leaves (E q/a)^2 a/(2h). As a share of s that is E^2 where s = q/a, which counts
+// only where c < 0 and hence q <= 2h; and with y = a|c|/h^2 = |x^2 - 1|/t, where s = |c|/q,
+//   (E^2/2) (1 + sqrt(1 + y))^3/y      with c > 0, else (E^2/2) 8/y:
 //   far, y > 2^10: 0.55 (24u)^2 x/t^2.5 <= 2^-57.9, as t^2.5 > 2^-39.8 x
-//   near, y > 2^10: 0.55 (9.5x + 19)^2 u^2 x/t^2.5 <= 2^-61, and below 2^-60 where y > 1
-//   y < 1: 4E^2/(t |x^2 - 1|) <= 2^-57.3, as x^2 is 2^-26 from 1 and E <= 14.6u where t is least.
+//   near, x > 32: 0.55 (11.6x)^2 u^2 x/t^1.5 <= 2^-57.8; else below 2^-59 where y > 1
+//   y < 1: 4E^2/y <= 2^-57.3, as x^2 is 2^-26 from 1 and E <= 14.6u/t where t is least.
 // 1/(2h) stands for its exact value: off by (9.5x^2 + 11)u/t of itself near and (4.3x + 11)u/t far,
-// which times the error of s0 is 2^-65 of s, or, as the line before, 2^-57.3 where y < 1.
+// which times the error of s0 is 2^-57.1 of s near, where x > 32, 2^-65 far, and 2^-57.3 where y
+// < 1.
 //
-// The residual |L + s0 d - C|^2 - r^2. Let S = 4 (M + f^2/M) >= 3.3 (M + f), and o' be o rounded to
-// a multiple of ulp(S) by adding S, off by at most 1.31u S. L' + (s0 d)' is exact, and so is w,
-// what it is more than C' (which is rounded by 4M): all are multiples of ulp(2.7M), and |w| <= 1.01
-// r. v, the sum of what was rounded off, is at most 3.9u S < 2^-17 r (as f < 2^15.6 r, and M <
-// 2^24.3 r by what is required of f^2 - r^2), and off by 8u^2 S a coordinate. The squares of w are
-// split by 4r^2 alike: the high parts add up exactly. v's errors cost 28u^2 S r, the product (2w +
-// v) v, the low parts and their sums 112u^2 S r more. That over 2 s h is the error as a share of s:
-//   560u^2 M r/(2 s h) <= 2^-57.9, as s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-40 M^2 by what
-//   is required of f^2 - r^2; 560u^2 (f^2/M) r/(2 s h) <= 2^-61.
+// The residual |L + s0 d - C|^2 - r^2. Let S be a power of 2 from 2M to 4M, and o' be o rounded by
+// adding S, off by at most u(|o| + S). It is a multiple of 2^-53 S. So L' + (s0 d)' is exact, as it
+// is less than 1.1M, and w, what it is more than C', as |w| <= 1.01 r. v, the sum of what was
+// rounded off, is at most V = u(15M + 2f) < 2^-17 r (as f < 2^15.6 r, and M < 2^24.3 r by what is
+// required of f^2 - r^2), and off by 2.5u V a coordinate. The squares of w are split by 4r^2 alike:
+// the high parts add up exactly. v's errors cost 8.7u V r, the product (2w + v) v, the low parts
+// and their sums 29u V r more. That over 2 s h is the error as a share of s:
+//   570u^2 M r/(2 s h) <= 2^-57.8, as s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-40 M^2 by what
+//   is required of f^2 - r^2; 76u^2 f r/(2 s h) <= 2^-61.
 //
-// All in all s is off by less than 2^-55.9 of itself before it is rounded: 0.64 ulp. Q = L + s d is
+// All in all s is off by less than 2^-55.8 of itself before it is rounded: 0.65 ulp. Q = L + s d is
 // made from L' + (s0 d)', the rest and the correction of s, and rounded once.
 
-/// x to multiples of ulp(scale).
+/// The largest power of 2 that is at most x (Rump, Ogita and Oishi, Accurate floating-point
+/// summation, 2008). Domain: x > 0, 2^53 x in range.
+template <class N>
+HWY_INLINE N first_bit(const N& x) {
+  const N much = N(0x1p52 + 1) * x;
+  return much - N(1 - 0x1p-53) * much;
+}
+
+/// x to a multiple of 2^-53 scale, which is a power of 2.
 template <class N>
 HWY_INLINE N coarse(const N& x, const N& scale) {
   return (x + scale) - scale;
@@ -61,12 +71,14 @@ template <class N>
 struct Target : Ball<N> {
   HWY_INLINE explicit Target(const SphereOf<N>& sphere)
       : Ball<N>(sphere),
-        high(coarse(sphere.centre, this->scale)),
+        scale(N(4) * first_bit(this->reach)),
+        high(coarse(sphere.centre, scale)),
         low(sphere.centre - high),
         base(N(4) * this->square),
         end(mul_add(sphere.radius, sphere.radius, base) - base),
         end_rest(product_rest(sphere.radius, sphere.radius, end)) {}
 
+  N scale;              ///< S.
   Triple<N> high, low;  ///< Of the centre.
   N base;
   N end, end_rest;  ///< r^2.
@@ -76,7 +88,7 @@ struct Target : Ball<N> {
 template <class N>
 HWY_INLINE ChosenOf<N> correct(const RayOf<N>& ray, const Target<N>& ball, const First<N>& root) {
   const auto& [origin, direction] = ray;
-  const N scale = root.scale;
+  const N scale = ball.scale;
   const N s0 = root.s0;
   const Triple<N> from = coarse(origin, scale);
   const Triple<N> by = {mul_add(s0, direction.x, scale) - scale,
@@ -127,13 +139,11 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
       store(codes, to.hit + k);
       store(found.root.s0, to.parameter + k);
       store(found.root.per_slope, to.point[0] + k);
-      store(found.root.scale, to.point[1] + k);
     }
     for (std::size_t k = first; k < last; k += kLaneCount) {
       if (!any_hit(to.hit + k)) continue;
       const ChosenOf<Lanes> chosen =
-          correct(load(asked.rays, k), ball,
-                  {load(to.parameter + k), load(to.point[0] + k), load(to.point[1] + k)});
+          correct(load(asked.rays, k), ball, {load(to.parameter + k), load(to.point[0] + k)});
       store(chosen.parameter, to.parameter + k);
       store(chosen.point, to.point, k);
     }
