@@ -17,6 +17,7 @@ import sys
 import tempfile
 import tomllib
 
+REPRODUCTION_SECONDS = 1800  # a backstop: seconds, on a busy machine minutes, are enough
 HERE = pathlib.Path(__file__).parent
 LEVELS = ("ordinary", "demanding", "extreme")
 OWN = ("quadratic", "cross", "robust")
@@ -157,7 +158,7 @@ def reproduction(engine, numbers, build, may_fail):
         # Of compiled ones the first line says how.
         run = run or text.splitlines()[0].strip("/* ") + " && ./case"
         shown = subprocess.run(["sh", "-c", run], cwd=npm if kind == ".py" and npm.exists() else folder, capture_output=True,
-                               text=True, timeout=120)
+                               text=True, timeout=REPRODUCTION_SECONDS)
     finally:
         shutil.rmtree(folder)
     if shown.returncode != 0 and not may_fail:
