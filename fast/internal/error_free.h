@@ -97,8 +97,10 @@ HWY_INLINE Rounded<N> split(N a) {
 /// cannot be trusted by mistake.
 template <class N>
 HWY_INLINE N trusted(N error, N a, N b, N product) {
-  const auto is_exact = (absolute(product) > N(kLeastProduct)) & (error - error == N(0));
-  return any(!is_exact) ? fused_minus(a, b, product) : error;
+  const auto is_exact = (error - error == N(0)) &
+                        ((absolute(product) > N(kLeastProduct)) | (a == N(0)) | (b == N(0)));
+  const auto is_nan = !(product == product);  // of a lane that counts for nothing
+  return !all(is_exact | is_nan) ? fused_minus(a, b, product) : error;
 }
 
 template <class N>

@@ -29,23 +29,24 @@ namespace {
 // only where c < 0 and hence q <= 2h; and with y = a|c|/h^2 = |x^2 - 1|/t, where s = |c|/q,
 //   (E^2/2) (1 + sqrt(1 + y))^3/y      with c > 0, else (E^2/2) 8/y:
 //   far, y > 2^10: 0.55 (24u)^2 x/t^2.5 <= 2^-57.9, as t^2.5 > 2^-39.8 x
-//   near, x > 32: 0.55 (11.6x)^2 u^2 x/t^1.5 <= 2^-57.8; else below 2^-59 where y > 1
+//   near, x > 32: 0.55 (11.6x)^2 u^2 x/t^1.5 <= 2^-57.7; else below 2^-59 where y > 1
 //   y < 1: 4E^2/y <= 2^-57.3, as x^2 is 2^-26 from 1 and E <= 14.6u/t where t is least.
-// 1/(2h) stands for its exact value: off by (9.5x^2 + 11)u/t of itself near and (4.3x + 11)u/t far,
-// which times the error of s0 is 2^-57.1 of s near, where x > 32, 2^-65 far, and 2^-57.3 where y
-// < 1.
+// 1/(2h) stands for its exact value: off by (9.5x^2 + 5)u/t + 6u of itself near and (4.3x + 11)u/t
+// far, which times the error of s0 is 2^-57.1 of s near, where x > 32, 2^-65 far, and 2^-57.3 where
+// y < 1.
 //
 // The residual |L + s0 d - C|^2 - r^2. Let S be a power of 2 from 2M to 4M, and o' be o rounded by
-// adding S, off by at most u(|o| + S). It is a multiple of 2^-53 S. So L' + (s0 d)' is exact, as it
-// is less than 1.1M, and w, what it is more than C', as |w| <= 1.01 r. v, the sum of what was
-// rounded off, is at most V = u(15M + 2f) < 2^-17 r (as f < 2^15.6 r, and M < 2^24.3 r by what is
-// required of f^2 - r^2), and off by 2.5u V a coordinate. The squares of w are split by 4r^2 alike:
-// the high parts add up exactly. v's errors cost 8.7u V r, the product (2w + v) v, the low parts
-// and their sums 29u V r more. That over 2 s h is the error as a share of s:
-//   570u^2 M r/(2 s h) <= 2^-57.8, as s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-40 M^2 by what
-//   is required of f^2 - r^2; 76u^2 f r/(2 s h) <= 2^-61.
+// adding S, off by at most u(|o| + S); so is (s0 d)', off by u(2|s0 d| + S), as it may be rounded
+// twice. Both are multiples of 2^-53 S. So L' + (s0 d)' is exact, as it is less than 1.1M, and w,
+// what it is more than C', as |w| <= 1.01 r. v, the sum of what was rounded off, is at most V =
+// u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by what is required of f^2 - r^2), and
+// off by 2.7u V a coordinate. The squares of w are split by 4r^2 alike: the high parts add up
+// exactly. v's errors cost 9.4u V r, the product (2w + v) v, the low parts and their sums 29u V r
+// more. That over 2 s h is the error as a share of s: 620u^2 M r/(2 s h) <= 2^-60.7, as s h >= |f -
+// r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by what is required of f^2 - r^2, and 116u^2 f r/(2 s h)
+// <= 2^-64.
 //
-// All in all s is off by less than 2^-55.8 of itself before it is rounded: 0.65 ulp. Q = L + s d is
+// All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
 // made from L' + (s0 d)', the rest and the correction of s, and rounded once.
 
 /// The largest power of 2 that is at most x (Rump, Ogita and Oishi, Accurate floating-point

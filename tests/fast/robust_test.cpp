@@ -249,53 +249,68 @@ TEST(Robust, IsRightInEachOfItsSteps) {
   EXPECT_GT(proven, by_pairs.pairs * 8 / 10);
 }
 
-/// Where the margins of the first step lie: origins beside the surface, up to 2^17 radii away and
-/// inside, grazing down to t = 2^-15, centres up to 2^26 radii from the world's origin.
-void near_margins(Random& random, Ray& ray, Sphere& sphere) {
-  const double r = std::exp2(random.between(-10, 10));
-  const double t = std::exp2(random.between(-15, 0));
-  const scene::Vector3 to_centre = random.direction();
-  scene::Vector3 across = random.direction();
-  const double along = across.x * to_centre.x + across.y * to_centre.y + across.z * to_centre.z;
-  across = {across.x - along * to_centre.x, across.y - along * to_centre.y,
-            across.z - along * to_centre.z};
-  const double width = std::hypot(across.x, across.y, across.z);
+/// With a centre up to 2^26 radii from the world's origin.
+Sphere some_sphere(Random& random) {
+  const double radius = std::exp2(random.between(-10, 10));
+  const double reach = random.one_in(3) ? 0 : radius * std::exp2(random.between(-4, 26));
+  const scene::Vector3 place = random.direction();
+  return {{reach * place.x, reach * place.y, reach * place.z}, radius};
+}
+
+/// Where the margins of the first step lie, and somewhat beyond: from beside the surface, up to
+/// 2^17 radii away or inside, and grazing.
+Ray near_margins(Random& random, const Sphere& sphere) {
   const double far = std::exp2(random.between(0, 17));
-  const double beside = 1 + random.sign() * std::exp2(random.between(-28, 0));
+  const double beside =
+      1 + random.sign() * std::exp2(random.between(random.one_in(2) ? -28 : -40, 0));
   const double x = random.one_in(3) ? far : random.one_in(2) ? beside : random.between(0, 1);
+  const double t = std::exp2(random.between(random.one_in(2) ? -15 : -30, 0));
   const double sine = std::min(1.0, std::sqrt(1 - t) / x);
   const double cosine = random.sign() * std::sqrt(1 - sine * sine);
   const double length = std::exp2(random.between(-3, 3));
-  const scene::Vector3 place = random.direction();
-  const double reach = random.one_in(3) ? 0 : r * std::exp2(random.between(-4, 26));
-  sphere = {{reach * place.x, reach * place.y, reach * place.z}, r};
-  const auto aim = [&](double toward, double aside) {
-    return length * (cosine * toward + sine * aside / width);
+  const scene::Vector3 in = random.direction(), other = random.direction();
+  const double along = other.x * in.x + other.y * in.y + other.z * in.z;
+  const double width = std::sqrt(1 - along * along);
+  const auto origin = [&](double centre, double to) { return centre - x * sphere.radius * to; };
+  const auto aim = [&](double to, double aside) {
+    return length * (cosine * to + sine * (aside - along * to) / width);
   };
-  ray.origin = {sphere.centre.x - x * r * to_centre.x, sphere.centre.y - x * r * to_centre.y,
-                sphere.centre.z - x * r * to_centre.z};
-  ray.direction = {aim(to_centre.x, across.x), aim(to_centre.y, across.y),
-                   aim(to_centre.z, across.z)};
+  return {
+      {origin(sphere.centre.x, in.x), origin(sphere.centre.y, in.y), origin(sphere.centre.z, in.z)},
+      {aim(in.x, other.x), aim(in.y, other.y), aim(in.z, other.z)}};
 }
 
-/// By what the first step's proof says of s, which is more than the promise.
+/// By hardly more than a rounding of s, which is all that was ever seen (the first step's proof
+/// says 0.62 ulp); and batches answer as single calls.
 TEST(Robust, IsRightNearItsMarginsOnEveryTarget) {
-  constexpr double kFirstStepUlp = 0.65;
+  constexpr double kSeenUlp = 0.505;
   for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
     SCOPED_TRACE(hwy::TargetName(left & -left));
     hwy::SetSupportedTargetsForTest(left & -left);
     Random random(3);
     RobustAudit audit;
-    for (int k = 0; k < 40000; ++k) {
-      Ray ray;
-      Sphere sphere;
-      near_margins(random, ray, sphere);
-      compare(kRobust.intersect_one, ray, sphere,
-              {random.one_in(2) ? Root::kNearest : Root::kSmaller}, audit);
+    for (int k = 0; k < 400; ++k) {
+      const Sphere sphere = some_sphere(random);
+      const HitRule rule = {random.one_in(2) ? Root::kNearest : Root::kSmaller};
+      Rays rays;
+      rays.resize(101);
+      for (std::size_t ray = 0; ray < rays.size(); ++ray) {
+        rays.set(ray, near_margins(random, sphere));
+        compare(kRobust.intersect_one, rays.at(ray), sphere, rule, audit);
+      }
+      Hits hits;
+      kRobust.intersect(rays, sphere, rule, hits);
+      for (std::size_t ray = 0; ray < rays.size(); ++ray) {
+        const auto alone = kRobust.intersect_one(rays.at(ray), sphere, rule);
+        ASSERT_EQ(alone.has_value(), hits.hit[ray] == 1);
+        if (!alone) continue;
+        ASSERT_EQ(alone->parameter, hits.parameter[ray]);
+        ASSERT_EQ(alone->point, hits.point.at<scene::Point3>(ray));
+      }
     }
     hwy::SetSupportedTargetsForTest(0);
     expect_kept(audit, 40000, 15000);
-    EXPECT_LE(audit.worst_s, kFirstStepUlp) << audit.worst;
+    EXPECT_LE(audit.worst_s, kSeenUlp) << audit.worst;
   }
 }
 
