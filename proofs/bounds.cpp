@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "fast/internal/error_free.h"
 #include "fast/internal/robust_guess.h"
 #include "fast/internal/triple.h"
 #include "reference/enclosure.h"
@@ -434,6 +435,38 @@ double observed_widening(int samples) {
   return largest;
 }
 
+/// coarse() by scale 1: multiples of 2^-53, no farther from x than the bound where |x| <= 1/2, and
+/// of which a sum below 0.55 is exact.
+Script traced_coarse(double bound, std::optional<Mutation> mutation) {
+  Script script(Rounding::kToDouble, mutation);
+  for (const auto& [x, z, range, most] :
+       {std::array<std::string, 4>{"x", "z", "[0, 0.5]", in_hexadecimal(bound * kUnit)},
+        {"y", "w", "[0.5, 65536]", "1b-36"}}) {
+    script.define(x, fmt::format("rnd({})", z));
+    script.suppose(fmt::format("|{}| in {}", x, range));
+    const std::string high = fast_formula::coarse(Rounded(script, x), Rounded(1.0)).name();
+    const std::string sum = (Rounded(script, x) + Rounded(1.0)).name();
+    script.rewrite(fmt::format("{0} - {1} -> ({0} - ({2} - 1)) + ({2} - ({1} + 1))", high, x, sum));
+    script.prove(fmt::format("@FIX({}, -53)", high));
+    script.prove(fmt::format("|{} - {}| <= {}", high, x, most));
+  }
+  for (const char* part : {"p", "q"}) script.suppose(fmt::format("@FIX({}, -53)", part));
+  script.suppose("|p + q| <= 0.55");
+  const std::string sum = (Rounded(script, "p") + Rounded(script, "q")).name();
+  script.prove(fmt::format("{} - (p + q) in [0, 0]", sum));
+  return script;
+}
+
+double observed_coarse(int samples) {
+  Random random;
+  double largest = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    const double x = random.share() - 0.5;
+    largest = std::max(largest, std::abs(fast_formula::coarse(x, 1.0) - x) / kUnit);
+  }
+  return largest;
+}
+
 /// Two numbers of high and low parts, |high| from 1 to 2.
 void define_pairs(Script& script) {
   for (const char* high : {"ah", "bh"}) script.suppose(fmt::format("{} in [1, 2]", high));
@@ -569,6 +602,8 @@ std::span<const Bound> bounds() {
                         fast_formula::kRobustNear),
       stage<RobustFar>("robust-far", "its discriminant by the moment, of a (f^2 + r^2)", kRobust,
                        fast_formula::kRobustFar),
+      Bound{"robust-coarse", "the parts of robust's residual, of the scale",
+            "fast/internal/error_free.h", 1, "u", traced_coarse, observed_coarse},
       stage<FastDot>("a", "a = |d|^2", kTriple, 3),
       stage<FastNorm>("norm", "|d|", kTriple, 2.5),
       stage<FastUnit>("unit-direction", "the coordinates of d/|d|", kTriple, 3.5),

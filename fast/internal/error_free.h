@@ -46,6 +46,14 @@ HWY_INLINE Rounded<N> fast_two_sum(N a, N b) {
   return {sum, b - (sum - a)};
 }
 
+/// x to a multiple of 2^-53 scale, which is a power of 2; off by at most u(|x| + scale). Domain:
+/// |x|
+/// <= 2^16 scale.
+template <class N>
+HWY_INLINE N coarse(const N& x, const N& scale) {
+  return (x + scale) - scale;
+}
+
 #if HWY_NATIVE_FMA
 
 /// a b - c, rounded once.

@@ -57,13 +57,9 @@ HWY_INLINE N first_bit(const N& x) {
   return much - N(1 - 0x1p-53) * much;
 }
 
-/// x to a multiple of 2^-53 scale, which is a power of 2.
+/// Each coordinate to a multiple of 2^-53 scale.
 template <class N>
-HWY_INLINE N coarse(const N& x, const N& scale) {
-  return (x + scale) - scale;
-}
-template <class N>
-HWY_INLINE Triple<N> coarse(const Triple<N>& x, const N& scale) {
+HWY_INLINE Triple<N> coarse_triple(const Triple<N>& x, const N& scale) {
   return {coarse(x.x, scale), coarse(x.y, scale), coarse(x.z, scale)};
 }
 
@@ -73,7 +69,7 @@ struct Target : Ball<N> {
   HWY_INLINE explicit Target(const SphereOf<N>& sphere)
       : Ball<N>(sphere),
         scale(N(4) * first_bit(this->reach)),
-        high(coarse(sphere.centre, scale)),
+        high(coarse_triple(sphere.centre, scale)),
         low(sphere.centre - high),
         base(N(4) * this->square),
         end(mul_add(sphere.radius, sphere.radius, base) - base),
@@ -91,7 +87,7 @@ HWY_INLINE ChosenOf<N> correct(const RayOf<N>& ray, const Target<N>& ball, const
   const auto& [origin, direction] = ray;
   const N scale = ball.scale;
   const N s0 = root.s0;
-  const Triple<N> from = coarse(origin, scale);
+  const Triple<N> from = coarse_triple(origin, scale);
   const Triple<N> by = {mul_add(s0, direction.x, scale) - scale,
                         mul_add(s0, direction.y, scale) - scale,
                         mul_add(s0, direction.z, scale) - scale};
