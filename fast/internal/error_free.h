@@ -46,9 +46,8 @@ HWY_INLINE Rounded<N> fast_two_sum(N a, N b) {
   return {sum, b - (sum - a)};
 }
 
-/// x to a multiple of 2^-53 scale, which is a power of 2; off by at most u(|x| + scale). Domain:
-/// |x|
-/// <= 2^16 scale.
+/// x to a multiple of 2^-53 scale, which is a power of 2; off by at most u(|x| + scale).
+/// Domain: |x| <= 2^16 scale.
 template <class N>
 HWY_INLINE N coarse(const N& x, const N& scale) {
   return (x + scale) - scale;
@@ -56,22 +55,18 @@ HWY_INLINE N coarse(const N& x, const N& scale) {
 
 #if HWY_NATIVE_FMA
 
-/// a b - c, rounded once.
-HWY_INLINE Lanes fused_minus(Lanes a, Lanes b, Lanes c) {
-  return Lanes(hn::MulSub(a.raw, b.raw, c.raw));
-}
-HWY_INLINE double fused_minus(double a, double b, double c) { return __builtin_fma(a, b, -c); }
 template <class N>
 HWY_INLINE N product_error(N a, N b, N product) {
-  return fused_minus(a, b, product);
+  return mul_sub(a, b, product);
 }
 template <class N>
 HWY_INLINE N square_error(N a, N square) {
-  return fused_minus(a, a, square);
+  return mul_sub(a, a, square);
 }
+/// What a coarse part leaves of a b, rounded once.
 template <class N>
 HWY_INLINE N product_rest(N a, N b, N high) {
-  return fused_minus(a, b, high);
+  return mul_sub(a, b, high);
 }
 
 #else

@@ -28,7 +28,7 @@ namespace raycheck::fast::HWY_NAMESPACE {
 // With disc < 0 the ray misses whatever b is. All of this holds whether or not products are fused
 // with sums.
 
-/// What is required of disc and f^2 - r^2 in N's format. Signs alone require no more than 16u of
+/// What is required of disc and f^2 - r^2 in N's format. Signs alone require no more than 32u of
 /// each term (tests/fast/small_formats_test.cpp); these values are what s requires of doubles.
 template <class N>
 struct Margins {
@@ -48,7 +48,9 @@ inline constexpr double kRobustB = 8;      ///< Of f |d|.
 inline constexpr double kRobustC = 13;     ///< Of f^2 + r^2.
 inline constexpr double kRobustNear = 38;  ///< Of a (f^2 + r^2), as the next.
 inline constexpr double kRobustFar = 42;
-static_assert(Margins<double>::kFarShare > 100 * (kRobustNear + kRobustFar) * 0x1p-53 &&
+static_assert(Margins<double>::kNearShare > 100 * kRobustNear * 0x1p-53 &&
+              Margins<double>::kFarShare > 100 * kRobustFar * 0x1p-53 &&
+              Margins<double>::kFarShare < Margins<double>::kNearShare &&
               Margins<double>::kFarShare < Margins<double>::kDiscriminantShare &&
               Margins<double>::kReachShare > 100 * kRobustC * 0x1p-53 &&
               Margins<double>::kFarShare / 2 > kRobustB * kRobustB * 0x1p-106);
@@ -80,7 +82,7 @@ struct Ball {
   N inside, outside;  ///< f^2 below/above: the origin is inside/outside.
 };
 
-/// What the class is decided by: T, a, b, f^2 and c.
+/// What the class is decided by.
 template <class N>
 struct Coefficients {
   N a, b, distance_sq, c;

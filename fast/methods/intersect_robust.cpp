@@ -49,6 +49,22 @@ namespace {
 // All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
 // made from L' + (s0 d)', the rest and the correction of s, and rounded once.
 
+/// Whether what Newton's step leaves is below 2^-57 of s beside the surface, near and far, where x
+/// is as the margins make it worst; squared, for the roots.
+constexpr bool leaves_little() {
+  using Required = Margins<double>;
+  constexpr double kUnit = 0x1p-53, kMost = 0x1p-57;
+  constexpr double kDisc = Required::kDiscriminantShare, kNear = Required::kNearShare;
+  constexpr double kSurface = 4 * 14.6 * 14.6 * kUnit * kUnit;
+  constexpr double kOfNear = 0.55 * 11.6 * 11.6 * kUnit * kUnit;
+  constexpr double kOfFar = 0.55 * 24 * 24 * kUnit * kUnit;
+  return kSurface < kMost * kDisc * Required::kSurfaceShare &&
+         kOfNear * kOfNear < kMost * kMost * kNear * kNear * kNear &&
+         kOfFar * kOfFar <
+             kMost * kMost * 12.2 * Required::kFarShare * kDisc * kDisc * kDisc * kDisc;
+}
+static_assert(leaves_little());
+
 /// The largest power of 2 that is at most x (Rump, Ogita and Oishi, Accurate floating-point
 /// summation, 2008). Domain: x > 0, 2^53 x in range.
 template <class N>
