@@ -109,7 +109,7 @@ void Visibility::Impl::set_plane() {
   scale = {std::ldexp(1.0, lengths), from_pixels ? std::ldexp(1.0, plane) : 0,
            {eye.x, eye.y, eye.z},    axis(plan.eye.U()),
            axis(plan.eye.V()),       axis(plan.eye.W())};
-  scales_fit = std::isnormal(scale.lengths) && std::isnormal(std::ldexp(1.0, plane)) &&
+  scales_fit = std::isfinite(scale.lengths) && std::isfinite(std::ldexp(1.0, plane)) &&
                (!from_pixels || std::isnormal(start_factor)) && fits(std::sqrt(sizes.A), plane) &&
                fits(std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}), 0);
 }

@@ -47,9 +47,9 @@ struct DecidedBy {
 ///         the camera's field, more than kMostVisibleSide columns or rows.
 /// Memory: some 100 bytes per column and row, and up to kMostVisibleParts list entries.
 /// Error:  no decision is wrong. A tangent counts as a hit unless the convention is `miss`. s is
-///         within kVisibleParameterError |Q - E|, within a few u of it far from silhouettes, and
-///         correctly rounded where an exact ray decided; Q is within kVisibleParameterError |Q
-///         - E| + 4u |Q| per coordinate.
+///         within kVisibleParameterError |Q - E| and the least double, within a few u of |Q - E|
+///         far from silhouettes, and correctly rounded where an exact ray decided; Q is within
+///         kVisibleParameterError |Q - E| + 4u |Q| and the least double per coordinate.
 /// Thread safety: const functions may be called from several threads.
 /// Source: reference/internal/formulas.h; the filter's bound is proved in
 /// reference/visibility/visibility_kernel.h.
@@ -80,8 +80,8 @@ class Visibility {
   std::unique_ptr<const Impl> impl_;
 };
 
-/// The largest error of s, as a share of the distance between the eye and the hit point; or the
-/// least double, where that is larger.
+/// The largest error of s, but for the least double, as a share of the distance between the eye and
+/// the hit point.
 inline constexpr double kVisibleParameterError = 0x1p-20;
 
 /// The most columns, or rows: they take 100 MiB.

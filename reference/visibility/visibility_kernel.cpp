@@ -288,9 +288,9 @@ double finish_tile(const Tile& tile, const TileRectangle& wanted, const TileRays
       least = hn::Min(least, m);
       const V alpha = hn::LoadU(d, rays.alpha + column);
       const V l = hn::Sqrt(hn::MulAdd(alpha, alpha, row_a));
-      const V t = hn::Mul(hn::Div(m, l), hn::Set(d, scale.lengths));
+      const V t = hn::Div(m, l), lengths = hn::Set(d, scale.lengths);
       if (output.parameter != nullptr) {
-        store_first(d, hn::Sub(t, hn::Mul(l, hn::Set(d, scale.plane))), count,
+        store_first(d, hn::Sub(hn::Mul(t, lengths), hn::Mul(l, hn::Set(d, scale.plane))), count,
                     output.parameter + to);
       }
       if (!with_points) continue;
@@ -298,7 +298,7 @@ double finish_tile(const Tile& tile, const TileRectangle& wanted, const TileRays
       for (std::size_t k = 0; k < 3; ++k) {
         const V row_g = hn::Set(d, rays.near * scale.W[k] + beta * scale.V[k]);
         const V g = hn::MulAdd(alpha, hn::Set(d, scale.U[k]), row_g);
-        const V point = hn::MulAdd(along, g, hn::Set(d, scale.eye[k]));
+        const V point = hn::MulAdd(hn::Mul(along, g), lengths, hn::Set(d, scale.eye[k]));
         store_first(d, hn::IfThenElse(hn::Eq(m, nothing), nothing, point), count,
                     output.point[k] + to);
       }

@@ -157,8 +157,8 @@ struct TileOutput {
   std::array<double*, 3> point{};
   std::ptrdiff_t stride = 0;  ///< The distance from one row to the next.
 };
-/// Turns numerators into lengths: t = m/l 2^lengths, s = t - l 2^plane (t for focal rays), Q = E +
-/// (t/l) g.
+/// Turns numerators into lengths: t = m/l, s = t 2^lengths - l 2^plane (focal rays: without l), Q =
+/// E + (t/l) g 2^lengths. What a power of two makes subnormal is rounded once.
 struct TileScale {
   double lengths = 1;
   double plane = 1;  ///< 0 for focal rays.

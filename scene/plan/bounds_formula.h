@@ -43,10 +43,13 @@ N bound_above(N x, MaskOf<N> is_exact) {
   const N least = larger(x, N(-std::numeric_limits<double>::max()));
   return lowered(least, unvanishing(least, is_exact), -kBoundsWiden);
 }
-/// Of sums and square roots: what rounds to 0 is 0.
+/// Of sums and square roots, which are exact where they are subnormal.
 template <class N>
 BoundsOf<N> widened(N low, N high) {
-  return {bound_below(low, low == N(0.0)), bound_above(high, high == N(0.0))};
+  const N most(std::numeric_limits<double>::max());
+  low = smaller(low, most);
+  high = larger(high, -most);
+  return {lowered(low, absolute(low)), lowered(high, absolute(high), -kBoundsWiden)};
 }
 
 template <class N>

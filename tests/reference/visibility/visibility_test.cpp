@@ -65,7 +65,8 @@ int expect_exact(const scene::Scene& scene, const Seen& seen) {
     const scene::Sphere& sphere = scene.spheres[exact->index];
     const scene::Point3 Q = ray.rounded_point(sphere, exact->intersection);
     const double distance = std::hypot(Q.x - E.x, Q.y - E.y, Q.z - E.z);
-    const double bound = kVisibleParameterError * distance;
+    const double bound =
+        kVisibleParameterError * distance + std::numeric_limits<double>::denorm_min();
     EXPECT_LE(std::abs(seen.parameter[at] - ray.rounded_parameter(sphere, exact->intersection)),
               bound);
     EXPECT_LE(std::abs(seen.x[at] - Q.x), bound + 0x1p-51 * std::abs(Q.x));
@@ -170,6 +171,21 @@ TEST(Visibility, IsExactAtEveryScale) {
     SCOPED_TRACE(scale);
     const scene::Scene scene = random_scene(1, scale);
     hits += expect_exact(scene, see(visibility_of(scene)));
+  }
+  EXPECT_GT(hits, 500);
+}
+
+TEST(Visibility, DecidesSubnormalScenesByTheFilter) {
+  int hits = 0;
+  for (const double scale : {0x1p-1020, 0x1p-1040, 0x1p-1060, 0x1p-1068}) {
+    SCOPED_TRACE(scale);
+    for (const auto origin : {scene::Origin::kPixel, scene::Origin::kFocal}) {
+      scene::Scene scene = random_scene(1, scale);
+      scene.conventions.origin = origin;
+      const Seen seen = see(visibility_of(scene));
+      EXPECT_LT(seen.decided_by.fallback() * 10, seen.sphere.size());
+      hits += expect_exact(scene, seen);
+    }
   }
   EXPECT_GT(hits, 500);
 }
