@@ -115,10 +115,20 @@ void sweep_sphere(const SphereInTileOf<Number>& entry, double margin_so_far, con
   const N power = all(d, sphere.power), radius_sq = all(d, sphere.radius_sq);
   const V here = hn::Set(d, sphere.index);
   const int first = entry.pixels.i_begin / lanes * lanes;
+  const double hidden = hidden_below(entry.distance, margin_so_far, rays.least_length);
   for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
+    const double* const farthest = tile.farthest.data() + row * Tile::kRuns;
     const RowTerms<N> terms =
         row_terms(all(d, rays.near), all(d, rays.beta[static_cast<std::size_t>(row)]), u, v, w);
-    for (int column = first; column < entry.pixels.i_end; column += lanes) {
+    for (int column = first, run_end = 0; column < entry.pixels.i_end; column += lanes) {
+      if (column >= run_end) {
+        const int run = column / Tile::kRun;
+        run_end = (run + 1) * Tile::kRun;
+        if (farthest[run] < hidden) {
+          column = run_end - lanes;
+          continue;
+        }
+      }
       if (!any_wanted(tile, row, column)) continue;
       const N alpha = alpha_of(d, rays, column);
       const N b = b_of(alpha, u, terms.b), a = a_of(alpha, terms.a);
@@ -185,19 +195,18 @@ void sweep_by_form(const SphereInTile& entry, double margin_so_far, const TileRa
   sweep(entry, margin_so_far, rays, tile);
 }
 
-bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance) {
+double set_farthest(Tile& tile) {
   const D d;
-  // t l > m of all pixels: 2^-40 covers these roundings.
-  const V least = hn::Set(d, distance * rays.least_length * (1 - 0x1p-40));
-  const V doubt = hn::Set(d, 2 * margin);
-  for (std::size_t row = 0; row < tile.numerator.size(); row += Tile::kWidth) {
+  V farthest = hn::Zero(d);
+  for (std::size_t run = 0; run < tile.farthest.size(); ++run) {
     V most = hn::Zero(d);
-    for (std::size_t k = row; k < row + Tile::kWidth; k += hn::Lanes(d)) {
+    for (std::size_t k = run * Tile::kRun; k < (run + 1) * Tile::kRun; k += hn::Lanes(d)) {
       most = hn::Max(most, hn::Load(d, tile.numerator.data() + k));
     }
-    if (!hn::AllTrue(d, hn::Gt(least, hn::Add(most, doubt)))) return false;
+    tile.farthest[run] = hn::GetLane(hn::MaxOfLanes(d, most));
+    farthest = hn::Max(farthest, most);
   }
-  return true;
+  return hn::GetLane(hn::MaxOfLanes(d, farthest));
 }
 
 template <Certified kCertified>
@@ -318,7 +327,7 @@ HWY_EXPORT(sweep_certified);
 HWY_EXPORT(sweep_uncertified);
 HWY_EXPORT(sweep_in_pairs);
 HWY_EXPORT(sweep_class);
-HWY_EXPORT(all_nearer);
+HWY_EXPORT(set_farthest);
 HWY_EXPORT(finish_tile);
 
 void clear(Tile& tile, const TileRectangle& wanted) {
@@ -333,10 +342,12 @@ void clear(Tile& tile, const TileRectangle& wanted) {
   }
   tile.sphere.fill(-1);
   tile.undecided.fill(0);
+  tile.farthest.fill(kInfinity);
 }
 
 void clear(PairTile& tile, const std::array<std::uint64_t, Tile::kHeight>& wanted) {
   tile.undecided.fill(0);
+  tile.farthest.fill(std::numeric_limits<double>::infinity());
   tile.wanted = wanted;
   for (std::size_t row = 0; row < wanted.size(); ++row) {
     if (wanted[row] == 0) continue;
@@ -360,8 +371,11 @@ void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certifie
   }
 }
 
-bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance) {
-  return HWY_DYNAMIC_DISPATCH(all_nearer)(tile, margin, rays, distance);
+double set_farthest(Tile& tile) { return HWY_DYNAMIC_DISPATCH(set_farthest)(tile); }
+
+double hidden_below(double distance, double margin, double least_length) {
+  // t l > m of all pixels: 2^-40 covers these roundings.
+  return distance * least_length * (1 - 0x1p-40) - 2 * margin;
 }
 
 void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile) {

@@ -94,6 +94,7 @@ template <class Number>
 struct SphereInTileOf {
   const FilteredSphereOf<Number>* sphere = nullptr;
   TileRectangle pixels;
+  double distance = 0;  ///< No point of the sphere is nearer to the eye.
 };
 using SphereInTile = SphereInTileOf<double>;
 
@@ -101,10 +102,14 @@ struct Tile {
   static constexpr int kWidth = 64;
   static constexpr int kHeight = 16;
   static constexpr int kPixels = kWidth * kHeight;
+  static constexpr int kRun = 16;  ///< Pixels of a row that are passed over together.
+  static constexpr int kRuns = kWidth / kRun;
 
   alignas(64) std::array<double, kPixels> numerator;  ///< m^ of the nearest so far, or infinity.
   alignas(64) std::array<double, kPixels> sphere;     ///< Its index in the scene, or -1.
   std::array<std::uint64_t, kHeight> undecided;       ///< One bit per column.
+  /// Of each run, no numerator is larger; set by set_farthest().
+  std::array<double, kHeight * kRuns> farthest;
 };
 /// Some pixels of a tile in pairs.
 struct PairTile : Tile {
@@ -147,8 +152,11 @@ void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certifie
 void sweep(std::span<const SphereInTileOf<Pair>> spheres, const PairRays& rays, PairTile& tile);
 /// The same for the class of one sphere alone; numerators do not change.
 void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile);
-/// Whether every pixel has met a sphere at a smaller t than `distance`.
-bool all_nearer(const Tile& tile, double margin, const TileRays& rays, double distance);
+/// Numerators so far, for what is swept from now on; returns the largest.
+double set_farthest(Tile& tile);
+/// Pixels whose numerators are below this, found within `margin`, have met a sphere at a smaller t
+/// than `distance`.
+double hidden_below(double distance, double margin, double least_length);
 
 /// Where a tile's answers are written, from its first pixel on; null: not wanted.
 struct TileOutput {

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -34,22 +35,15 @@ class NearestOfRows {
     all_quantities_.resize(impl_.plan.items.quantities ? 0 : Tile::kPixels);
     DecidedBy decided_by;
     at_.for_each_band([&](std::size_t band) {
-      const std::span<const std::uint32_t> in_band = impl_.bands.of(band);
+      band_ = band;
+      left_ = impl_.bands.of(band);
+      parts_ = 0;
       tangents_ = {};
-      if (in_band.empty()) {
+      if (left_.empty()) {
         fill_band();
         return;
       }
-      columns_.clear();
-      for (const std::uint32_t index : in_band) {
-        const PixelRectangle& pixels = impl_.plan.spheres[index].pixels;
-        columns_.push_back(blocks(pixels.i_begin, pixels.i_end, Tile::kWidth));
-      }
-      distribute(
-          in_band.size(), static_cast<std::size_t>((impl_.width - 1) / Tile::kWidth + 1),
-          [&](std::size_t k) { return columns_[k]; }, [&](std::size_t k) { return in_band[k]; },
-          tiles_);
-      for (std::size_t tile = 0; tile + 1 < tiles_.begin.size(); ++tile) {
+      for (std::size_t tile = 0; tile < tiles(); ++tile) {
         scene::poll();
         clear(tile_, at_.wanted_of(tile));
         const TileRays rays = at_.rays_of(tile);
@@ -75,26 +69,58 @@ class NearestOfRows {
     }
   }
 
+  std::size_t tiles() const {
+    return static_cast<std::size_t>((impl_.width - 1) / Tile::kWidth + 1);
+  }
+
+  /// Lists some more of the band's spheres by their tiles: as many as were listed, and some for
+  /// each tile. Most spheres of many are hidden from all.
+  void list_more() {
+    const std::size_t listed = impl_.bands.of(band_).size() - left_.size();
+    const auto next = left_.first(std::min(left_.size(), listed + kListedForEach * tiles()));
+    left_ = left_.subspan(next.size());
+    columns_.clear();
+    for (const std::uint32_t index : next) {
+      const PixelRectangle& pixels = impl_.plan.spheres[index].pixels;
+      columns_.push_back(blocks(pixels.i_begin, pixels.i_end, Tile::kWidth));
+    }
+    if (tiles_.size() == parts_) tiles_.emplace_back();
+    distribute(
+        next.size(), tiles(), [&](std::size_t k) { return columns_[k]; },
+        [&](std::size_t k) { return next[k]; }, tiles_[parts_++]);
+  }
+  static constexpr std::size_t kListedForEach = 16;
+
   /// How many spheres pass between tests whether the rest is hidden.
-  static constexpr std::size_t kLookEvery = 8;
+  static constexpr std::size_t kLookEvery = 4;
 
   /// Lists the spheres that are swept over the tile: no pixel sees any of the rest.
   void sweep_spheres(std::size_t tile, const TileRays& rays, Certified certified) {
     list_.clear();
     computed_.clear();
-    const std::span<const std::uint32_t> in_tile = tiles_.of(tile);
-    if (impl_.kept.empty()) computed_.reserve(in_tile.size());
     double margin = 0;
-    for (std::size_t k = 0; k < in_tile.size(); k = list_.size()) {
-      const float least = no_farther(impl_.plan.spheres[in_tile[k]].nearest_distance);
-      if (k > 0 && all_nearer(tile_, margin, rays, static_cast<double>(least))) return;
-      for (const std::uint32_t index :
-           in_tile.subspan(k, std::min(kLookEvery, in_tile.size() - k))) {
-        list_.push_back(
-            {&filtered(index), at_.within_tile(impl_.plan.spheres[index].pixels, tile)});
+    for (std::size_t part = 0; part < parts_ || !left_.empty(); ++part) {
+      if (part == parts_) list_more();
+      const std::span<const std::uint32_t> in_tile = tiles_[part].of(tile);
+      for (std::size_t k = 0; k < in_tile.size(); k += kLookEvery) {
+        const std::size_t swept = list_.size();
+        if (swept > 0 && set_farthest(tile_) < hidden_below(no_farther_than(in_tile[k]), margin,
+                                                            rays.least_length)) {
+          return;
+        }
+        for (const std::uint32_t index :
+             in_tile.subspan(k, std::min(kLookEvery, in_tile.size() - k))) {
+          const scene::SpherePlan& planned = impl_.plan.spheres[index];
+          list_.push_back({&filtered(index), at_.within_tile(planned.pixels, tile),
+                           planned.nearest_distance});
+        }
+        sweep(std::span(list_).subspan(swept), rays, certified, tile_, margin);
       }
-      sweep(std::span(list_).subspan(k), rays, certified, tile_, margin);
     }
+  }
+
+  double no_farther_than(std::size_t index) const {
+    return static_cast<double>(no_farther(impl_.plan.spheres[index].nearest_distance));
   }
 
   const FilteredSphere& filtered(std::size_t index) {
@@ -209,12 +235,12 @@ class NearestOfRows {
     pair_spheres_.reserve(list_.size());
     pair_list_.clear();
     double margin = 0;
-    for (const auto& [sphere, pixels] : list_) {
+    for (const auto& [sphere, pixels, distance] : list_) {
       if (!any_undecided(pixels)) continue;
       const auto index = static_cast<std::size_t>(sphere->index);
       const FilteredSphereOf<Pair>& in_pairs =
           pair_spheres_.emplace_back(view->sphere(impl_.scene.spheres[index], index));
-      pair_list_.push_back({&in_pairs, pixels});
+      pair_list_.push_back({&in_pairs, pixels, distance});
       if (!in_pairs.exact) margin = std::max(margin, in_pairs.root_margin);
     }
     clear(pair_tile_, tile_.undecided);
@@ -322,10 +348,13 @@ class NearestOfRows {
   RowsInTiles at_;
   SeenRows rows_;
   Tile tile_;
+  std::size_t band_ = 0;
+  std::span<const std::uint32_t> left_;  ///< The band's spheres that are not listed yet.
+  std::vector<Lists> tiles_;             ///< The others by tile, in `parts_` parts.
+  std::size_t parts_ = 0;
   std::vector<Blocks> columns_;
-  Lists tiles_;
   std::vector<SphereInTile> list_;
-  std::vector<FilteredSphere> computed_;
+  std::deque<FilteredSphere> computed_;  ///< Those of list_ that are not kept.
   PairTile pair_tile_;
   std::vector<FilteredSphereOf<Pair>> pair_spheres_;
   std::vector<SphereInTileOf<Pair>> pair_list_;
