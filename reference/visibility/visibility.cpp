@@ -76,7 +76,9 @@ Visibility::Impl::Impl(scene::Scene its_scene, scene::ScenePlan its_plan)
                                 std::to_string(kMostVisibleSide));
   }
   set_plane();
-  list_bands();
+  require_few_parts();
+  set_reaches();
+  bands(0);
   if (!plan.items.constants || plan.spheres.size() > kMostKept) return;
   kept.resize(plan.spheres.size());
   for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -133,31 +135,72 @@ const PairView* Visibility::Impl::pair_view() const {
   return &*pair_view_;
 }
 
-void Visibility::Impl::list_bands() {
-  std::vector<NearFirst> order;
-  order.reserve(plan.spheres.size());
+Blocks Visibility::Impl::bands_of(std::size_t sphere) const {
+  const scene::PixelRectangle& pixels = plan.spheres[sphere].pixels;
+  return blocks(pixels.j_begin, pixels.j_end, Tile::kHeight);
+}
+
+void Visibility::Impl::require_few_parts() const {
+  if (plan.spheres.size() * band_count() <= kMostVisibleParts) return;
   std::uint64_t parts = 0;
   for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
-    const scene::PixelRectangle& pixels = plan.spheres[k].pixels;
-    if (pixels.empty()) continue;
-    const Blocks its_bands = blocks(pixels.j_begin, pixels.j_end, Tile::kHeight);
-    order.push_back({std::bit_cast<std::uint32_t>(no_farther(plan.spheres[k].nearest_distance)),
-                     static_cast<std::uint32_t>(k), its_bands});
-    parts += its_bands.last - its_bands.first;
+    const Blocks its_bands = bands_of(k);
+    if (!plan.spheres[k].pixels.empty()) parts += its_bands.last - its_bands.first;
   }
-  if (parts > kMostVisibleParts) {
-    throw std::invalid_argument("spheres: they reach into " + std::to_string(parts) +
-                                " bands of rows between them, where what is seen is worked out of "
-                                "at most " +
-                                std::to_string(kMostVisibleParts) + "; give fewer rows or spheres");
+  if (parts <= kMostVisibleParts) return;
+  throw std::invalid_argument("spheres: they reach into " + std::to_string(parts) +
+                              " bands of rows between them, where what is seen is worked out of "
+                              "at most " +
+                              std::to_string(kMostVisibleParts) + "; give fewer rows or spheres");
+}
+
+/// Each reach has as many spheres as would cover the image some times over, several times as often
+/// as the one before, by a sample of them.
+void Visibility::Impl::set_reaches() {
+  constexpr std::size_t kSamples = 4096;
+  constexpr double kTimesOver = 32, kGrowth = 4;
+  reach_end.fill(std::numeric_limits<double>::infinity());
+  const std::size_t step = plan.spheres.size() / kSamples + 1;
+  if (step == 1) return;
+  std::vector<std::pair<double, std::size_t>> sample;
+  for (std::size_t k = 0; k < plan.spheres.size(); k += step) {
+    if (std::isfinite(plan.nearest_distance[k])) sample.emplace_back(plan.nearest_distance[k], k);
+  }
+  std::sort(sample.begin(), sample.end());
+  double covered = 0, enough = kTimesOver * static_cast<double>(width * height);
+  std::size_t reach = 0;
+  for (const auto& [distance, k] : sample) {
+    covered += static_cast<double>(step) * static_cast<double>(plan.spheres[k].pixels.count());
+    if (covered < enough) continue;
+    reach_end[reach++] = static_cast<double>(no_farther(distance));
+    enough *= kGrowth;
+    if (reach + 1 == kReaches) return;
+  }
+}
+
+Lists Visibility::Impl::list_bands(double from, double to) const {
+  std::vector<NearFirst> order;
+  for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
+    const double distance = plan.nearest_distance[k];
+    if (distance < from || distance >= to) continue;
+    order.push_back({std::bit_cast<std::uint32_t>(no_farther(distance)),
+                     static_cast<std::uint32_t>(k), bands_of(k)});
   }
   scene::poll();
   sort(order);
   scene::poll();
+  Lists lists;
   distribute(
-      order.size(), static_cast<std::size_t>((height - 1) / kBandRows + 1),
-      [&](std::size_t k) { return order[k].bands; }, [&](std::size_t k) { return order[k].sphere; },
-      bands);
+      order.size(), band_count(), [&](std::size_t k) { return order[k].bands; },
+      [&](std::size_t k) { return order[k].sphere; }, lists);
+  return lists;
+}
+
+const Lists& Visibility::Impl::bands(std::size_t reach) const {
+  std::call_once(bands_made_[reach], [this, reach] {
+    bands_[reach] = list_bands(reach == 0 ? 0 : reach_end[reach - 1], reach_end[reach]);
+  });
+  return bands_[reach];
 }
 
 RowsInTiles::RowsInTiles(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end)

@@ -4,6 +4,7 @@
 // Internal to reference/.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
@@ -83,16 +84,35 @@ struct Visibility::Impl {
   bool scales_fit = false;  ///< Lengths stay in the range of doubles when they are unscaled.
   /// Of scenes of few spheres, which many tiles share. Of many spheres most are never swept.
   std::vector<FilteredSphere> kept;
-  Lists bands;  ///< The spheres that each band may see, by their nearest distance.
+  /// The spheres that each band may see, by their nearest distance, of those whose distance is
+  /// below reach_end[reach] and no other's before: of many spheres most are hidden, and are not
+  /// listed unless they are asked for.
+  const Lists& bands(std::size_t reach) const;
+  static constexpr std::size_t kReaches = 6;
+  std::array<double, kReaches> reach_end{};  ///< The last, or one before, is infinite.
+
+  std::size_t band_count() const { return static_cast<std::size_t>((height - 1) / kBandRows + 1); }
+  /// In a band.
+  std::size_t tile_count() const {
+    return static_cast<std::size_t>((width - 1) / Tile::kWidth + 1);
+  }
 
  private:
   static constexpr std::size_t kMostKept = 16384;
 
   mutable std::once_flag pair_view_made_;
   mutable std::optional<PairView> pair_view_;
+  mutable std::array<std::once_flag, kReaches> bands_made_;
+  mutable std::array<Lists, kReaches> bands_;
+
+  Blocks bands_of(std::size_t sphere) const;
 
   void set_plane();
-  void list_bands();
+  /// Throws std::invalid_argument of more than kMostVisibleParts.
+  void require_few_parts() const;
+  void set_reaches();
+  /// Of the spheres whose distance is in [from, to).
+  Lists list_bands(double from, double to) const;
 };
 
 /// Some rows of the image, as bands of kBandRows rows and tiles of their columns.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -36,14 +37,15 @@ class NearestOfRows {
     DecidedBy decided_by;
     at_.for_each_band([&](std::size_t band) {
       band_ = band;
-      left_ = impl_.bands.of(band);
-      parts_ = 0;
+      reach_ = 0;
+      left_ = impl_.bands(reach_).of(band);
+      parts_ = listed_ = 0;
       tangents_ = {};
-      if (left_.empty()) {
+      if (!has_more()) {
         fill_band();
         return;
       }
-      for (std::size_t tile = 0; tile < tiles(); ++tile) {
+      for (std::size_t tile = 0; tile < impl_.tile_count(); ++tile) {
         scene::poll();
         clear(tile_, at_.wanted_of(tile));
         const TileRays rays = at_.rays_of(tile);
@@ -69,16 +71,14 @@ class NearestOfRows {
     }
   }
 
-  std::size_t tiles() const {
-    return static_cast<std::size_t>((impl_.width - 1) / Tile::kWidth + 1);
-  }
-
   /// Lists some more of the band's spheres by their tiles: as many as were listed, and some for
   /// each tile. Most spheres of many are hidden from all.
   void list_more() {
-    const std::size_t listed = impl_.bands.of(band_).size() - left_.size();
-    const auto next = left_.first(std::min(left_.size(), listed + kListedForEach * tiles()));
+    if (left_.empty()) left_ = impl_.bands(++reach_).of(band_);
+    const auto next =
+        left_.first(std::min(left_.size(), listed_ + kListedForEach * impl_.tile_count()));
     left_ = left_.subspan(next.size());
+    listed_ += next.size();
     columns_.clear();
     for (const std::uint32_t index : next) {
       const PixelRectangle& pixels = impl_.plan.spheres[index].pixels;
@@ -86,8 +86,13 @@ class NearestOfRows {
     }
     if (tiles_.size() == parts_) tiles_.emplace_back();
     distribute(
-        next.size(), tiles(), [&](std::size_t k) { return columns_[k]; },
+        next.size(), impl_.tile_count(), [&](std::size_t k) { return columns_[k]; },
         [&](std::size_t k) { return next[k]; }, tiles_[parts_++]);
+  }
+  bool has_more() const { return !left_.empty() || std::isfinite(impl_.reach_end[reach_]); }
+  /// No sphere that is not listed yet is nearer to the eye.
+  double nearest_left() const {
+    return left_.empty() ? impl_.reach_end[reach_] : no_farther_than(left_.front());
   }
   static constexpr std::size_t kListedForEach = 16;
 
@@ -99,20 +104,20 @@ class NearestOfRows {
     list_.clear();
     computed_.clear();
     double margin = 0;
-    for (std::size_t part = 0; part < parts_ || !left_.empty(); ++part) {
-      if (part == parts_) list_more();
+    for (std::size_t part = 0; part < parts_ || has_more(); ++part) {
+      if (part == parts_) {
+        if (part > 0 && all_nearer(nearest_left(), margin, rays)) return;
+        list_more();
+      }
       const std::span<const std::uint32_t> in_tile = tiles_[part].of(tile);
       for (std::size_t k = 0; k < in_tile.size(); k += kLookEvery) {
         const std::size_t swept = list_.size();
-        if (swept > 0 && set_farthest(tile_) < hidden_below(no_farther_than(in_tile[k]), margin,
-                                                            rays.least_length)) {
-          return;
-        }
+        if (swept > 0 && all_nearer(no_farther_than(in_tile[k]), margin, rays)) return;
         for (const std::uint32_t index :
              in_tile.subspan(k, std::min(kLookEvery, in_tile.size() - k))) {
           const scene::SpherePlan& planned = impl_.plan.spheres[index];
           list_.push_back({&filtered(index), at_.within_tile(planned.pixels, tile),
-                           planned.nearest_distance});
+                           impl_.plan.nearest_distance[index]});
         }
         sweep(std::span(list_).subspan(swept), rays, certified, tile_, margin);
       }
@@ -120,7 +125,10 @@ class NearestOfRows {
   }
 
   double no_farther_than(std::size_t index) const {
-    return static_cast<double>(no_farther(impl_.plan.spheres[index].nearest_distance));
+    return static_cast<double>(no_farther(impl_.plan.nearest_distance[index]));
+  }
+  bool all_nearer(double distance, double margin, const TileRays& rays) {
+    return set_farthest(tile_) < hidden_below(distance, margin, rays.least_length);
   }
 
   const FilteredSphere& filtered(std::size_t index) {
@@ -348,10 +356,11 @@ class NearestOfRows {
   RowsInTiles at_;
   SeenRows rows_;
   Tile tile_;
-  std::size_t band_ = 0;
-  std::span<const std::uint32_t> left_;  ///< The band's spheres that are not listed yet.
-  std::vector<Lists> tiles_;             ///< The others by tile, in `parts_` parts.
-  std::size_t parts_ = 0;
+  std::size_t band_ = 0, reach_ = 0;
+  std::span<const std::uint32_t>
+      left_;                  ///< The band's spheres of the reach that are not listed yet.
+  std::vector<Lists> tiles_;  ///< The others by tile, in `parts_` parts.
+  std::size_t parts_ = 0, listed_ = 0;
   std::vector<Blocks> columns_;
   std::vector<SphereInTile> list_;
   std::deque<FilteredSphere> computed_;  ///< Those of list_ that are not kept.

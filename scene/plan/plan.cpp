@@ -57,9 +57,9 @@ struct Occluder {
 /// Whether every ray from the eye that meets `sphere` meets `by` before it: its cone is inside the
 /// other's and all of it beyond where that touches `by`. With t^2 = |C - E|^2 - r^2, the cosine of
 /// the difference of the cones' half angles is (t t_by + r r_by) / (|C - E| |C_by - E|).
-bool covers(const Occluder& by, const SpherePlan& plan) {
+bool covers(const Occluder& by, const SpherePlan& plan, double nearest_distance) {
   const EyeSphere& sphere = plan.seen;
-  if (!(sphere.power.low > 0 && plan.nearest_distance > by.touch.high)) return false;
+  if (!(sphere.power.low > 0 && nearest_distance > by.touch.high)) return false;
   const Bounds radii = times_positive(by.seen.radius, sphere.radius);
   const Bounds dot = times_shared(sphere.u, by.seen.u) + times_shared(sphere.v, by.seen.v) +
                      times_shared(sphere.w, by.seen.w);
@@ -178,12 +178,14 @@ void for_each_part(const ForEach& for_each, std::size_t count,
   });
 }
 
-void leave_out_hidden(const Scene& scene, const ForEach& for_each, std::vector<SpherePlan>& plans) {
+void leave_out_hidden(const Scene& scene, const ForEach& for_each, ScenePlan& plan) {
+  std::vector<SpherePlan>& plans = plan.spheres;
   const std::vector<Sphere>& spheres = scene.spheres;
   const auto leave_out = [&](std::size_t sphere, std::size_t by) {
     plans[sphere].left_out = LeftOut::kHidden;
     plans[sphere].hidden_by = by;
     plans[sphere].pixels = {};
+    plan.nearest_distance[sphere] = std::numeric_limits<double>::infinity();
   };
   FirstOfEquals equals(spheres);
   double least_size_sq = 0;
@@ -214,7 +216,7 @@ void leave_out_hidden(const Scene& scene, const ForEach& for_each, std::vector<S
     for (std::uint64_t left = containing(plans[k].pixels); left != 0; left &= left - 1) {
       const Occluder& by = occluders[static_cast<std::size_t>(std::countr_zero(left))];
       if (by.index != k && by.pixels.contains(plans[k].pixels) &&
-          (covers(by, plans[k]) || contains(by.sphere, spheres[k]))) {
+          (covers(by, plans[k], plan.nearest_distance[k]) || contains(by.sphere, spheres[k]))) {
         return leave_out(k, by.index);
       }
     }
@@ -272,22 +274,23 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
     throw std::invalid_argument("camera: absent; a scene of given rays has no plan");
   }
   const Camera& camera = *scene.camera;
-  ScenePlan plan{conventions,
-                 wanted,
-                 items,
-                 EyeSpace(camera, conventions, scaling_of(scene, items.scaling), !items.basis),
-                 {}};
+  ScenePlan plan{
+      conventions, wanted,
+      items,       EyeSpace(camera, conventions, scaling_of(scene, items.scaling), !items.basis),
+      {},          {}};
   const PlanTerms terms = terms_of(camera, plan);
   std::vector<SpherePlan>& spheres = plan.spheres;
   spheres.resize(scene.spheres.size());
+  plan.nearest_distance.resize(spheres.size());
   for_each_part(for_each, spheres.size(), [&](std::size_t begin, std::size_t end) {
     plan_each(terms, std::span(scene.spheres).subspan(begin, end - begin),
-              std::span(spheres).subspan(begin, end - begin));
+              std::span(spheres).subspan(begin, end - begin),
+              std::span(plan.nearest_distance).subspan(begin, end - begin));
   });
   // A sphere whose near root does not count hides nothing.
   const bool all_count = conventions.valid.is_usual();
   if (items.hidden && wanted == Wanted::kNearest && all_count) {
-    leave_out_hidden(scene, for_each, spheres);
+    leave_out_hidden(scene, for_each, plan);
   }
   return plan;
 }

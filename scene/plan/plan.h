@@ -60,17 +60,16 @@ inline constexpr std::array<std::string_view, 3> kLeftOutNames = {"outside the v
 struct SpherePlan {
   std::optional<LeftOut> left_out;
   std::optional<std::size_t> hidden_by;
-  PixelRectangle pixels;        ///< All pixels whose rays meet it; empty if left out.
-  bool origin_inside = true;    ///< A ray may start inside: its far root may count.
-  bool reaches_behind = true;   ///< A ray's line may meet it behind the origin.
-  double nearest_distance = 0;  ///< No ray meets it nearer to the eye; scaled like `seen`.
+  PixelRectangle pixels;       ///< All pixels whose rays meet it; empty if left out.
+  bool origin_inside = true;   ///< A ray may start inside: its far root may count.
+  bool reaches_behind = true;  ///< A ray's line may meet it behind the origin.
   EyeSphere seen;
   bool operator==(const SpherePlan&) const = default;
 };
 
 /// What a scene needs, decided once from its camera and spheres, rounded outward so that skipping
 /// the rest changes no answer. Scenes of given rays have no plan: their rays share nothing.
-/// Shape:  a scene -> one SpherePlan per sphere, in their order.
+/// Shape:  a scene -> one SpherePlan and one distance per sphere, in their order.
 /// Units:  rectangles in pixels (i, j) as the conventions count them; scene lengths.
 /// Domain: a valid scene with a camera; otherwise throws std::invalid_argument naming the field.
 /// Error:  a pixel outside a sphere's rectangle certainly misses it; the rectangle exceeds what its
@@ -84,6 +83,8 @@ struct ScenePlan {
   PlanItems items;
   EyeSpace eye;
   std::vector<SpherePlan> spheres;
+  /// No ray meets the sphere nearer to the eye; scaled like SpherePlan::seen, infinite if left out.
+  std::vector<double> nearest_distance;
 };
 
 /// By how many pixels on each side a rectangle may be too large.

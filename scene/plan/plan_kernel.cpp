@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "scene/plan/plan_kernel.cpp"
@@ -56,7 +57,6 @@ void set_plan(const PlanTerms& terms, const PlannedNumbers& planned, std::size_t
   result.hidden_by = {};
   result.pixels = {};
   result.seen = {bounds(0), bounds(1), bounds(2), bounds(3), bounds(4), bounds(5)};
-  result.nearest_distance = planned.nearest_distance[lane];
   result.reaches_behind = !items.behind_test || !is(planned.in_front);
   result.origin_inside =
       !items.far_root || (terms.far_root_may_count && !is(planned.origin_outside));
@@ -77,12 +77,16 @@ void set_plan(const PlanTerms& terms, const PlannedNumbers& planned, std::size_t
 
 }  // namespace
 
-void plan_each(const PlanTerms& terms, std::span<const Sphere> spheres,
-               std::span<SpherePlan> plans) {
+void plan_each(const PlanTerms& terms, std::span<const Sphere> spheres, std::span<SpherePlan> plans,
+               std::span<double> nearest_distance) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   PlannedNumbers planned;
   for (std::size_t at = 0; at < spheres.size();) {
     const std::size_t count = HWY_DYNAMIC_DISPATCH(plan_first)(terms, spheres.subspan(at), planned);
-    for (std::size_t lane = 0; lane < count; ++lane) set_plan(terms, planned, lane, plans[at++]);
+    for (std::size_t lane = 0; lane < count; ++lane, ++at) {
+      set_plan(terms, planned, lane, plans[at]);
+      nearest_distance[at] = plans[at].left_out ? kInfinity : planned.nearest_distance[lane];
+    }
   }
 }
 

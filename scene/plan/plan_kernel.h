@@ -36,7 +36,7 @@ struct PlannedNumbers {
 };
 
 /// Plans each sphere by itself: none is hidden yet.
-void plan_each(const PlanTerms& terms, std::span<const Sphere> spheres,
-               std::span<SpherePlan> plans);
+void plan_each(const PlanTerms& terms, std::span<const Sphere> spheres, std::span<SpherePlan> plans,
+               std::span<double> nearest_distance);
 
 }  // namespace raycheck::scene

@@ -190,6 +190,34 @@ TEST(Visibility, DecidesSubnormalScenesByTheFilter) {
   EXPECT_GT(hits, 500);
 }
 
+TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
+  // Many near ones on the left, few far ones on the right, and almost all behind the eye.
+  std::mt19937_64 bits(1);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+  };
+  scene::Scene scene;
+  scene.camera =
+      scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, std::nullopt, -1, 1, -1, 1, 70, 18};
+  for (int k = 0; k < 18'000; ++k) {
+    if (k % 60 == 0) {
+      scene.spheres.push_back({{between(-7, -4), between(-4, 4), between(-11, -9)}, 3});
+    } else if (k % 60 == 30) {
+      scene.spheres.push_back({{between(-60, 60), between(-60, 60), between(-60, -50)}, 2});
+    } else {
+      scene.spheres.push_back({{0, 0, 9.0 + k}, 1});
+    }
+  }
+  const Seen seen = see(visibility_of(scene));
+  const int hits = expect_exact(scene, seen);
+  const auto sees = [&](int kind) {
+    return std::any_of(seen.sphere.begin(), seen.sphere.end(),
+                       [kind](std::int32_t sphere) { return sphere % 60 == kind; });
+  };
+  EXPECT_TRUE(sees(0) && sees(30));
+  EXPECT_LT(hits, 70 * 18);
+}
+
 TEST(Visibility, LeavesAlmostAllPixelsOfOrdinaryScenesToTheFilter) {
   const Seen seen = see(visibility_of(random_scene(1)));
   EXPECT_LT(seen.decided_by.fallback() * 100, seen.sphere.size());

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -99,10 +100,18 @@ TEST(Rectangle, IsThatOfTheSilhouette) {
            {"of one pixel", kTouchingTheAxis, {0, 1, 0, 1}, kOnePixel, kCentres}}) {
     EXPECT_EQ(plan_of(sphere, camera, conventions).pixels, pixels) << what;
   }
-  const SpherePlan plan = plan_of(ahead(0, 0, 10, 6));
-  EXPECT_LE(plan.nearest_distance, 4);
-  EXPECT_GT(plan.nearest_distance, 4 - 1e-14);
-  EXPECT_EQ(plan_of(ahead(0.25, -0.5, 0.125, 3)).nearest_distance, 0);
+}
+
+TEST(Plan, KnowsHowNearSpheresAre) {
+  const ScenePlan plan = plan_of(scene_of(
+      {ahead(0, 0, 10, 6), ahead(0.25, -0.5, 0.125, 3), ahead(0, 0, -2, 1), ahead(0, 0, 20, 1)}));
+  EXPECT_LE(plan.nearest_distance[0], 4);
+  EXPECT_GT(plan.nearest_distance[0], 4 - 1e-14);
+  EXPECT_EQ(plan.nearest_distance[1], 0);
+  for (const std::size_t left_out : {2U, 3U}) {  // behind, and hidden
+    EXPECT_TRUE(plan.spheres[left_out].left_out);
+    EXPECT_EQ(plan.nearest_distance[left_out], std::numeric_limits<double>::infinity());
+  }
 }
 
 TEST(Plan, LeavesOutWhatIsOutsideTheViewOrBehindTheOrigins) {
