@@ -10,12 +10,14 @@
 
 #include "fast/internal/error_free.h"
 #include "fast/internal/robust_guess.h"
+#include "fast/internal/robust_residual.h"
 #include "fast/internal/triple.h"
 #include "reference/enclosure.h"
 #include "reference/internal/double_double.h"
 #include "reference/visibility/visibility_bound.h"
 #include "reference/visibility/visibility_formula.h"
 #include "scene/plan/bounds.h"
+#include "scene/plan/eye_space.h"
 
 namespace raycheck::proofs {
 namespace {
@@ -361,6 +363,7 @@ class Random {
 };
 
 constexpr int kBits = 300;
+Enclosure sum(double x, double y) { return Enclosure(x, kBits) + Enclosure(y, kBits); }
 
 /// The largest error in u of the scale: of what is noted, or of the exact value.
 template <class F>
@@ -467,6 +470,114 @@ double observed_coarse(int samples) {
   return largest;
 }
 
+/// What the residual adds up of given w, v and rests, at the largest V by r = 1: what is less of
+/// smaller V is in proportion, and more so the squares of v.
+constexpr double kLargestV = 0x1p-17;
+constexpr std::array kLowInputs = {"wx", "wy", "wz", "vx", "vy", "vz", "px", "py", "pz", "pr"};
+template <class N>
+N computed_low(const Inputs<N, 10>& x) {
+  return fast_formula::low_of_residual<N>({x[0], x[1], x[2]}, {x[3], x[4], x[5]},
+                                          {x[6], x[7], x[8]}, x[9]);
+}
+template <class N>
+N exact_low(const Inputs<N, 10>& x) {
+  const auto coordinate = [&](std::size_t k) {
+    return (N(2) * x[k] + x[3 + k]) * x[3 + k] + x[6 + k];
+  };
+  return (coordinate(0) + coordinate(1)) + (coordinate(2) - x[9]);
+}
+
+Script traced_low(double bound, std::optional<Mutation> mutation) {
+  Script script(Rounding::kRelative, mutation);
+  constexpr auto kAll = std::make_index_sequence<kLowInputs.size()>();
+  for (std::size_t k = 0; k < kLowInputs.size(); ++k) {
+    const double most = k < 3 ? 1.01 : k < 6 ? kLargestV : 0.32 * kLargestV;
+    script.suppose(fmt::format("|{}| <= {}", kLowInputs.at(k), in_hexadecimal(most)));
+  }
+  const std::string exact = exact_low(terms<Term<false>>(script, kLowInputs, kAll)).name();
+  for (const bool is_fused : {true, false}) {
+    script.fuse(is_fused);
+    const std::string got = computed_low(terms<Rounded>(script, kLowInputs, kAll)).name();
+    script.prove(
+        fmt::format("|{} - {}| <= {}", got, exact, in_hexadecimal(bound * kUnit * kLargestV)));
+  }
+  return script;
+}
+
+double observed_low(int samples) {
+  Random random;
+  double largest = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    std::array<double, 10> x;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const double most = k < 3 ? 1.01 : k < 6 ? kLargestV : 0.32 * kLargestV;
+      x[k] = (2 * random.share() - 1) * most;
+    }
+    const auto given = [&]<class N, std::size_t... k>(auto make, N*, std::index_sequence<k...>) {
+      return Inputs<N, 10>{make(x[k])...};
+    };
+    constexpr auto kAll = std::make_index_sequence<10>();
+    const auto enclosed = [](double one) { return Enclosure(one, kBits); };
+    const auto plain = [](double one) { return Plain<false>(one); };
+    const double got = computed_low(given(plain, static_cast<Plain<false>*>(nullptr), kAll)).x;
+    const Enclosure exact = exact_low(given(enclosed, static_cast<Enclosure*>(nullptr), kAll));
+    const Enclosure error = abs(Enclosure(got, kBits) - exact);
+    largest = std::max(largest, (error / Enclosure(kUnit * kLargestV, kBits)).lower());
+  }
+  return largest;
+}
+
+/// What is left of a x - b y, x and y in two parts, by exact products that add up to 1.
+Script traced_determinant(double bound, std::optional<Mutation> mutation) {
+  Script script(Rounding::kRelative, mutation);
+  const auto name = [&](const char* of) { return Rounded(script, of); };
+  script.define("first", "mul(a, x)");
+  script.define("second", "mul(b, y)");
+  script.define("leading", "sub(first, second)");
+  script.define("of_first", "a * x - first");  // exact: fma
+  script.define("of_second", "b * y - second");
+  script.define("of_difference", "(first - second) - leading");  // exact: two_difference
+  for (const char* one : {"a * x", "b * y", "a * x - b * y"}) {
+    script.suppose(fmt::format("|{}| <= 1", one));
+  }
+  for (const char* one : {"a * x_rest", "b * y_rest"}) {
+    script.suppose(fmt::format("|{}| <= 1b-53", one));
+  }
+  const std::string rest =
+      scene::rest_of_determinant(name("of_difference"), name("of_first"), name("of_second"),
+                                 name("a"), name("x_rest"), name("b"), name("y_rest"))
+          .name();
+  script.define("all", "of_difference + ((of_first - of_second) + (a * x_rest - b * y_rest))");
+  script.prove(fmt::format("|{} - all| <= {}", rest,
+                           in_hexadecimal(bound * reference::kSlack * kUnit * kUnit)));
+  script.rewrite("first - second -> (a * x - b * y) - (of_first - of_second)");
+  return script;
+}
+
+double observed_determinant(int samples) {
+  Random random;
+  double largest = 0;
+  for (int sample = 0; sample < samples; ++sample) {
+    // Where roundings are a large share, and parts of two differences, too.
+    const auto near_one = [&] { return 1 + random.share() / 16; };
+    const double a = near_one(), b = near_one(), x = near_one();
+    const double y = sample % 2 == 0 ? -near_one() : -near_one() / 2;
+    const double x_rest = (random.share() - 0.5) * 0x1p-52;
+    const double y_rest = y * (random.share() - 0.5) * 0x1p-52;
+    const double first = a * x, second = b * y, leading = first - second;
+    const double of_y = first - leading;
+    const double of_difference = (first - (leading + of_y)) + (of_y - second);
+    const double rest = scene::rest_of_determinant(of_difference, std::fma(a, x, -first),
+                                                   std::fma(b, y, -second), a, x_rest, b, y_rest);
+    const Enclosure exact =
+        Enclosure(a, kBits) * sum(x, x_rest) - Enclosure(b, kBits) * sum(y, y_rest);
+    const Enclosure error = sum(leading, rest) - exact;
+    const double unit = kUnit * kUnit * (std::abs(first) + std::abs(second));
+    largest = std::max(largest, (abs(error) / Enclosure(unit, kBits)).lower());
+  }
+  return largest;
+}
+
 /// Two numbers of high and low parts, |high| from 1 to 2.
 void define_pairs(Script& script) {
   for (const char* high : {"ah", "bh"}) script.suppose(fmt::format("{} in [1, 2]", high));
@@ -511,6 +622,31 @@ Script traced_quotient(double bound, std::optional<Mutation> mutation) {
   return script;
 }
 
+/// The root S, from 1 to 2, of a number whose high part is Q^2.
+Script traced_root(double bound, std::optional<Mutation> mutation) {
+  Script script(Rounding::kToDouble, mutation);
+  const auto name = [&](const char* of) { return Rounded(script, of); };
+  script.define("h", "rnd(Q)");
+  script.define("of_high", "Q * Q - h * h");  // exact: fma
+  script.define("al", "S * S - Q * Q");
+  script.suppose("S in [1, 2]");
+  script.suppose("Q in [1, 2]");
+  script.suppose("|al / (Q * Q)| <= 1b-53");
+  const Rounded remainder = reference::remainder_of_root(name("of_high"), name("al"));
+  const std::string r = remainder.name(),
+                    rest = reference::rest_of_root(remainder, name("h")).name();
+  script.prove(
+      fmt::format("|(h + {} - S) / h| <= {}", rest, in_hexadecimal(bound * kUnit * kUnit)));
+  script.rewrite(
+      fmt::format("h + {0} - S -> ({0} - {1} / (2 * h)) + (({1} - (of_high + al)) / (2 * h) + "
+                  "(h - S) * (h - S) / (2 * h)) {{ h <> 0 }}",
+                  rest, r));
+  script.rewrite("h - S -> (h - Q) - al / (Q * Q) * (Q * Q) / (S + Q) { Q * Q <> 0, S + Q <> 0 }");
+  script.rewrite("of_high -> (Q - h) * (Q + h)");
+  script.rewrite("$ S in 4");
+  return script;
+}
+
 /// Of random numbers of two parts, the largest error of an operation as a share of its leading
 /// part.
 template <class Operate>
@@ -534,7 +670,6 @@ struct PairResult {
   double leading, rest;
   Enclosure exact;
 };
-Enclosure sum(double x, double y) { return Enclosure(x, kBits) + Enclosure(y, kBits); }
 
 double observed_product(int samples) {
   return observed_pairs(samples, [](const double* high, const double* low) {
@@ -554,6 +689,15 @@ double observed_quotient(int samples) {
   });
 }
 
+double observed_root(int samples) {
+  return observed_pairs(samples, [](const double* high, const double* low) {
+    const double a = high[0] * high[1], h = std::sqrt(a), a_low = low[0];
+    const double rest =
+        reference::rest_of_root(reference::remainder_of_root(std::fma(-h, h, a), a_low), h);
+    return PairResult{h, rest, sqrt(sum(a, a_low))};
+  });
+}
+
 template <class F>
 Bound stage(std::string_view name, std::string_view what, std::string_view where, double value) {
   // Terms of second order are among what kSlack covers.
@@ -568,7 +712,6 @@ Bound stage(std::string_view name, std::string_view what, std::string_view where
           observed_of<F>};
 }
 
-constexpr double kOfPairs = reference::kDoubleDoubleError / (kUnit * kUnit);
 constexpr std::string_view kFormula = "reference/visibility/visibility_formula.h";
 constexpr std::string_view kPairs = "reference/internal/double_double.h";
 constexpr std::string_view kRobust = "fast/internal/robust_guess.h";
@@ -591,10 +734,17 @@ std::span<const Bound> bounds() {
             "what is more than a double may be off from a real that rounds to it",
             "scene/plan/bounds_formula.h", scene::kBoundsWiden / kUnit, "u", traced_widening,
             observed_widening},
-      Bound{"double-double-product", "a product of double-doubles, of it", kPairs, kOfPairs, "u^2",
-            traced_product, observed_product},
-      Bound{"double-double-quotient", "a quotient of double-doubles, of it", kPairs, kOfPairs,
-            "u^2", traced_quotient, observed_quotient},
+      Bound{"determinant", "what is left of a x - b y by exact products, of |a x| + |b y|",
+            "scene/plan/eye_space.h", scene::kDeterminantRoundings, "u^2", traced_determinant,
+            observed_determinant},
+      Bound{"double-double-product", "a product of double-doubles, of it", kPairs,
+            reference::kDoubleDoubleProductError / (kUnit * kUnit), "u^2", traced_product,
+            observed_product},
+      Bound{"double-double-quotient", "a quotient of double-doubles, of it", kPairs,
+            reference::kDoubleDoubleQuotientError / (kUnit * kUnit), "u^2", traced_quotient,
+            observed_quotient},
+      Bound{"double-double-root", "a square root of a double-double, of it", kPairs,
+            reference::kDoubleDoubleRootError / (kUnit * kUnit), "u^2", traced_root, observed_root},
       stage<RobustB>("robust-b", "b of robust's first step, of f |d|", kRobust,
                      fast_formula::kRobustB),
       stage<RobustC>("robust-c", "its c, of f^2 + r^2 given r^2", kRobust, fast_formula::kRobustC),
@@ -604,6 +754,9 @@ std::span<const Bound> bounds() {
                        fast_formula::kRobustFar),
       Bound{"robust-coarse", "the parts of robust's residual, of the scale",
             "fast/internal/error_free.h", 1, "u", traced_coarse, observed_coarse},
+      Bound{"robust-low", "what robust's residual adds up, of V r",
+            "fast/internal/robust_residual.h", fast_formula::kRobustLow, "u", traced_low,
+            observed_low},
       stage<FastDot>("a", "a = |d|^2", kTriple, 3),
       stage<FastNorm>("norm", "|d|", kTriple, 2.5),
       stage<FastUnit>("unit-direction", "the coordinates of d/|d|", kTriple, 3.5),

@@ -87,15 +87,20 @@ class Term {
             kRounded ? script.rounded('s', x.name_) : script.exact("sqrt(" + x.name_ + ")")};
   }
   friend Term mul_add(const Term& x, const Term& y, const Term& z) {
-    if (!kRounded || !x.script_->is_fused()) return x * y + z;
-    return {*x.script_, x.script_->rounded('f', x.name_, y.name_, z.name_)};
+    Script& script = script_of(x, y);
+    if (!kRounded || !script.is_fused()) return x * y + z;
+    return {script, script.rounded('f', x.name_, y.name_, z.name_)};
   }
   friend Term mul_sub(const Term& x, const Term& y, const Term& z) { return mul_add(x, y, -z); }
   friend Term sub_mul(const Term& x, const Term& y, const Term& z) { return mul_add(-x, y, z); }
 
  private:
+  /// Constants have none.
+  static Script& script_of(const Term& x, const Term& y) {
+    return x.script_ != nullptr ? *x.script_ : *y.script_;
+  }
   static Term made(char op, const Term& x, const Term& y) {
-    Script& script = x.script_ != nullptr ? *x.script_ : *y.script_;
+    Script& script = script_of(x, y);
     return {script, kRounded ? script.rounded(op, x.name_, y.name_)
                              : script.exact(x.name_ + " " + op + " " + y.name_)};
   }

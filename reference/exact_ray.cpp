@@ -21,6 +21,14 @@ ExactRay::Direction direction_of(const ExactRay::Source& source) {
   });
 }
 
+/// Bounds of g and |g|^2.
+[[RAYCHECK_FLATTEN gnu::noinline]] std::array<double, 8> bounds_of(const ExactRay::Source& source) {
+  const IntervalGuard guard;
+  const auto line = line_of(IntervalLift{}, source);
+  return {line.g.x().inf(), line.g.x().sup(), line.g.y().inf(), line.g.y().sup(),
+          line.g.z().inf(), line.g.z().sup(), line.a.inf(),     line.a.sup()};
+}
+
 void raise(Rungs by, Rung rung) {
   if (by.highest != nullptr) *by.highest = std::max(*by.highest, rung);
 }
@@ -30,18 +38,12 @@ void raise(Rungs by, Rung rung) {
 ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
     : source_{camera.impl(), pixel, {}} {
   require_pixel_of(source_.camera->camera, pixel);
-  const IntervalGuard guard;
-  const auto line = line_of(IntervalLift{}, source_);
-  bounds_ = {line.g.x().inf(), line.g.x().sup(), line.g.y().inf(), line.g.y().sup(),
-             line.g.z().inf(), line.g.z().sup(), line.a.inf(),     line.a.sup()};
+  bounds_ = bounds_of(source_);
 }
 
 ExactRay::ExactRay(const scene::Ray& ray) : source_{nullptr, {}, ray} {
   scene::require_valid(ray);
-  const IntervalGuard guard;
-  const auto line = line_of(IntervalLift{}, source_);
-  bounds_ = {ray.direction.x, ray.direction.x, ray.direction.y, ray.direction.y,
-             ray.direction.z, ray.direction.z, line.a.inf(),    line.a.sup()};
+  bounds_ = bounds_of(source_);
 }
 
 ExactRay::Direction ExactRay::direction_in_double_doubles() const {
@@ -97,14 +99,19 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Ru
   return take(Rung::kField, *sign_under(lift, line_of(lift, source_)));
 }
 
+/// All coefficients at once.
+[[RAYCHECK_FLATTEN gnu::noinline]] std::optional<Intersection> ExactRay::intersect_by_intervals(
+    const scene::Sphere& sphere, scene::Root root) const {
+  const Filter filter(*this);
+  const auto pair = line_and_sphere(filter.line, lift_sphere(IntervalLift{}, sphere));
+  const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
+  return classify(sign, root);
+}
+
 Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, Rungs by) const {
   scene::require_valid(sphere);
-  if (by.engine ==
-      Engine::kFiltered) {  // All coefficients at once: intervals nearly always decide.
-    const Filter filter(*this);
-    const auto pair = line_and_sphere(filter.line, lift_sphere(IntervalLift{}, sphere));
-    const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
-    if (const auto certain = classify(sign, root)) {
+  if (by.engine == Engine::kFiltered) {  // intervals nearly always decide
+    if (const auto certain = intersect_by_intervals(sphere, root)) {
       raise(by, Rung::kIntervals);
       return *certain;
     }

@@ -169,6 +169,8 @@ class ExactRay {
 
  private:
   struct Filter;
+  std::optional<Intersection> intersect_by_intervals(const scene::Sphere& sphere,
+                                                     scene::Root root) const;
   template <class F>
   int decide(const scene::Sphere& first, const scene::Sphere& second, Rungs by, F sign) const;
 

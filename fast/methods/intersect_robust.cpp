@@ -7,6 +7,7 @@
 #include "fast/internal/error_free.h"
 #include "fast/internal/robust.h"
 #include "fast/internal/robust_guess.h"
+#include "fast/internal/robust_residual.h"
 #include "scene/validate.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,10 +42,10 @@ namespace {
 // what it is more than C', as |w| <= 1.01 r. v, the sum of what was rounded off, is at most V =
 // u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by what is required of f^2 - r^2), and
 // off by 2.7u V a coordinate. The squares of w are split by 4r^2 alike: the high parts add up
-// exactly. v's errors cost 9.4u V r, the product (2w + v) v, the low parts and their sums 29u V r
-// more. That over 2 s h is the error as a share of s: 620u^2 M r/(2 s h) <= 2^-60.7, as s h >= |f -
-// r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by what is required of f^2 - r^2, and 116u^2 f r/(2 s h)
-// <= 2^-64.
+// exactly. v's errors cost 9.4u V r, the product (2w + v) v, the low parts and their sums
+// kRobustLow u V r more. That over 2 s h is the error as a share of s: 800u^2 M r/(2 s h) <=
+// 2^-60.3, as s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by what is required of f^2 - r^2,
+// and 150u^2 f r/(2 s h) <= 2^-63.6.
 //
 // All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
 // made from L' + (s0 d)', the rest and the correction of s, and rounded once.
@@ -117,9 +118,9 @@ HWY_INLINE ChosenOf<N> correct(const RayOf<N>& ray, const Target<N>& ball, const
   const N x = mul_add(w.x, w.x, ball.base) - ball.base;
   const N y = mul_add(w.y, w.y, ball.base) - ball.base;
   const N z = mul_add(w.z, w.z, ball.base) - ball.base;
-  const N low = (mul_add(mul_add(N(2), w.x, v.x), v.x, product_rest(w.x, w.x, x)) +
-                 mul_add(mul_add(N(2), w.y, v.y), v.y, product_rest(w.y, w.y, y))) +
-                (mul_add(mul_add(N(2), w.z, v.z), v.z, product_rest(w.z, w.z, z)) - ball.end_rest);
+  const Triple<N> rests = {product_rest(w.x, w.x, x), product_rest(w.y, w.y, y),
+                           product_rest(w.z, w.z, z)};
+  const N low = low_of_residual(w, v, rests, ball.end_rest);
   const N correction = (((x + y) + (z - ball.end)) + low) * root.per_slope;
   const Triple<N> moved = {sub_mul(correction, direction.x, rest.x),
                            sub_mul(correction, direction.y, rest.y),

@@ -14,7 +14,8 @@ namespace raycheck::reference {
 /// is known). Valid only while doubles round to nearest.
 /// Error:  each operation encloses the exact result. With u = 2^-53, what it adds to the radius of
 ///         its operands is at most kDoubleDoubleError of the result, or of the larger operand of a
-///         sum, and kDoubleDoubleUnderflow.
+///         sum, and kDoubleDoubleUnderflow. Of products, quotients and roots that is proved in
+///         proofs/; what sums round off is computed.
 /// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971; M.
 ///         Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
 ///         blocks of double-word arithmetic, 2017. The bounds here are simpler, and proved below.
@@ -100,8 +101,11 @@ class DoubleDouble {
   double radius_ = 0;
 };
 
-/// 16 u^2
-inline constexpr double kDoubleDoubleError = 0x1p-102;
+/// 9 u^2 of products, 16 u^2 of quotients, 6 u^2 of square roots, and the largest of these.
+inline constexpr double kDoubleDoubleProductError = 9 * 0x1p-106;
+inline constexpr double kDoubleDoubleQuotientError = 16 * 0x1p-106;
+inline constexpr double kDoubleDoubleRootError = 6 * 0x1p-106;
+inline constexpr double kDoubleDoubleError = kDoubleDoubleQuotientError;
 /// Exceeds what underflow takes from one operation (a few times 2^-1075). Nothing underflows where
 /// operands and result are no smaller: their last bits are at most 2^-107 of them.
 inline constexpr double kDoubleDoubleUnderflow = 0x1p-900;
@@ -136,6 +140,16 @@ template <class N>
 N remainder_of_quotient(const N& of_high, const N& a_low, const N& q, const N& b_low) {
   return (of_high + a_low) - q * b_low;
 }
+/// What h, the rounded root of the high part, leaves of a, given what it leaves of the high part;
+/// and what is to be added to h for that.
+template <class N>
+N remainder_of_root(const N& of_high, const N& a_low) {
+  return of_high + a_low;
+}
+template <class N>
+N rest_of_root(const N& remainder, const N& h) {
+  return remainder / (N(2) * h);
+}
 
 /// A product of two doubles is exact. Else, with |low| <= u |high| and in units of
 /// u^2 |a.high b.high|: what is left out, a.low b.low, is 1; the roundings of two products are 1
@@ -145,7 +159,11 @@ inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const double error = std::fma(a.high_, b.high_, -p);
   const double r = rest_of_product(error, a.high_, a.low_, b.high_, b.low_);
   const bool is_exact = a.low_ == 0 && b.low_ == 0;
-  const double rounding = is_exact ? 0 : kDoubleDoubleError * std::abs(p);
+  const double rounding = is_exact ? 0 : kDoubleDoubleProductError * std::abs(p);
+  if (a.radius_ == 0 && b.radius_ == 0) {  // as where inputs are multiplied
+    const double underflow = a.high_ == 0 || b.high_ == 0 ? 0 : DoubleDouble::underflow_of(p);
+    return {DoubleDouble::two_sum(p, r), DoubleDouble::up(rounding + underflow)};
+  }
   const double carried =
       std::abs(a.high_) * b.radius_ + std::abs(b.high_) * a.radius_ + a.radius_ * b.radius_;
   const bool is_zero = a.is_exact_zero() || b.is_exact_zero();
@@ -164,7 +182,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const double q = a.high_ / b.high_;
   const double remainder = remainder_of_quotient(std::fma(-q, b.high_, a.high_), a.low_, q, b.low_);
   const bool is_exact = a.low_ == 0 && b.low_ == 0 && remainder == 0;
-  const double rounding = is_exact ? 0 : kDoubleDoubleError * std::abs(q);
+  const double rounding = is_exact ? 0 : kDoubleDoubleQuotientError * std::abs(q);
   const double size = std::abs(b.high_);
   // Nothing is known if the divisor may be 0.
   const double distance = b.radius_ < size / 4 ? size - b.radius_ : 0;
@@ -179,16 +197,17 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
 
 /// sqrt(a) = h + (a - h^2)/(sqrt(a) + h). The remainder a.high - h^2, below 2u h^2, is exact, and
 /// so is the root of a double that leaves none. Else, in units of u^2 h: the rounding of its sum
-/// with a.low, below 3u h^2, is 1.5; of the quotient 1.5; and dividing by 2h for sqrt(a) + h, 1.2.
+/// with a.low, below 3u h^2, is 1.5; of the quotient 1.5; and dividing by 2h for sqrt(a) + h, 1.2;
+/// in all less than 6, with what is of higher order.
 /// The operand carries |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a); the root of a negative centre is
 /// NaN.
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.is_exact_zero()) return a;
   const double h = std::sqrt(a.high_);
-  const double remainder = std::fma(-h, h, a.high_) + a.low_;
-  const double rounding = a.low_ == 0 && remainder == 0 ? 0 : kDoubleDoubleError * h;
+  const double remainder = remainder_of_root(std::fma(-h, h, a.high_), a.low_);
+  const double rounding = a.low_ == 0 && remainder == 0 ? 0 : kDoubleDoubleRootError * h;
   const double carried = (a.radius_ + DoubleDouble::underflow_of(a.high_)) / h;
-  return {DoubleDouble::two_sum(h, remainder / (2 * h)),
+  return {DoubleDouble::two_sum(h, rest_of_root(remainder, h)),
           DoubleDouble::up(carried + rounding + DoubleDouble::underflow_of_radius(a.radius_))};
 }
 

@@ -54,13 +54,13 @@ Line<typename Lift::Kernel> line_of(const Lift& lift, const ExactRay::Source& so
 /// The same, as the ray caches it.
 inline Line<DoubleDoubleKernel> line_in_double_doubles(const ExactRay& ray) {
   const ExactRay::Source& source = ray.source();
+  if (source.camera == nullptr) return given_line(lift_ray(DoubleDoubleLift{}, source.given));
   const auto [g, a] = ray.direction_in_double_doubles();
-  const bool from_camera = source.camera != nullptr;
   return {lift_vector(DoubleDoubleLift{}, base_of(source)),
           {g.x, g.y, g.z},
           a,
-          from_camera && source.camera->conventions.origin == scene::Origin::kPixel,
-          from_camera};
+          source.camera->conventions.origin == scene::Origin::kPixel,
+          true};
 }
 
 struct EnclosedRay::Impl {

@@ -73,16 +73,16 @@ constexpr double kLeastFactor = 0x1p-400;
 
 bool is_plain(double x) { return x == 0 || std::abs(x) >= kLeastFactor; }
 
-/// a x - b y, where that may cancel: by exact products. With F and S for their sizes, `rest` is
-/// made of numbers of at most u (F + S) by operations that are off by 8 u^2 (F + S) in all, to
-/// first order.
+/// a x - b y, where that may cancel: by exact products.
 Bounds determinant(double a, const Difference& x, double b, const Difference& y) {
   const double first = a * x.x, second = b * y.x;
   if (first == 0 && second == 0) return Bounds::exactly(0);
   const Difference leading = difference(first, second);
-  const double rest = leading.rest + ((std::fma(a, x.x, -first) - std::fma(b, y.x, -second)) +
-                                      (a * x.rest - b * y.rest));
-  const double doubt = 0x1p-102 * (std::abs(first) + std::abs(second));  // 16 u^2
+  const double rest = rest_of_determinant(leading.rest, std::fma(a, x.x, -first),
+                                          std::fma(b, y.x, -second), a, x.rest, b, y.rest);
+  constexpr double kShare = 16 * 0x1p-106;  // covers the doubt's own roundings, too
+  static_assert(kShare > 1.01 * kDeterminantRoundings * 0x1p-106);
+  const double doubt = kShare * (std::abs(first) + std::abs(second));
   return Bounds::exactly(leading.x) + (Bounds::exactly(rest) + Bounds{-doubt, doubt});
 }
 

@@ -38,6 +38,16 @@ struct PixelAxis {
   bool reversed = false;  ///< Counted from the other end.
 };
 
+/// What is left of a x - b y beside the leading double, of which the rests of the products of a and
+/// b with the leading parts of x and y, and of these products' difference, are given exactly: off
+/// by kDeterminantRoundings u^2 where the products add up to 1.
+template <class N>
+N rest_of_determinant(const N& of_difference, const N& of_first, const N& of_second, const N& a,
+                      const N& x_rest, const N& b, const N& y_rest) {
+  return of_difference + ((of_first - of_second) + (a * x_rest - b * y_rest));
+}
+inline constexpr double kDeterminantRoundings = 15;
+
 /// A camera's axes and image plane, within bounds.
 /// Domain: a valid camera (scene/validate.h).
 /// Error:  every bound holds the real value; the axes are some ulps wide, unless E - A or up x W

@@ -107,7 +107,8 @@ TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
   const fs::path folder = own_path("_coq");
   fs::create_directories(folder);
   const std::string folder_first = "cd '" + folder.string() + "' && ";
-  for (const std::string name : {"double-double-product", "double-double-quotient"}) {
+  for (const std::string name :
+       {"double-double-product", "double-double-quotient", "double-double-root"}) {
     const std::string script = (kScripts / (name + ".gappa")).string();
     const tests::Ended ended =
         tests::shell(folder_first + "gappa -Bcoq '" + script + "' > proof.v && coqc -q proof.v");
