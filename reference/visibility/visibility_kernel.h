@@ -94,7 +94,7 @@ template <class Number>
 struct SphereInTileOf {
   const FilteredSphereOf<Number>* sphere = nullptr;
   TileRectangle pixels;
-  double distance = 0;  ///< No point of the sphere is nearer to the eye.
+  double distance = 0;  ///< No ray meets the sphere nearer to the eye.
 };
 using SphereInTile = SphereInTileOf<double>;
 

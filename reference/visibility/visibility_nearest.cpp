@@ -357,9 +357,10 @@ class NearestOfRows {
   SeenRows rows_;
   Tile tile_;
   std::size_t band_ = 0, reach_ = 0;
-  std::span<const std::uint32_t>
-      left_;                  ///< The band's spheres of the reach that are not listed yet.
-  std::vector<Lists> tiles_;  ///< The others by tile, in `parts_` parts.
+  /// The band's spheres of the reach that are not listed yet; and the others, `listed_`, by tile, in
+  /// `parts_` parts.
+  std::span<const std::uint32_t> left_;
+  std::vector<Lists> tiles_;
   std::size_t parts_ = 0, listed_ = 0;
   std::vector<Blocks> columns_;
   std::vector<SphereInTile> list_;
