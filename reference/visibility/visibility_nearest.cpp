@@ -357,8 +357,8 @@ class NearestOfRows {
   SeenRows rows_;
   Tile tile_;
   std::size_t band_ = 0, reach_ = 0;
-  /// The band's spheres of the reach that are not listed yet; and the others, `listed_`, by tile, in
-  /// `parts_` parts.
+  /// The band's spheres of the reach that are not listed yet; and the others, `listed_`, by tile,
+  /// in `parts_` parts.
   std::span<const std::uint32_t> left_;
   std::vector<Lists> tiles_;
   std::size_t parts_ = 0, listed_ = 0;
