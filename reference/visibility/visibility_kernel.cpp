@@ -116,11 +116,13 @@ void sweep_sphere(const SphereInTileOf<Number>& entry, double margin_so_far, con
   const V here = hn::Set(d, sphere.index);
   const int first = entry.pixels.i_begin / lanes * lanes;
   const double hidden = hidden_below(entry.distance, margin_so_far, rays.least_length);
+  const int first_run_end = tile.least_farthest < hidden ? 0 : entry.pixels.i_end;
   for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
     const double* const farthest = tile.farthest.data() + row * Tile::kRuns;
     const RowTerms<N> terms =
         row_terms(all(d, rays.near), all(d, rays.beta[static_cast<std::size_t>(row)]), u, v, w);
-    for (int column = first, run_end = 0; column < entry.pixels.i_end; column += lanes) {
+    for (int column = first, run_end = first_run_end; column < entry.pixels.i_end;
+         column += lanes) {
       if (column >= run_end) {
         const int run = column / Tile::kRun;
         run_end = (run + 1) * Tile::kRun;
@@ -198,12 +200,14 @@ void sweep_by_form(const SphereInTile& entry, double margin_so_far, const TileRa
 double set_farthest(Tile& tile) {
   const D d;
   V farthest = hn::Zero(d);
+  tile.least_farthest = kInfinity;
   for (std::size_t run = 0; run < tile.farthest.size(); ++run) {
     V most = hn::Zero(d);
     for (std::size_t k = run * Tile::kRun; k < (run + 1) * Tile::kRun; k += hn::Lanes(d)) {
       most = hn::Max(most, hn::Load(d, tile.numerator.data() + k));
     }
     tile.farthest[run] = hn::GetLane(hn::MaxOfLanes(d, most));
+    tile.least_farthest = std::min(tile.least_farthest, tile.farthest[run]);
     farthest = hn::Max(farthest, most);
   }
   return hn::GetLane(hn::MaxOfLanes(d, farthest));
@@ -343,11 +347,12 @@ void clear(Tile& tile, const TileRectangle& wanted) {
   tile.sphere.fill(-1);
   tile.undecided.fill(0);
   tile.farthest.fill(kInfinity);
+  tile.least_farthest = kInfinity;
 }
 
 void clear(PairTile& tile, const std::array<std::uint64_t, Tile::kHeight>& wanted) {
   tile.undecided.fill(0);
-  tile.farthest.fill(std::numeric_limits<double>::infinity());
+  tile.least_farthest = std::numeric_limits<double>::infinity();
   tile.wanted = wanted;
   for (std::size_t row = 0; row < wanted.size(); ++row) {
     if (wanted[row] == 0) continue;

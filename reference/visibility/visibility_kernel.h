@@ -81,6 +81,7 @@ using FilteredSphere = FilteredSphereOf<double>;
 /// Part of a tile: rows and columns counted from the tile's first.
 struct TileRectangle {
   int i_begin = 0, i_end = 0, j_begin = 0, j_end = 0;
+  int count() const { return (i_end - i_begin) * (j_end - j_begin); }
 };
 /// Its columns, one bit each.
 inline std::uint64_t columns_of(const TileRectangle& pixels) {
@@ -108,8 +109,9 @@ struct Tile {
   alignas(64) std::array<double, kPixels> numerator;  ///< m^ of the nearest so far, or infinity.
   alignas(64) std::array<double, kPixels> sphere;     ///< Its index in the scene, or -1.
   std::array<std::uint64_t, kHeight> undecided;       ///< One bit per column.
-  /// Of each run, no numerator is larger; set by set_farthest().
+  /// Of each run, no numerator is larger; and the least of these. Set by set_farthest().
   std::array<double, kHeight * kRuns> farthest;
+  double least_farthest;
 };
 /// Some pixels of a tile in pairs.
 struct PairTile : Tile {

@@ -71,12 +71,12 @@ class NearestOfRows {
     }
   }
 
-  /// Lists some more of the band's spheres by their tiles: as many as were listed, and some for
-  /// each tile. Most spheres of many are hidden from all.
+  /// Lists some more of the band's spheres by their tiles: as many as were listed, and a few more
+  /// for each tile. Most spheres of many are hidden from all.
   void list_more() {
     if (left_.empty()) left_ = impl_.bands(++reach_).of(band_);
-    const auto next =
-        left_.first(std::min(left_.size(), listed_ + kListedForEach * impl_.tile_count()));
+    const auto next = left_.first(
+        std::min(left_.size(), listed_ + kListedForEach * impl_.tile_count() + kListedAtLeast));
     left_ = left_.subspan(next.size());
     listed_ += next.size();
     columns_.clear();
@@ -94,10 +94,10 @@ class NearestOfRows {
   double nearest_left() const {
     return left_.empty() ? impl_.reach_end[reach_] : no_farther_than(left_.front());
   }
-  static constexpr std::size_t kListedForEach = 16;
+  static constexpr std::size_t kListedForEach = 16, kListedAtLeast = 64;
 
-  /// How many spheres pass between tests whether the rest is hidden.
-  static constexpr std::size_t kLookEvery = 4;
+  /// How many pixels are swept between tests whether the rest is hidden.
+  static constexpr int kLookAfter = Tile::kPixels;
 
   /// Lists the spheres that are swept over the tile: no pixel sees any of the rest.
   void sweep_spheres(std::size_t tile, const TileRays& rays, Certified certified) {
@@ -110,14 +110,14 @@ class NearestOfRows {
         list_more();
       }
       const std::span<const std::uint32_t> in_tile = tiles_[part].of(tile);
-      for (std::size_t k = 0; k < in_tile.size(); k += kLookEvery) {
+      for (std::size_t k = 0; k < in_tile.size();) {
         const std::size_t swept = list_.size();
         if (swept > 0 && all_nearer(no_farther_than(in_tile[k]), margin, rays)) return;
-        for (const std::uint32_t index :
-             in_tile.subspan(k, std::min(kLookEvery, in_tile.size() - k))) {
-          const scene::SpherePlan& planned = impl_.plan.spheres[index];
-          list_.push_back({&filtered(index), at_.within_tile(planned.pixels, tile),
-                           impl_.plan.nearest_distance[index]});
+        for (int pixels = 0; k < in_tile.size() && pixels < kLookAfter; ++k) {
+          const std::uint32_t index = in_tile[k];
+          const TileRectangle within = at_.within_tile(impl_.plan.spheres[index].pixels, tile);
+          list_.push_back({&filtered(index), within, impl_.plan.nearest_distance[index]});
+          pixels += within.count();
         }
         sweep(std::span(list_).subspan(swept), rays, certified, tile_, margin);
       }
