@@ -103,14 +103,15 @@ struct Tile {
   static constexpr int kWidth = 64;
   static constexpr int kHeight = 16;
   static constexpr int kPixels = kWidth * kHeight;
-  static constexpr int kRun = 16;  ///< Pixels of a row that are passed over together.
-  static constexpr int kRuns = kWidth / kRun;
+  static constexpr int kRun = 16;              ///< Pixels of a row that are passed over together.
+  static constexpr int kRuns = kWidth / kRun;  ///< Of a row.
+  static constexpr int kAllRuns = kHeight * kRuns;
 
   alignas(64) std::array<double, kPixels> numerator;  ///< m^ of the nearest so far, or infinity.
   alignas(64) std::array<double, kPixels> sphere;     ///< Its index in the scene, or -1.
   std::array<std::uint64_t, kHeight> undecided;       ///< One bit per column.
   /// Of each run, no numerator is larger; and the least of these. Set by set_farthest().
-  std::array<double, kHeight * kRuns> farthest;
+  std::array<double, kAllRuns> farthest;
   double least_farthest;
 };
 /// Some pixels of a tile in pairs.
