@@ -101,10 +101,10 @@ std::string bounds_text(const BoundsReport& report, const ViewOptions& /*options
                         bound->value / observed);
   }
   text += fmt::format(
-      "Observed: the largest error of {} random inputs of a few binades; u = 2^-53. Assumed: "
-      "doubles "
-      "round to\nnearest, keep subnormals and have correct square roots, which is checked when "
-      "raycheck starts; and nothing\nelse under- or overflows, which callers ensure.\n"
+      "Observed: the largest error of {} inputs of a few binades, random and climbed to; u = "
+      "2^-53. Assumed:\ndoubles round to nearest, keep subnormals and have correct square roots, "
+      "which is checked when raycheck starts;\nand nothing else under- or overflows, which callers "
+      "ensure.\n"
       "\npromised up to condition number {}, in proportion beyond, and tried by the laws (none is "
       "proved "
       "as a whole):\n",
