@@ -18,7 +18,7 @@ struct Bound {
   std::string_view unit;
   /// What proves that `bound`, in `unit`, holds of the formula, or of it with a mutation.
   Script (*script)(double bound, std::optional<Mutation> mutation);
-  /// The largest error of so many random inputs, in `unit`, by enclosures.
+  /// The largest error of so many inputs, in `unit`, by enclosures: random, or climbed to.
   double (*observed)(int samples);
 };
 

@@ -42,7 +42,7 @@ namespace {
 // what it is more than C', as |w| <= 1.01 r. v, the sum of what was rounded off, is at most V =
 // u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by what is required of f^2 - r^2), and
 // off by 2.7u V a coordinate. The squares of w are split by 4r^2 alike: the high parts add up
-// exactly. v's errors cost 9.4u V r, the product (2w + v) v, the low parts and their sums
+// exactly. v's errors cost 9.45u V r, the product (2w + v) v, the low parts and their sums
 // kRobustLow u V r more. That over 2 s h is the error as a share of s: 800u^2 M r/(2 s h) <=
 // 2^-60.3, as s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by what is required of f^2 - r^2,
 // and 150u^2 f r/(2 s h) <= 2^-63.6.
@@ -65,6 +65,9 @@ constexpr bool leaves_little() {
              kMost * kMost * 12.2 * Required::kFarShare * kDisc * kDisc * kDisc * kDisc;
 }
 static_assert(leaves_little());
+// The residual's 800u^2 and 150u^2, and that the rests of squares are within 0.32 V r.
+static_assert(16 * (9.45 + kRobustLow) <= 800 && 3 * (9.45 + kRobustLow) <= 150 &&
+              5.1 <= 0.32 * 16);
 
 /// The largest power of 2 that is at most x (Rump, Ogita and Oishi, Accurate floating-point
 /// summation, 2008). Domain: x > 0, 2^53 x in range.

@@ -334,6 +334,8 @@ HWY_EXPORT(sweep_class);
 HWY_EXPORT(set_farthest);
 HWY_EXPORT(finish_tile);
 
+std::int64_t kernel_targets() { return HWY_TARGETS; }
+
 void clear(Tile& tile, const TileRectangle& wanted) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (wanted.j_begin == 0 && wanted.j_end == Tile::kHeight && wanted.i_end == Tile::kWidth) {

@@ -141,6 +141,9 @@ struct PairRays : TileRaysOf<Pair> {
 
 enum class Certified { kNo, kYes };
 
+/// Those of Highway's targets that all this is compiled for.
+std::int64_t kernel_targets();
+
 /// Resets to nothing seen, everything decided; pixels outside of what is wanted, some rows of the
 /// first columns, see what is nearer than any sphere.
 void clear(Tile& tile, const TileRectangle& wanted);

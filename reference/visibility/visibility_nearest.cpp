@@ -116,6 +116,7 @@ class NearestOfRows {
         for (int pixels = 0; k < in_tile.size() && pixels < kLookAfter; ++k) {
           const std::uint32_t index = in_tile[k];
           const TileRectangle within = at_.within_tile(impl_.plan.spheres[index].pixels, tile);
+          if (within.count() == 0) continue;  // in other rows of the band
           list_.push_back({&filtered(index), within, impl_.plan.nearest_distance[index]});
           pixels += within.count();
         }

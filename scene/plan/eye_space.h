@@ -40,7 +40,7 @@ struct PixelAxis {
 
 /// What is left of a x - b y beside the leading double, of which the rests of the products of a and
 /// b with the leading parts of x and y, and of these products' difference, are given exactly: off
-/// by kDeterminantRoundings u^2 where the products add up to 1.
+/// by kDeterminantRoundings u^2, to first order, where the products add up to 1.
 template <class N>
 N rest_of_determinant(const N& of_difference, const N& of_first, const N& of_second, const N& a,
                       const N& x_rest, const N& b, const N& y_rest) {

@@ -145,6 +145,7 @@ ScenePlan last_of_equals(const Scene& scene, const Conventions& conventions, Wan
     const auto by = plan.spheres[k].hidden_by;
     if (!by || plan.spheres[*by].left_out || !(scene.spheres[*by] == scene.spheres[k])) continue;
     std::swap(plan.spheres[k], plan.spheres[*by]);
+    std::swap(plan.nearest_distance[k], plan.nearest_distance[*by]);
     plan.spheres[*by].hidden_by = k;
   }
   return plan;

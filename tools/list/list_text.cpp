@@ -101,7 +101,7 @@ std::string bounds_text(const BoundsReport& report, const ViewOptions& /*options
                         bound->value / observed);
   }
   text += fmt::format(
-      "Observed: the largest error of {} inputs of a few binades, random and climbed to; u = "
+      "Observed: the largest error of {} inputs of a few binades, random or climbed to; u = "
       "2^-53. Assumed:\ndoubles round to nearest, keep subnormals and have correct square roots, "
       "which is checked when raycheck starts;\nand nothing else under- or overflows, which callers "
       "ensure.\n"
