@@ -243,6 +243,28 @@ TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
   expect_exact(scene, see(visibility_of(scene)));
 }
 
+TEST(Visibility, PassesOverNothingThatIsSeen) {
+  // Surfaces as near as each other everywhere: of those that come later some are seen.
+  for (const int count : {300, 6'000}) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      SCOPED_TRACE(seed);
+      std::mt19937_64 bits(seed);
+      const auto between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+      };
+      scene::Scene scene;
+      scene.camera =
+          scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, std::nullopt, -1, 1, -.3, .3, 70, 6};
+      for (int k = 0; k < count; ++k) {
+        const double radius = between(1, 3);
+        scene.spheres.push_back(
+            {{between(-13, 13), between(-5, 5), -10 - radius - between(0, 1)}, radius});
+      }
+      EXPECT_GT(expect_exact(scene, see(visibility_of(scene))), 400);
+    }
+  }
+}
+
 TEST(Visibility, LeavesAlmostAllPixelsOfOrdinaryScenesToTheFilter) {
   const Seen seen = see(visibility_of(random_scene(1)));
   EXPECT_LT(seen.decided_by.fallback() * 100, seen.sphere.size());
