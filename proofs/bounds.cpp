@@ -483,6 +483,9 @@ double observed_coarse(int samples) {
 /// What the residual adds up of given w, v and rests, at the largest V by r = 1: what is less of
 /// smaller V is in proportion, and more so the squares of v.
 constexpr double kLargestV = 0x1p-17;
+constexpr double most_of_low(std::size_t input) {
+  return input < 3 ? 1.01 : input < 6 ? kLargestV : 0.32 * kLargestV;
+}
 constexpr std::array kLowInputs = {"wx", "wy", "wz", "vx", "vy", "vz", "px", "py", "pz", "pr"};
 template <class N>
 N computed_low(const Inputs<N, 10>& x) {
@@ -501,8 +504,7 @@ Script traced_low(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kRelative, mutation);
   constexpr auto kAll = std::make_index_sequence<kLowInputs.size()>();
   for (std::size_t k = 0; k < kLowInputs.size(); ++k) {
-    const double most = k < 3 ? 1.01 : k < 6 ? kLargestV : 0.32 * kLargestV;
-    script.suppose(fmt::format("|{}| <= {}", kLowInputs.at(k), in_hexadecimal(most)));
+    script.suppose(fmt::format("|{}| <= {}", kLowInputs.at(k), in_hexadecimal(most_of_low(k))));
   }
   const std::string exact = exact_low(terms<Term<false>>(script, kLowInputs, kAll)).name();
   for (const bool is_fused : {true, false}) {
@@ -520,8 +522,7 @@ double observed_low(int samples) {
   for (int sample = 0; sample < samples; ++sample) {
     std::array<double, 10> x;
     for (std::size_t k = 0; k < x.size(); ++k) {
-      const double most = k < 3 ? 1.01 : k < 6 ? kLargestV : 0.32 * kLargestV;
-      x[k] = (2 * random.share() - 1) * most;
+      x[k] = (2 * random.share() - 1) * most_of_low(k);
     }
     const auto given = [&]<class N, std::size_t... k>(auto make, N*, std::index_sequence<k...>) {
       return Inputs<N, 10>{make(x[k])...};
