@@ -1,6 +1,7 @@
 #include "reference/account/proof.h"
 
 #include <arf.h>
+#include <flint/fmpq.h>
 
 #include <algorithm>
 #include <stdexcept>

@@ -9,14 +9,14 @@
 namespace raycheck::tools {
 namespace {
 
-const raycheck_candidate& functions_of(const std::string& library) {
+const raycheck_candidate* functions_of(const std::string& library) {
   void* const loaded = dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (loaded == nullptr) throw CandidateError(dlerror());
   using Functions = const raycheck_candidate* (*)();
   const auto functions = reinterpret_cast<Functions>(dlsym(loaded, "raycheck_candidate_functions"));
   const raycheck_candidate* const found = functions == nullptr ? nullptr : functions();
   if (found == nullptr) throw CandidateError("the library has no raycheck_candidate_functions()");
-  return *found;
+  return found;
 }
 
 raycheck_vector to_c(const scene::Point3& point) { return {point.x, point.y, point.z}; }
@@ -131,7 +131,7 @@ InProcess calls_in_process(const External& external) {
     throw CandidateError(
         "it is no library, and only calls in raycheck's own process are timed fairly");
   }
-  const raycheck_candidate& library = functions_of(external.library);
+  const raycheck_candidate& library = *functions_of(external.library);
   InProcess calls;
   if (library.intersect != nullptr || library.intersect_batch != nullptr) {
     calls.intersect = [&library, returns = external.introduction.returns](

@@ -28,7 +28,7 @@ foreach(file IN LISTS THREE)
   string(APPEND three "${text}")
 endforeach()
 
-set(source "#include \"tools/view/page/page.h\"\n\nnamespace raycheck::tools {\n\n")
+set(source "#include \"tools/view/page/assets.h\"\n\nnamespace raycheck::tools {\n\n")
 function(embed name text)
   set(source "${source}const std::string_view ${name} = R\"asset(${text})asset\";\n" PARENT_SCOPE)
 endfunction()

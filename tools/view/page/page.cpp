@@ -11,6 +11,7 @@
 
 #include "tools/report/spelling.h"
 #include "tools/view/document.h"
+#include "tools/view/page/assets.h"
 
 namespace raycheck::tools {
 namespace {
