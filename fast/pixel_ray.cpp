@@ -5,7 +5,7 @@
 namespace raycheck::fast {
 namespace {
 
-constexpr const PixelRayMethod* kMethods[] = {
+constexpr const PixelRayMethod* kRayMethods[] = {
 #define RAYCHECK_ADDRESS(name) &k##name##Rays,
     RAYCHECK_PIXEL_RAY_METHODS(RAYCHECK_ADDRESS)
 #undef RAYCHECK_ADDRESS
@@ -13,7 +13,7 @@ constexpr const PixelRayMethod* kMethods[] = {
 
 }  // namespace
 
-std::span<const PixelRayMethod* const> pixel_ray_methods() { return kMethods; }
+std::span<const PixelRayMethod* const> pixel_ray_methods() { return kRayMethods; }
 
 PlanePosition plane_position(const scene::Camera& camera, const scene::Conventions& conventions,
                              const scene::Pixel& pixel) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <functional>
 #include <map>
-#include <regex>
 
 namespace raycheck::proofs {
 
@@ -55,12 +55,18 @@ std::string Script::exact(const std::string& term) { return named(term, "M", {})
 
 namespace {
 
-/// Calls visit(name) for every name of letters, digits and underscores in a term, from the left.
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_of_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// Calls visit(name, place) for every name of letters, digits and underscores in a term, from the
+/// left; numbers have none.
 template <class Visit>
 void for_each_name(const std::string& term, const Visit& visit) {
-  static const std::regex kName("[A-Za-z_]\\w*");
-  for (std::sregex_iterator at(term.begin(), term.end(), kName), end; at != end; ++at) {
-    visit(at->str());
+  for (std::size_t at = 0; at < term.size();) {
+    std::size_t end = at;
+    while (end < term.size() && is_of_name(term[end])) ++end;
+    if (end > at && !is_digit(term[at])) visit(term.substr(at, end - at), at);
+    at = std::max(end, at + 1);
   }
 }
 
@@ -68,7 +74,8 @@ void for_each_name(const std::string& term, const Visit& visit) {
 
 std::vector<Script::Line> Script::live() const {
   std::vector<Line> kept;
-  const std::function<void(const std::string&)> keep = [&](const std::string& name) {
+  const std::function<void(const std::string&, std::size_t)> keep = [&](const std::string& name,
+                                                                        std::size_t) {
     const auto is_named = [&](const Line& line) { return line.name == name; };
     const auto line = std::find_if(lines_.begin(), lines_.end(), is_named);
     if (line == lines_.end() || std::any_of(kept.begin(), kept.end(), is_named)) return;
@@ -99,13 +106,13 @@ std::string Script::text() const {
   const auto names = [&](const std::string& term) {
     std::string result;
     std::size_t from = 0;
-    static const std::regex kMade("\\b[tM][0-9]+\\b");
-    for (std::sregex_iterator at(term.begin(), term.end(), kMade), end; at != end; ++at) {
-      const auto known = renamed.find(at->str());
-      result += term.substr(from, static_cast<std::size_t>(at->position()) - from);
-      result += known == renamed.end() ? at->str() : known->second;
-      from = static_cast<std::size_t>(at->position() + at->length());
-    }
+    for_each_name(term, [&](const std::string& name, std::size_t at) {
+      const bool is_made = (name[0] == 't' || name[0] == 'M') && name.size() > 1 &&
+                           std::all_of(name.begin() + 1, name.end(), is_digit);
+      const auto known = is_made ? renamed.find(name) : renamed.end();
+      result += term.substr(from, at - from) + (known == renamed.end() ? name : known->second);
+      from = at + name.size();
+    });
     return result + term.substr(from);
   };
   std::vector<std::string> suppositions = hypotheses_;
@@ -118,7 +125,8 @@ std::string Script::text() const {
     all += names(line.name) + " = " + term + ";\n";
     const auto of_line = [&](const std::string& one) {
       bool is_of = false;
-      for_each_name(one, [&](const std::string& name) { is_of = is_of || name == line.name; });
+      for_each_name(
+          one, [&](const std::string& name, std::size_t) { is_of = is_of || name == line.name; });
       return is_of;
     };
     const auto rest = std::stable_partition(suppositions.begin(), suppositions.end(), of_line);

@@ -18,14 +18,15 @@ Triple<DoubleDouble> triple(const DoubleDoubleKernel::Vector_3& v) { return {v.x
 
 /// measure(line) by double-doubles.
 template <class Measure>
-auto by_double_doubles(const ExactRay& ray, const Measure& measure) {
+auto error_by_double_doubles(const ExactRay& ray, const Measure& measure) {
   return reference::by_double_doubles([&] { return measure(line_in_double_doubles(ray)); });
 }
 
 template <class Measure>
-auto by_double_doubles(const ExactRay& ray, const scene::Sphere& sphere, const Measure& measure) {
+auto error_by_double_doubles(const ExactRay& ray, const scene::Sphere& sphere,
+                             const Measure& measure) {
   scene::require_valid(sphere);
-  return by_double_doubles(ray, [&](const Line<DoubleDoubleKernel>& line) {
+  return error_by_double_doubles(ray, [&](const Line<DoubleDoubleKernel>& line) {
     return measure(line_and_sphere(line, lift_sphere(DoubleDoubleLift{}, sphere)));
   });
 }
@@ -36,7 +37,7 @@ using Pair = LineAndSphere<DoubleDoubleKernel>;
 template <class Value>
 std::optional<Measured> distance_by_double_doubles(const ExactRay& ray, const scene::Point3& given,
                                                    const Value& value) {
-  return by_double_doubles(ray, [&](const Line<DoubleDoubleKernel>& line) {
+  return error_by_double_doubles(ray, [&](const Line<DoubleDoubleKernel>& line) {
     return narrow_error_in_u(relative_distance(in_double_doubles(given), triple(value(line))));
   });
 }
@@ -65,7 +66,7 @@ Measured origin_error(const ExactRay& ray, const scene::Point3& given) {
 }
 
 Measured direction_error(const ExactRay& ray, const scene::UnitVector3& given) {
-  const auto error = by_double_doubles(ray, [&](const auto& line) -> std::optional<Measured> {
+  const auto error = error_by_double_doubles(ray, [&](const auto& line) -> std::optional<Measured> {
     const Triple<DoubleDouble> direction = in_double_doubles(given);
     const Triple<DoubleDouble> exact = triple(unit_direction(line));
     const DoubleDouble cosine = dot(direction, exact);
@@ -78,18 +79,19 @@ Measured direction_error(const ExactRay& ray, const scene::UnitVector3& given) {
 Measured parameter_error(const ExactRay& ray, const scene::Sphere& sphere,
                          const Intersection& intersection, double given,
                          scene::Precision precision) {
-  const auto error = by_double_doubles(ray, sphere, [&](const Pair& pair) -> std::optional<double> {
-    const DoubleDouble exact = ray_parameter(pair, root_sign(intersection));
-    const std::optional<int> exponent = ulp_exponent(exact, precision);
-    return exponent ? narrow_error(abs(DoubleDouble(given) - exact), *exponent) : std::nullopt;
-  });
+  const auto error =
+      error_by_double_doubles(ray, sphere, [&](const Pair& pair) -> std::optional<double> {
+        const DoubleDouble exact = ray_parameter(pair, root_sign(intersection));
+        const std::optional<int> exponent = ulp_exponent(exact, precision);
+        return exponent ? narrow_error(abs(DoubleDouble(given) - exact), *exponent) : std::nullopt;
+      });
   return error ? Measured{*error, scene::Unit::kUlp, precision}
                : ulp_error(given, ray.parameter(sphere, intersection), precision);
 }
 
 Measured hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
                          const Intersection& intersection, const scene::Point3& given) {
-  const auto error = by_double_doubles(ray, sphere, [&](const Pair& pair) {
+  const auto error = error_by_double_doubles(ray, sphere, [&](const Pair& pair) {
     return narrow_error_in_u(relative_distance(in_double_doubles(given),
                                                triple(hit_point(pair, root_sign(intersection)))));
   });
@@ -108,7 +110,7 @@ std::optional<Measured> sphere_residual(const scene::Sphere& sphere, const scene
 }
 
 std::optional<Measured> ray_residual(const ExactRay& ray, const scene::Point3& given) {
-  const auto error = by_double_doubles(ray, [&](const auto& line) {
+  const auto error = error_by_double_doubles(ray, [&](const auto& line) {
     const Triple<DoubleDouble> along = in_double_doubles(given) - triple(ray_origin(line));
     return narrow_error_in_u(distance_from_line(along, triple(unit_direction(line))));
   });
@@ -148,7 +150,7 @@ bool is_at_other_root(const ExactRay& ray, const scene::Sphere& sphere,
   };
   scene::require_valid(sphere);
   if (const auto sign = by_intervals(ray, sphere, sign_of_margin)) return *sign == 1;
-  if (const auto sign = by_double_doubles(ray, sphere, sign_of_margin)) return *sign == 1;
+  if (const auto sign = error_by_double_doubles(ray, sphere, sign_of_margin)) return *sign == 1;
   const EnclosedRay enclosed = ray.enclose(kBits);
   return certain_sign(margin(enclosed.parameter(sphere, intersection),
                              enclosed.parameter(sphere, other), Enclosure(given, kBits))) == 1;

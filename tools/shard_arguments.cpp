@@ -6,8 +6,10 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <regex>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <system_error>
 
 #include "tools/arguments.h"
@@ -32,6 +34,17 @@ bool is_of_units(const CLI::Option& option) {
                       [&](const ReportOption& one) { return is_called(one.name); });
 }
 
+/// The file in quotes that a line of C or C++ includes; empty where it includes none.
+std::string included_by(std::string_view line) {
+  for (const std::string_view word : {"#", "include", "\""}) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (!line.starts_with(word)) return "";
+    line.remove_prefix(word.size());
+  }
+  const std::size_t end = line.find('"');
+  return std::string(line.substr(0, end == std::string_view::npos ? 0 : end));
+}
+
 /// Adds a file, and those that it includes by names in quotes, or all files of a folder, but hidden
 /// ones and folders of units.
 void add_files(const fs::path& path, const std::vector<std::string>& includes,
@@ -54,13 +67,14 @@ void add_files(const fs::path& path, const std::vector<std::string>& includes,
   }
   const std::string text = file_bytes(path);
   files[path.string()] = digest({text});
-  static const std::regex include("(^|\n)[ \t]*#[ \t]*include[ \t]*\"([^\"\n]+)\"");
   if (text.find('\0') != std::string::npos) return;  // a program or a library
-  for (std::sregex_iterator at(text.begin(), text.end(), include), end; at != end; ++at) {
-    add_files(path.parent_path() / (*at)[2].str(), includes, files);
-    for (const std::string& folder : includes) {
-      add_files(fs::path(folder) / (*at)[2].str(), includes, files);
-    }
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string included = included_by(line);
+    if (included.empty()) continue;
+    add_files(path.parent_path() / included, includes, files);
+    for (const std::string& folder : includes)
+      add_files(fs::path(folder) / included, includes, files);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
-#include <regex>
+#include <algorithm>
+#include <string>
 
 #include "tools/external/external_candidate.h"
 #include "tools/implementations/built_in.h"
@@ -11,7 +12,14 @@ namespace {
 
 /// "renderer:python3 ../mine/rt.py {scene}" becomes "python3 rt.py {scene}".
 std::string without_folders(const std::string& name) {
-  return std::regex_replace(name.substr(name.find(':') + 1), std::regex("[^ ]*/"), "");
+  std::string result;
+  for (std::size_t at = name.find(':') + 1; at < name.size();) {
+    const std::size_t end = std::min(name.find(' ', at), name.size());
+    const std::size_t folders = name.substr(at, end - at).rfind('/') + 1;  // 0 where there are none
+    result += name.substr(at + folders, end + 1 - at - folders);
+    at = end + 1;
+  }
+  return result;
 }
 
 /// How a renderer is run and judged, where that is not as usual.

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 #include <memory>
-#include <regex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/files/file_text.h"
@@ -39,7 +39,12 @@ struct NewArguments {
 };
 
 std::string named(std::string_view text, const std::string& name) {
-  return std::regex_replace(std::string(text), std::regex("NAME"), name);
+  constexpr std::string_view kName = "NAME";
+  std::string result(text);
+  for (std::size_t at = 0; (at = result.find(kName, at)) != std::string::npos; at += name.size()) {
+    result.replace(at, kName.size(), name);
+  }
+  return result;
 }
 
 std::string write_adapter(const NewArguments& arguments) {
@@ -79,9 +84,11 @@ CommandRun add_new(CLI::App& command) {
   command.add_option("NAME", given->name, "of the adapter, a file beside your code")
       ->required()
       ->check([](const std::string& name) {
-        return std::regex_match(name, std::regex("[A-Za-z][A-Za-z0-9_]*"))
-                   ? std::string()
-                   : "must be a letter, then letters, digits and _";
+        constexpr std::string_view kLetters =
+            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+        const bool is_name = !name.empty() && kLetters.substr(0, 52).find(name.front()) != std::string_view::npos &&
+                             name.find_first_not_of(kLetters) == std::string::npos;
+        return is_name ? std::string() : "must be a letter, then letters, digits and _";
       });
   std::vector<std::string> names;
   for (const Language& language : kLanguages) names.emplace_back(language.name);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <regex>
 #include <utility>
 
 #include "tools/external/sandbox/private_folder.h"
@@ -35,8 +34,12 @@ ItemGrade unjudged(const Item& item, bool pictures) {
 
 std::string plain_text(const std::string& said) {
   // Quotes as compilers print them.
-  static const std::regex quotes("\xe2\x80[\x98\x99]");
-  std::string text = std::regex_replace(without_private_folders(said), quotes, "'");
+  std::string text = without_private_folders(said);
+  for (const char* quote : {"\xe2\x80\x98", "\xe2\x80\x99"}) {
+    for (std::size_t at = 0; (at = text.find(quote, at)) != std::string::npos; ++at) {
+      text.replace(at, 3, "'");
+    }
+  }
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';
