@@ -19,7 +19,6 @@ def checked(command):
 
 def main():
     source, build = sys.argv[1:]
-    # Highway's targets are the same source: two of them show what does not compile.
     subprocess.run(["cmake", "-S", source, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_COMPILER=g++",
                     "-DRAYCHECK_WERROR=ON"], check=True, stdout=subprocess.DEVNULL)
     with open(f"{build}/compile_commands.json", encoding="utf-8") as file:
@@ -27,7 +26,8 @@ def main():
     precompiled = [command for command in commands if command["output"].endswith(".gch")]
     generated = [f"{build}/tools/view/assets.cpp"] + [command["output"] for command in precompiled]
     subprocess.run(["ninja", "-C", build, "--quiet", *generated], check=True)
-    commands = [command for command in commands if command not in precompiled]
+    # Engines are judged by .ci/nightly, with packages of their own.
+    commands = [command for command in commands if command not in precompiled and "/engines/" not in command["file"]]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         failed = [text for text in pool.map(checked, commands) if text]
     print(f"{len(commands)} files compile on {open('/etc/debian_version').read().strip()}" if not failed else "\n".join(failed))

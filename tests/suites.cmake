@@ -1,6 +1,7 @@
 # One test of ctest for each suite of a program, so that a suite's tests are one process and share what they prepare:
 # cmake -DPROGRAM=path -DLABEL=unit [-DLONG=...] -DTO=file -P suites.cmake. The file is for TEST_INCLUDE_FILES. LONG, a regular
-# expression of names, are of label `long`; so are suites that begin with Long, and of label `hostile`, too, those of attacks
+# expression of names, are of label `long`; so are suites that begin with Long, those that begin with Nightly of label
+# `nightly`, and of label `hostile`, too, those of attacks
 # and bad luck, which are called Hostile... (or LongHostile, Attacks, DullSubmission).
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
@@ -13,6 +14,8 @@ foreach(suite IN LISTS suites)
   set(labels ${LABEL})
   if(suite MATCHES "(^|/)(Long)?Hostile|^(Attacks|DullSubmission)$")
     list(APPEND labels hostile long)
+  elseif(suite MATCHES "(^|/)Nightly")
+    list(APPEND labels nightly)
   elseif(suite MATCHES "(^|/)Long" OR (LONG AND suite MATCHES "^(${LONG})(/|$)"))
     list(APPEND labels long)
   endif()

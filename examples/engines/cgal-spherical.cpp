@@ -24,7 +24,8 @@ static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const 
   if (both.empty()) return std::nullopt;
   const bool forward = d.x > 0 || (d.x == 0 && (d.y > 0 || (d.y == 0 && d.z > 0)));
   using Counted = std::pair<Kernel::Circular_arc_point_3, unsigned>;
-  const auto point = boost::get<Counted>(forward ? both.front() : both.back()).first;
+  using boost::get, std::get;  // CGAL 5 has variants of Boost's, CGAL 6 of the standard library's
+  const auto point = get<Counted>(forward ? both.front() : both.back()).first;
   return Hit{.point = {CGAL::to_double(point.x()), CGAL::to_double(point.y()),
                        CGAL::to_double(point.z())}};
 }
