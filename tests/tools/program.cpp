@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -52,8 +53,10 @@ std::string temporary_path(const std::string& name) {
 /// `when`: SIGINT is sent once it holds; null: none is.
 Outcome start(const std::string& program, const std::string& arguments,
               const std::function<bool()>& when = nullptr) {
-  const std::string out = temporary_path("out");
-  const std::string err = temporary_path("err");
+  // Threads may wait for programs at once.
+  static std::atomic<int> started = 0;
+  const std::string number = std::to_string(++started);
+  const std::string out = temporary_path("out" + number), err = temporary_path("err" + number);
   const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" + program +
                               "' " + arguments + " >'" + out + "' 2>'" + err + "'";
   const pid_t child = fork();
