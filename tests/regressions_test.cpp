@@ -114,8 +114,8 @@ std::string_view not_kept_by(const Methods& methods, const std::string& name) {
 
 std::set<std::string> broken_laws(const Case& the_case, const Candidate& candidate) {
   std::set<std::string> broken;
+  Trial trial(the_case, candidate);
   for (const Law& law : laws()) {
-    Trial trial(the_case, candidate);
     if (!apply(law, trial).holds()) broken.emplace(law.name);
   }
   return broken;

@@ -43,7 +43,7 @@ TEST_P(EachMethod, TakesBatchesOfAnySize) {
 
 TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
   int hits = 0, asked = 0;
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
     for (const properties::CaseSource& source : properties::case_sources()) {
       if (source.has_camera) continue;
       const scene::Scene scene = properties::ChosenSource{&source}.make(seed).scene;
@@ -54,8 +54,8 @@ TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
       }
     }
   }
-  EXPECT_GT(hits, 2000);
-  EXPECT_GT(asked - hits, 2000);
+  EXPECT_GT(hits, 600);
+  EXPECT_GT(asked - hits, 600);
 }
 
 TEST_P(EachMethod, RefusesByTheNameOfTheField) { expect_refusals(*GetParam()); }

@@ -1,7 +1,14 @@
-#pragma once
+// Numbers of few significant bits, for formulas that are templates over their number. Compiled once
+// for each of Highway's targets (fast/internal/lanes.h).
 
-// Numbers of few significant bits, for formulas that are templates over their number.
+#if defined(RAYCHECK_TESTS_FAST_SMALL_FLOAT_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCHECK_TESTS_FAST_SMALL_FLOAT_H_
+#undef RAYCHECK_TESTS_FAST_SMALL_FLOAT_H_
+#else
+#define RAYCHECK_TESTS_FAST_SMALL_FLOAT_H_
+#endif
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,11 +16,14 @@
 
 #include "fast/internal/robust_guess.h"
 
-namespace raycheck::fast {
+#pragma GCC diagnostic ignored "-Wpsabi"  // No other file is passed such numbers.
 
-inline constexpr std::size_t kFloats = 4;
-using Floats __attribute__((vector_size(16))) = float;
-using Truths __attribute__((vector_size(16))) = std::int32_t;  // 0 or -1 each
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
+
+inline constexpr std::size_t kFloats = HWY_TARGET == HWY_AVX2 ? 8 : 4;
+using Floats __attribute__((vector_size(4 * kFloats))) = float;
+using Truths __attribute__((vector_size(4 * kFloats))) = std::int32_t;  // 0 or -1 each
 
 struct SmallMask {
   Truths raw;
@@ -22,26 +32,26 @@ struct SmallMask {
   friend SmallMask operator|(SmallMask a, SmallMask b) { return {a.raw | b.raw}; }
   friend SmallMask operator!(SmallMask a) { return {~a.raw}; }
   friend bool all(SmallMask a) { return !any(!a); }
-  friend bool any(SmallMask a) { return ((a.raw[0] | a.raw[1]) | (a.raw[2] | a.raw[3])) != 0; }
+  friend bool any(SmallMask a) {
+    std::int32_t some = 0;
+    for (std::size_t k = 0; k < kFloats; ++k) some |= a.raw[k];
+    return some != 0;
+  }
 };
 
-/// Numbers of so many significand bits, four side by side, in the range of floats. Every operation
-/// is rounded once, to nearest and ties to even: a float's 24 bits are at least 2p + 2, so that
-/// rounding the float's result again rounds the exact one (Figueroa, When is double rounding
-/// innocuous?, 1995, for +, -, *, / and square roots). Domain: no subnormal results.
+/// Numbers of so many significand bits, kFloats side by side, in the range of floats. Every
+/// operation is rounded once, to nearest and ties to even: a float's 24 bits are at least 2p + 2,
+/// so that rounding the float's result again rounds the exact one (Figueroa, When is double
+/// rounding innocuous?, 1995, for +, -, *, / and square roots). Domain: no subnormal results.
 template <int kBits, class Requirements>
 struct SmallFloat {
   static_assert(2 * kBits + 2 <= std::numeric_limits<float>::digits);
   Floats raw;
 
   SmallFloat() = default;
-  explicit SmallFloat(Floats exact) {
-    constexpr int kDropped = std::numeric_limits<float>::digits - kBits;
-    const auto bits = reinterpret_cast<Truths>(exact);
-    const Truths half = ((bits >> kDropped) & 1) + ((1 << (kDropped - 1)) - 1);
-    raw = reinterpret_cast<Floats>((bits + half) & -(1 << kDropped));
-  }
-  explicit SmallFloat(double x) : SmallFloat(Floats{} + static_cast<float>(x)) {}
+  explicit SmallFloat(Floats exact)
+      : raw(reinterpret_cast<Floats>(rounded_bits(reinterpret_cast<Truths>(exact)))) {}
+  explicit SmallFloat(double x) : raw(Floats{} + rounded(static_cast<float>(x))) {}
 
   friend SmallFloat operator+(SmallFloat a, SmallFloat b) { return SmallFloat(a.raw + b.raw); }
   friend SmallFloat operator-(SmallFloat a, SmallFloat b) { return SmallFloat(a.raw - b.raw); }
@@ -68,10 +78,23 @@ struct SmallFloat {
   friend SmallFloat absolute(SmallFloat a) {
     return SmallFloat(reinterpret_cast<Floats>(reinterpret_cast<Truths>(a.raw) & 0x7fffffff));
   }
+
+ private:
+  template <class Bits>
+  static constexpr Bits rounded_bits(Bits exact) {
+    constexpr int kDropped = std::numeric_limits<float>::digits - kBits;
+    return (exact + (((exact >> kDropped) & 1) + ((1 << (kDropped - 1)) - 1))) & -(1 << kDropped);
+  }
+  static constexpr float rounded(float exact) {
+    return std::bit_cast<float>(rounded_bits(std::bit_cast<std::int32_t>(exact)));
+  }
 };
 
 /// What guess() requires of these numbers.
 template <int kBits, class Requirements>
-struct HWY_NAMESPACE::Margins<SmallFloat<kBits, Requirements>> : Requirements {};
+struct Margins<SmallFloat<kBits, Requirements>> : Requirements {};
 
-}  // namespace raycheck::fast
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // RAYCHECK_TESTS_FAST_SMALL_FLOAT_H_

@@ -10,7 +10,7 @@
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
-#include "properties/search/campaign.h"
+#include "tests/campaigns.h"
 #include "tests/names.h"
 
 namespace raycheck::mutants {
@@ -71,22 +71,26 @@ TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
       if (speaks_of_intersections(law) || GetParam().name == "cross") names.push_back(law.name);
     }
   }
-  for (const std::string_view name : names) {
-    Verdict all;
-    for (int seed = 1; seed <= seeds(); ++seed) {
-      CampaignOptions options;
-      options.cases = kCasesOfSeed;
-      options.level = GetParam().level;
-      options.seed = static_cast<std::uint64_t>(seed);
-      CampaignResult result = run_campaign(*find_law(name), candidate, options);
-      EXPECT_FALSE(result.failure.has_value())
-          << name << ", seed " << seed << ": " << result.failure->replay << "\n"
-          << scene_text(result.failure->shrunk);
-      all.merge(std::move(result.verdict));
+  std::vector<Verdict> verdicts(names.size());
+  for (int seed = 1; seed <= seeds(); ++seed) {
+    CampaignOptions options;
+    options.cases = kCasesOfSeed;
+    options.level = GetParam().level;
+    options.seed = static_cast<std::uint64_t>(seed);
+    auto results = run_campaigns(laws_named(names), candidate, options);
+    for (std::size_t law = 0; law < names.size(); ++law) {
+      EXPECT_FALSE(results[law].failure.has_value())
+          << names[law] << ", seed " << seed << ": " << results[law].failure->replay << "\n"
+          << scene_text(results[law].failure->shrunk);
+      verdicts[law].merge(std::move(results[law].verdict));
     }
-    EXPECT_LE(kComparedPerUndecided * all.count(Standing::kUndecided), all.compared()) << name;
+  }
+  for (std::size_t law = 0; law < names.size(); ++law) {
+    SCOPED_TRACE(names[law]);
+    const Verdict& all = verdicts[law];
+    EXPECT_LE(kComparedPerUndecided * all.count(Standing::kUndecided), all.compared());
     if (all.compared() > 0) {
-      EXPECT_FALSE(all.too_few_right(kFewestRight)) << name;
+      EXPECT_FALSE(all.too_few_right(kFewestRight));
     }
   }
 }

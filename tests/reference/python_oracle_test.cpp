@@ -180,11 +180,9 @@ Asked with_ends(Random& random) {
 }
 
 TEST(PythonOracle, AgreesWhichRootsCount) {
-  expect_at_least(expect_oracle_agrees(6000, 11, with_ends), {{"miss", 1000},
-                                                              {"hit near", 200},
-                                                              {"hit far", 200},
-                                                              {"tangent near", 30},
-                                                              {"at an end", 100}});
+  expect_at_least(
+      expect_oracle_agrees(3000, 11, with_ends),
+      {{"miss", 500}, {"hit near", 75}, {"hit far", 75}, {"tangent near", 15}, {"at an end", 50}});
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
       ASSERT_EQ(std::system(("cd " + folder + " && javac *.java").c_str()), 0);
     }
     const Outcome judged =
-        run("properties --filter class --cases 3 --candidate '" + candidate + "'");
+        run("check scene/examples/lecture-examples.toml --candidate '" + candidate + "'");
     EXPECT_EQ(judged.exit_code, 1) << candidate << judged.out << judged.err;
     expect_parts(judged.out, {"mine: calls nothing yet"});
   }

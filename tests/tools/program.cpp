@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
@@ -51,8 +53,10 @@ std::string temporary_path(const std::string& name) {
 /// `when`: SIGINT is sent once it holds; null: none is.
 Outcome start(const std::string& program, const std::string& arguments,
               const std::function<bool()>& when = nullptr) {
-  const std::string out = temporary_path("out");
-  const std::string err = temporary_path("err");
+  // Threads may wait for programs at once.
+  static std::atomic<int> started = 0;
+  const std::string number = std::to_string(++started);
+  const std::string out = temporary_path("out" + number), err = temporary_path("err" + number);
   const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" + program +
                               "' " + arguments + " >'" + out + "' 2>'" + err + "'";
   const pid_t child = fork();
@@ -183,6 +187,28 @@ std::string temporary_file(const std::string& name, const std::string& text) {
   const std::string path = temporary_path(name);
   std::ofstream(path, std::ios::binary) << text;
   return path;
+}
+
+std::string resized_example(const std::string& name, int side) {
+  static const std::regex size("(width|height) = [0-9]+");
+  const std::string text = contents(RAYCHECK_SOURCE_DIR "/scene/examples/" + name);
+  return temporary_file(std::to_string(side) + "_" + name,
+                        std::regex_replace(text, size, "$1 = " + std::to_string(side)));
+}
+
+const std::string& compiled(const std::string& source) {
+  static std::map<std::string, std::string> libraries;
+  std::string& library = libraries[source];
+  if (library.empty()) {
+    library = temporary_file("compiled" + std::to_string(libraries.size()) + ".so", "");
+    const std::string words = "cd '" RAYCHECK_SOURCE_DIR
+                              "' && g++ -std=c++20 -O1 -g -fPIC -shared -Iinclude "
+                              "-isystem /usr/include/eigen3 -o '" +
+                              library + "' '" + source + "'";
+    EXPECT_EQ(std::system(words.c_str()), 0) << words;
+    library = "library:" + library;
+  }
+  return library;
 }
 
 std::string built_submission(const std::string& source, const std::string& name,

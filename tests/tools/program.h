@@ -48,6 +48,12 @@ Outcome run_interrupted(const std::string& arguments, const std::function<bool()
 /// Writes a file into the test's temporary folder and returns its path.
 std::string temporary_file(const std::string& name, const std::string& text);
 
+/// A file of an example scene whose picture has another number of pixels on each side.
+std::string resized_example(const std::string& name, int side);
+
+/// A candidate's source as library:PATH, compiled once for all tests of the process.
+const std::string& compiled(const std::string& source);
+
 /// A copy, in a folder, of a submission of tests/submissions (rays.cpp, hostile.cpp, rt.cpp, ...),
 /// built, which does wrong what has this name there ("none": nothing); its path, NAME.so or
 /// NAME.rt. single_rays.cpp and single_rt.cpp are the same in floats; right.cpp of tests/candidates

@@ -91,11 +91,10 @@ class EachMistake : public testing::TestWithParam<std::size_t> {
 };
 
 /// Where the cases do not tell the sizes of a family apart, the first of them.
-const Mistake& as_told(const Mistake& mistake, const Candidate& candidate) {
+const Mistake& as_told(const Mistake& mistake, const Sentences& sentences) {
   const auto is_alike = [&](const Mistake& other) {
     return &other == &mistake || (!other.family.empty() && other.family == mistake.family);
   };
-  const Sentences sentences = sentences_for(candidate);
   const Mistake* const named = sentences.empty() ? nullptr : find_mistake(sentences.front());
   return named != nullptr && is_alike(*named) ? *named : mistake;
 }
@@ -106,12 +105,12 @@ TEST_P(EachMistake, IsExplainedByItsOwnSentenceAlone) {
   const auto says = [&](const char* words) {
     return mistake().sentence.find(words) != std::string::npos;
   };
+  const Sentences sentences = sentences_for(mistake().candidate);
   if ((says("numbers are read as integers") && mistake().camera) ||
       says("as many lines as there are columns")) {
-    return expect_among(sentences_for(mistake().candidate), mistake().sentence);
+    return expect_among(sentences, mistake().sentence);
   }
-  EXPECT_EQ(sentences_for(mistake().candidate),
-            Sentences{as_told(mistake(), mistake().candidate).sentence});
+  EXPECT_EQ(sentences, Sentences{as_told(mistake(), sentences).sentence});
 }
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistake, testing::Range(std::size_t{0}, mistakes().size()));
@@ -134,10 +133,11 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfNearestSpheresAlone) {
   candidate.nearest = mistake().candidate.nearest;
   const std::string& sentence = mistake().sentence;
   const bool keeps_nearest = sentence.starts_with("Q = ") || sentence.starts_with("s is a length");
+  const Sentences sentences = sentences_for(candidate);
   if (keeps_nearest) {
-    EXPECT_EQ(sentences_for(candidate), Sentences());
+    EXPECT_EQ(sentences, Sentences());
   } else {
-    expect_among(sentences_for(candidate), as_told(mistake(), candidate).sentence);
+    expect_among(sentences, as_told(mistake(), sentences).sentence);
   }
 }
 

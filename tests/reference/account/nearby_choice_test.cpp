@@ -252,12 +252,12 @@ Counts of_given_rays(double change, int cases, std::uint64_t seed) {
 
 TEST(NearbyChoice, OfNearTiesIsWitnessedOrRefutedAndFractionsAgree) {
   for (const double change : {kChange, 1e-12, 1e-6, 1e-2}) {
-    const Counts counts = of_given_rays(change, change == kChange ? 1500 : 400, 3);
-    EXPECT_GE(counts.witnesses, 200);
-    EXPECT_GE(counts.refutations, 200);
+    const Counts counts = of_given_rays(change, change == kChange ? 600 : 160, 3);
+    EXPECT_GE(counts.witnesses, 80);
+    EXPECT_GE(counts.refutations, 80);
     EXPECT_EQ(counts.not_right, 0);
     // What a change by a hundredth does is far from linear.
-    EXPECT_LE(counts.undecided, change < 1e-2 ? 0 : 10);
+    EXPECT_LE(counts.undecided, change < 1e-2 ? 0 : 4);
   }
 }
 
@@ -287,7 +287,7 @@ bool is_right_of(const FirstMet& claim, const std::optional<NearestSphere>& near
 TEST(NearbyChoice, OfCamerasHoldsForCamerasSoChanged) {
   Random random(6);
   Counts counts;
-  for (int k = 0; k < 600; ++k) {
+  for (int k = 0; k < 240; ++k) {
     const scene::Camera camera = random_camera(random, Sizes::kOrdinary);
     const scene::Conventions conventions = random_conventions(random);
     const scene::Pixel pixel = random_pixel(random, camera);
@@ -307,8 +307,8 @@ TEST(NearbyChoice, OfCamerasHoldsForCamerasSoChanged) {
                    });
     }
   }
-  EXPECT_GE(counts.witnesses, 200);
-  EXPECT_GE(counts.refutations, 200);
+  EXPECT_GE(counts.witnesses, 80);
+  EXPECT_GE(counts.refutations, 80);
   EXPECT_EQ(counts.undecided, 0);
   EXPECT_LE(counts.not_right, counts.witnesses / 100);  // by rounding
 }

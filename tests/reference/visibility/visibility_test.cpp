@@ -47,12 +47,12 @@ Visibility visibility_of(const scene::Scene& scene) {
   return {scene, scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest)};
 }
 
-/// Compares every pixel with the exact ray; returns how many see a sphere.
-int expect_exact(const scene::Scene& scene, const Seen& seen) {
+/// Compares every pixel, or one in so many, with the exact ray; returns how many see a sphere.
+int expect_exact(const scene::Scene& scene, const Seen& seen, std::size_t step = 1) {
   const ExactCamera camera(*scene.camera, scene.conventions);
   const scene::Point3& E = scene.camera->eye;
   int hits = 0;
-  for (std::size_t at = 0; at < pixels_of(scene); ++at) {
+  for (std::size_t at = 0; at < pixels_of(scene); at += step) {
     const auto index = static_cast<std::int64_t>(at);
     const ExactRay ray(camera, {index % scene.camera->width, index / scene.camera->width});
     const auto exact = ray.nearest(scene.spheres, scene.conventions);
@@ -98,12 +98,16 @@ void expect_exact_classes(const scene::Scene& scene, std::size_t step) {
   }
 }
 
+struct Uniform {
+  std::mt19937_64 bits;
+  double operator()(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+  }
+};
+
 /// Spheres of all sizes about the eye, before and behind it, some around it or cut by the plane.
 scene::Scene random_scene(unsigned seed, double scale = 1) {
-  std::mt19937_64 bits(seed);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
-  };
+  Uniform between{std::mt19937_64(seed)};
   scene::Scene scene;
   scene.camera = scene::Camera{{scale * between(-3, 3), scale * between(-3, 3), scale * 5},
                                {scale * between(-1, 1), scale * between(-1, 1), 0},
@@ -162,12 +166,12 @@ TEST(Visibility, IsExactUnderEveryConvention) {
           scene.conventions.root = root;
           scene.conventions.tangent = tangent;
           SCOPED_TRACE(seed);
-          hits += expect_exact(scene, see(visibility_of(scene)));
+          hits += expect_exact(scene, see(visibility_of(scene)), 3);
         }
       }
     }
   }
-  EXPECT_GT(hits, 5'000);
+  EXPECT_GT(hits, 1'700);
 }
 
 TEST(Visibility, IsExactAtEveryScale) {
@@ -197,10 +201,7 @@ TEST(Visibility, DecidesSubnormalScenesByTheFilter) {
 
 TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
   // Many near ones on the left, few far ones on the right, and almost all behind the eye.
-  std::mt19937_64 bits(1);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
-  };
+  Uniform between{std::mt19937_64(1)};
   scene::Scene scene;
   scene.camera =
       scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, std::nullopt, -1, 1, -1, 1, 70, 18};
@@ -238,9 +239,9 @@ TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
   EXPECT_EQ(parts.sphere, seen.sphere);
   scene.conventions.root = scene::Root::kSmaller;
   scene.conventions.origin = scene::Origin::kFocal;
-  expect_exact(scene, see(visibility_of(scene)));
+  EXPECT_GT(expect_exact(scene, see(visibility_of(scene)), 11), 30);
   scene.conventions.valid.t_min = 10;
-  expect_exact(scene, see(visibility_of(scene)));
+  EXPECT_GT(expect_exact(scene, see(visibility_of(scene)), 11), 30);
 }
 
 TEST(Visibility, PassesOverNothingThatIsSeen) {
@@ -248,10 +249,7 @@ TEST(Visibility, PassesOverNothingThatIsSeen) {
   for (const int count : {300, 5'000}) {
     for (const std::uint64_t seed : {1U, 2U}) {
       SCOPED_TRACE(seed);
-      std::mt19937_64 bits(seed);
-      const auto between = [&](double low, double high) {
-        return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
-      };
+      Uniform between{std::mt19937_64(seed)};
       scene::Scene scene;
       scene.camera = scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, std::nullopt, -.05, .05,
                                    -.015,     .015,       70,        18};
@@ -260,7 +258,9 @@ TEST(Visibility, PassesOverNothingThatIsSeen) {
         scene.spheres.push_back(
             {{between(-2, 2), between(-1, 1), -10 - radius - between(0, .5)}, radius});
       }
-      EXPECT_GT(expect_exact(scene, see(visibility_of(scene))), 1000);
+      const std::size_t step = count > 1000 ? 3 : 1;
+      EXPECT_GT(expect_exact(scene, see(visibility_of(scene)), step),
+                1000 / static_cast<int>(step));
     }
   }
 }
@@ -352,10 +352,7 @@ TEST(Visibility, DecidesTangentsOfLinesOneByOne) {
 TEST(Visibility, IsExactNearSurfaces) {
   std::uint64_t pairs = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
-    std::mt19937_64 bits(seed);
-    const auto between = [&](double low, double high) {
-      return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
-    };
+    Uniform between{std::mt19937_64(seed)};
     scene::Scene scene = random_scene(seed);
     scene.camera->width = 9;
     scene.camera->height = 7;

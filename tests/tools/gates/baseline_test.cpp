@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -121,21 +122,24 @@ TEST(Baseline, OfTwoBranchesThatMendDifferentThingsIsMergedByGit) {
 /// The whole way of one candidate: known, otherwise wrong, mended.
 class BaselineOfARun : public testing::Test {
  protected:
-  BaselineOfARun() {
-    fs::copy_file(fs::path(RAYCHECK_SOURCE_DIR) / "tests/candidates/right.py",
-                  folder_ + "/right.py");
-  }
   std::string known() const { return folder_ + "/known"; }
 
   /// Asks the candidate, which ends in this way whatever it found.
   Outcome gate(const std::string& ending, const std::string& options, int exit_code) const {
-    const std::string mine = write("mine.py",
-                                   "import raycheck_candidate as rc\nimport right\n"
-                                   "def intersect(ray, sphere, asked):\n"
-                                   "    hit = right.intersect(ray, sphere, asked)\n    " +
-                                       ending + "\nrc.run('mine', intersect=intersect)\n");
-    return run("properties --filter class --cases 60 --source rays --candidate 'command:python3 " +
-                   mine + "' --baseline " + known() + " " + options,
+    std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/float_quadratic.cpp");
+    text.resize(text.find("RAYCHECK_CANDIDATE("));
+    const std::string source =
+        write(std::to_string(std::hash<std::string>()(ending)) + ".cpp", text + R"(
+static std::optional<Hit> mine(const Ray& ray, const Sphere& sphere, const Conventions& asked) {
+  const auto hit = intersect(ray, sphere, asked);
+  )" + ending + R"(
+}
+RAYCHECK_CANDIDATE(.name = "mine", .intersect = mine, .precision = Precision::single)
+)");
+    fs::copy_file(compiled(source).substr(std::string("library:").size()), folder_ + "/mine.so",
+                  fs::copy_options::overwrite_existing);
+    return run("properties --filter class --cases 60 --source rays --candidate library:" + folder_ +
+                   "/mine.so --baseline " + known() + " " + options,
                exit_code);
   }
 
@@ -156,8 +160,8 @@ class BaselineOfARun : public testing::Test {
 };
 
 TEST_F(BaselineOfARun, LetsPassWhatIsKnownAndNothingElse) {
-  const std::string misses = "return None", right = "return hit";
-  const std::string hits = "return hit or (1.0, (0.0, 0.0, 0.0))";
+  const std::string misses = "return {};", right = "return hit;";
+  const std::string hits = "return hit ? hit : Hit{1, {}};";
   const Outcome none = gate(misses, "", 2);
   EXPECT_TRUE(has(none.err, "--update-baseline makes it"));
   gate(misses, "--update-baseline", 0);

@@ -41,11 +41,32 @@ def intersect(ray, sphere, asked):
 rc.run('hits', intersect=intersect)
 )";
 
+/// As renderer_in_python, in the shell; every other pixel of small pictures is of another colour.
+std::string renderer_in_shell(const char* other = "colour") {
+  return R"(awk '
+$1 == "res" { w = $2; h = $3 }
+$1 == "sphere" { colour = int(255 * $6) " " int(255 * $7) " " int(255 * $8) }
+function size(x) { return x < 0 ? -x : x }
+END {
+  print "P3", w, h, 255
+  for (k = 0; k < w * h; ++k) {
+    x = size(2 * (k % w) - w + 1); y = size(2 * int(k / w) - h + 1)
+    far = x > y ? x : y; near = x + y - far
+    disc = far * far + near * near < 25 || (far - 15) * (far - 15) + near * near < 33
+    print h < 25 && k % 2 ? )" +
+         std::string(other) + R"( : h < 25 || disc ? colour : "0 0 0"
+  }
+}' "$1" > "$2"
+)";
+}
+
 class Store : public testing::Test {
  protected:
-  /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.py`.
+  void SetUp() override { grading.write("full.toml", kFullScene); }
+
+  /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.sh`.
   std::string rubric(int points, const std::string& more = "") const {
-    return grading.write("rubric.toml", "reply_seconds = 2\n" + more + R"(
+    return grading.write("rubric.toml", "reply_seconds = 1\n" + more + R"(
 [driver]
 preset = "B"
 [[form]]
@@ -54,8 +75,8 @@ build = "echo x >> ')" + grading.path("builds") +
                                             R"('"
 candidate = "command:python3 {file}"
 [[form]]
-has = "rt.py"
-candidate = "renderer:python3 {file} {scene} {image}"
+has = "rt.sh"
+candidate = "renderer:sh {file} {scene} {image}"
 [[item]]
 name = "hits"
 points = )" + std::to_string(points) + R"(
@@ -66,14 +87,15 @@ sources = ["rays"]
 cases = 5
 [item.pictures]
 judge = "mask"
-sources = ["course"]
-cases = 1
+scenes = ["full.toml"]
 )");
   }
 
   /// A submission that says that it is started.
   std::string submit(const std::string& name, const std::string& file, const std::string& text) {
-    const std::string start = "open('" + grading.path("starts") + "', 'a').write('x\\n')\n";
+    const std::string starts = "'" + grading.path("starts") + "'";
+    const std::string start = file == "rt.sh" ? "echo x >> " + starts + "\n"
+                                              : "open(" + starts + ", 'a').write('x\\n')\n";
     grading.write("submissions/" + name + "/" + file, start + text);
     return grading.path("submissions/" + name);
   }
@@ -104,11 +126,14 @@ cases = 1
 };
 
 TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
-  const std::vector<std::string> folders = {submit("functions", "rays.py", kHits),
-                                            submit("pictures", "rt.py", white_renderer())};
+  const std::vector<std::string> folders = {
+      submit("functions", "rays.py", kHits), submit("pictures", "rt.sh", renderer_in_shell()),
+      submit("wrong", "rt.sh", renderer_in_shell("\"0 0 0\""))};
   const json first = graded(rubric(10), folders);
-  EXPECT_EQ(first["submissions"][0]["score"], 10) << first.dump(2);
-  EXPECT_EQ(first["submissions"][1]["score"], 0);
+  for (const std::size_t right : {0, 1}) {
+    EXPECT_EQ(first["submissions"][right]["score"], 10) << first.dump(2);
+  }
+  EXPECT_EQ(first["submissions"][2]["score"], 0);
   const std::size_t starts = lines("starts"), builds = lines("builds");
   EXPECT_GT(starts, 4u);
   EXPECT_EQ(builds, 1u);
@@ -122,19 +147,18 @@ TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
   for (std::size_t k = 0; k < folders.size(); ++k) {
     EXPECT_EQ(said(again["submissions"][k]), said(anew["submissions"][k]));
   }
-  EXPECT_EQ(again["submissions"][0]["score"], 12);
+  for (const std::size_t right : {0, 1}) EXPECT_EQ(again["submissions"][right]["score"], 12);
 }
 
 TEST_F(Store, gives_the_same_reason_for_a_program_that_makes_no_picture) {
   // It exits with 3 in the first form, and comes farther in the others.
-  const std::string program = submit("mine", "rt.py", "FIRST = '" + grading.path("first") + R"('
-import os, sys
-text = open(sys.argv[1]).read()
-if not os.path.exists(FIRST): open(FIRST, 'w').write(text)
-print('one line')
-print('another')
-sys.exit(3 if text == open(FIRST).read() else 0)
-)");
+  const std::string program = submit("mine", "rt.sh", "first='" + grading.path("first") + R"sh('
+[ -e "$first" ] || cat "$1" > "$first"
+echo 'one line'
+echo another
+[ "$(cat "$1")" = "$(cat "$first")" ] && exit 3
+exit 0
+)sh");
   const auto of_any_form = [&](int points) {
     std::string text = contents(rubric(points));
     text.insert(text.find("[[form]]"), "others = true\n");
@@ -209,7 +233,7 @@ TEST_F(Store, keeps_that_replies_took_too_long) {
   const std::string folder = submit("hangs", "rays.py", hangs);
   const json first = graded(rubric(10), {folder});
   const std::size_t starts = lines("starts");
-  const std::string said = "gave no reply, and computed next to nothing for 2 s";
+  const std::string said = "gave no reply, and computed next to nothing for 1 s";
   expect_parts(first.dump(), {said});
   expect_parts(graded(rubric(11), {folder}).dump(), {said});
   EXPECT_EQ(lines("starts"), starts);

@@ -38,6 +38,12 @@ class Written {
     std::filesystem::remove(path);
   }
 
+  /// The picture of a scene, written once for all tests.
+  static const Written& of(const std::string& scene) {
+    static std::map<std::string, Written> known;
+    return known.try_emplace(scene, scene, ".png").first->second;
+  }
+
   const ReadPicture& picture() const { return picture_; }
   json report() const { return json::parse(outcome_.out); }
 
@@ -96,7 +102,7 @@ TEST(Image, says_of_every_pixel_whether_it_sees_anything) {
   paths.push_back(temporary_file("tangent_miss.toml", miss));
   for (const std::string& path : paths) {
     const scene::Scene scene = scene::load_scene(path).scene;
-    const Written written(path, ".png");
+    const Written& written = Written::of(path);
     ASSERT_EQ(written.picture().width, scene.camera->width);
     ASSERT_EQ(written.picture().height, scene.camera->height);
     std::uint64_t hits_here = 0;
@@ -127,7 +133,7 @@ TEST(Image, gives_every_sphere_a_colour_of_its_own) {
   std::size_t compared = 0;
   for (const std::string& path : scenes()) {
     const scene::Scene scene = scene::load_scene(path).scene;
-    const Written written(path, ".png");
+    const Written& written = Written::of(path);
     std::map<std::size_t, double> hues;
     for (const Seen& seen : all_seen(scene)) {
       const auto& colour = written.picture().at(seen.column, seen.line);

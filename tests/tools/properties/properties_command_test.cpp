@@ -65,7 +65,7 @@ TEST(PropertiesCommand, tells_where_each_number_of_a_failure_may_lie) {
 
 TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {
   const std::string asked =
-      "properties --level extreme --intersect quadratic --intersect cross --cases 1000 --format "
+      "properties --level extreme --intersect quadratic --intersect cross --cases 200 --format "
       "json --threads ";
   const std::string by_one = run(asked + "1").out;
   ASSERT_TRUE(has(by_one, "broken"));
@@ -119,9 +119,9 @@ TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
   EXPECT_EQ(report["target"], "rho");
   const json& worst = report["campaigns"][0]["worst"];
   EXPECT_GT(worst["climbed"].get<double>(), worst["random"].get<double>());
-  const std::string floats =
-      "properties --candidate source:tests/candidates/float_quadratic.cpp --filter parameter "
-      "--source rays --cases 40 --level extreme ";
+  const std::string floats = "properties --candidate " +
+                             compiled("tests/candidates/float_quadratic.cpp") +
+                             " --filter parameter --source rays --cases 40 --level extreme ";
   EXPECT_EQ(run(floats).exit_code, 0);
   EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: climbed to"));
 }

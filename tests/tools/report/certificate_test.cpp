@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -118,6 +119,20 @@ TEST(VerifyCertificates, fails_with_2_on_what_it_cannot_read) {
   EXPECT_EQ(run_python(script("nowhere.jsonl")).exit_code, 2);
 }
 
+/// Runs the script on each file that it is given, as by itself, and prints how that ended: its exit
+/// code and what it wrote to standard error.
+constexpr const char* kRunsScriptOnEach = R"(import contextlib, io, json, runpy, sys
+for path in sys.argv[1:]:
+    sys.argv = ['verify_certificates.py', path]
+    said, out, code = io.StringIO(), io.TextIOWrapper(io.BytesIO()), None
+    with contextlib.redirect_stderr(said), contextlib.redirect_stdout(out):
+        try:
+            runpy.run_path('tools/verify_certificates.py', run_name='__main__')
+        except SystemExit as end:
+            code = end.code
+    print(json.dumps([code, said.getvalue()]))
+)";
+
 TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) {
   const auto certificate =
       of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
@@ -161,15 +176,24 @@ TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) 
     line.replace(line.find("\"VALUE\""), std::string("\"VALUE\"").size(), value);
     lines.emplace_back(line, "");
   }
-  for (const auto& [line, why] : lines) {
-    const std::string path = temporary_file("no.jsonl", certificate.dump() + "\n" + line + "\n");
-    const Outcome result = run_python(script(path));
-    const std::string shown = line.substr(0, 2000);
-    EXPECT_EQ(result.exit_code, 2) << shown << result.err;
-    EXPECT_EQ(result.err.rfind("verify_certificates.py: " + path + ":2: " + why, 0), 0u)
-        << shown << "\n"
-        << result.err;
-    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  std::string paths;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    paths += " " + temporary_file("no" + std::to_string(k) + ".jsonl",
+                                  certificate.dump() + "\n" + lines[k].first + "\n");
+  }
+  const auto ended = lines_of(run_python(temporary_file("each.py", kRunsScriptOnEach) + paths).out);
+  ASSERT_EQ(ended.size(), lines.size());
+  std::istringstream each(paths);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const auto& [line, why] = lines[k];
+    std::string path;
+    each >> path;
+    const ordered_json result = ordered_json::parse(ended[k]);
+    const std::string shown = line.substr(0, 2000), said = result[1];
+    EXPECT_EQ(result[0], 2) << shown << said;
+    EXPECT_TRUE(said.starts_with("verify_certificates.py: " + path + ":2: " + why))
+        << shown << said;
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
   }
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/search/campaign.h"
+
+namespace raycheck {
+
+/// The campaigns of these laws as one pass: a case is made once, its truth worked out once, and the
+/// candidate asked once for all of them.
+inline std::vector<properties::CampaignResult> run_campaigns(
+    const std::vector<const properties::Law*>& laws, const properties::Candidate& candidate,
+    const properties::CampaignOptions& options) {
+  properties::Campaigns campaigns({{laws, options}});
+  for (std::size_t unit = 0; unit < campaigns.unit_count(); ++unit) {
+    campaigns.take(unit, campaigns.run(unit, {&candidate, 1}, {}));
+  }
+  std::vector<properties::CampaignResult> results;
+  for (std::size_t law = 0; law < laws.size(); ++law) {
+    results.push_back(campaigns.finished(0, law, candidate));
+  }
+  return results;
+}
+
+/// Throws where a name is of none.
+inline std::vector<const properties::Law*> laws_named(const std::vector<std::string_view>& names) {
+  std::vector<const properties::Law*> laws;
+  for (const std::string_view name : names) {
+    laws.push_back(properties::find_law(name));
+    if (laws.back() == nullptr) throw std::invalid_argument(std::string(name));
+  }
+  return laws;
+}
+
+}  // namespace raycheck

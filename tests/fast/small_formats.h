@@ -1,0 +1,135 @@
+#pragma once
+
+// Inputs of formats of few bits, what their formulas require, and what is right by integers.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <vector>
+
+namespace raycheck::fast {
+
+/// What the signs alone require where u = 2^-p <= 2^-6, without over- and underflow. Let U = 1 + u,
+/// F = f|d|. T's coordinates are off by a share of u, so that
+///   a^ <= U^3 a, (r^2)^ <= U r^2, (f^2)^ <= U^5 f^2, as many powers of 1 - u the other way,
+///   |m^ - m| <= 1.155 (U^3 - U) F + u |m|, as the moment of absolute values is at most 1.155 F,
+///   |b^ - b| <= (U^4 - 1) F.
+/// Before its last rounding, which keeps the sign, far disc^ is then off by at most 5.2u a r^2
+/// + 10.3u F^2, near disc^ by 10u a r^2 + 20u F^2 to first order, where 32u F^2 are required.
+/// |disc^| > doubt^ leaves 8u (1-u)^6/U a r^2 + 16u (1-u)^10/U F^2, at least 7.1u a r^2
+/// + 13.4u F^2, more than that. Where disc > 0 outside, b^2 > disc > 3u F^2 > (U^4 - 1)^2 F^2, so
+/// b^ has b's sign. f^2 > r^2 as (1 + 8u)(1 - u)^2 > U^5, f^2 < r^2 as (1 - 8u) U^2 < (1 - u)^5.
+enum class Margin : std::size_t {
+  kRight,
+  kNoDoubt,
+  kAnEighthOfTheDoubt,
+  kNoNearDoubt,
+  kNoFarDoubt,
+  kFarDoubtOfTheOtherSign,
+  kNoSurface,
+  kSurfaceOfTheOtherSign
+};
+inline constexpr std::size_t kMarginCount = 8;
+
+/// Or with one of these too small.
+template <int kBits, Margin kMargin = Margin::kRight>
+struct Signs {
+  static constexpr double kUnitRoundoff = 1 / static_cast<double>(std::int64_t{1} << kBits);
+  static constexpr double kDoubt = kMargin == Margin::kNoDoubt              ? 0
+                                   : kMargin == Margin::kAnEighthOfTheDoubt ? 0.125
+                                                                            : 1;
+  static constexpr double kDiscriminantShare = 8 * kUnitRoundoff * kDoubt;
+  static constexpr double kNearShare = kMargin == Margin::kNoNearDoubt ? 0 : 32 * kUnitRoundoff;
+  static constexpr double kFarShare = kMargin == Margin::kNoFarDoubt ? 0
+                                      : kMargin == Margin::kFarDoubtOfTheOtherSign
+                                          ? -16 * kUnitRoundoff
+                                          : 16 * kUnitRoundoff * kDoubt;
+  static constexpr double kSurfaceShare = kMargin == Margin::kNoSurface ? 0
+                                          : kMargin == Margin::kSurfaceOfTheOtherSign
+                                              ? -8 * kUnitRoundoff
+                                              : 8 * kUnitRoundoff;
+  static constexpr double kReachShare = 0, kSmallShare = 0, kMostReach = 0;
+  static constexpr double kLeastDiscriminant = 0x1p-60;
+  static constexpr double kLargestSquare = 0x1p60;
+};
+
+/// Inputs whose numbers are all those of the format up to these magnitudes, each with both roots.
+/// Directions are taken up to reflections of the axes and factors of two, and in the plane z = 0
+/// with y <= x, which their exchange makes all where centres and origins are as wide in y; origins,
+/// centres and radii up to factors of two. None of these changes how anything is rounded.
+struct Part {
+  std::array<int, 3> origin, direction, centre;
+  int radius;
+  std::size_t slice = 0, slices = 1;  ///< Every so many of the directions, from this one on.
+};
+
+struct Tally {
+  std::int64_t inputs = 0, certain = 0, wrong = 0;
+
+  double share() const { return static_cast<double>(certain) / static_cast<double>(inputs); }
+};
+
+/// From 0 on a format of 10 bits has as many.
+inline constexpr std::size_t kMostNumbers = 512;
+
+/// The numbers of the format between two.
+inline std::vector<int> numbers(int bits, int least, int most) {
+  std::vector<int> result;
+  for (int x = least; x <= most; ++x) {
+    int odd = std::abs(x);
+    while (odd >= 1 << bits && odd % 2 == 0) odd /= 2;
+    if (odd < 1 << bits) result.push_back(x);
+  }
+  return result;
+}
+
+template <class Integer>
+struct Point {
+  Integer x, y, z;
+
+  bool is_even() const { return x % 2 == 0 && y % 2 == 0 && z % 2 == 0; }
+};
+
+inline std::vector<Point<int>> points(int bits, const std::array<int, 3>& most, bool reflected) {
+  std::vector<Point<int>> result;
+  const auto along = [&](std::size_t k) {
+    return numbers(bits, reflected ? 0 : -most[k], most[k]);
+  };
+  for (const int x : along(0)) {
+    for (const int y : along(1)) {
+      for (const int z : along(2)) result.push_back({x, y, z});
+    }
+  }
+  return result;
+}
+
+inline std::vector<Point<int>> directions(int bits, const Part& part) {
+  std::vector<Point<int>> all = points(bits, part.direction, true);
+  std::erase_if(all, [&](const Point<int>& d) {
+    return d.is_even() || (part.direction[2] == 0 && d.y > d.x);
+  });
+  std::size_t k = 0;
+  std::erase_if(all, [&](const Point<int>&) { return k++ % part.slices != part.slice; });
+  return all;
+}
+
+/// The class of every radius for a line, in integers: with m = a |T|^2 - b^2 the discriminant
+/// a r^2 - m is positive where r^2 > m/a, and that is where it is above the quotient's integer
+/// part.
+struct Truth {
+  std::int32_t most_missed, tangent, distance_sq;  ///< Of r^2; the second -1 where there is none.
+  std::int32_t ahead;                              ///< All bits where b >= 0, or none.
+
+  Truth(const Point<std::int64_t>& T, const Point<std::int64_t>& d) {
+    const std::int64_t a = d.x * d.x + d.y * d.y + d.z * d.z;
+    const std::int64_t b = T.x * d.x + T.y * d.y + T.z * d.z;
+    const std::int64_t T_sq = T.x * T.x + T.y * T.y + T.z * T.z, m = a * T_sq - b * b;
+    most_missed = static_cast<std::int32_t>(m / a);
+    tangent = m % a == 0 ? most_missed : -1;
+    distance_sq = static_cast<std::int32_t>(T_sq);
+    ahead = b >= 0 ? -1 : 0;
+  }
+};
+
+}  // namespace raycheck::fast
