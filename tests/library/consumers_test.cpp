@@ -6,6 +6,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -18,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Installed for each program run: ctest starts the tests one by one, several at a time.
+/// Installed once for all tests.
 class Consumers : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -37,12 +38,16 @@ class Consumers : public testing::Test {
     return fs::path(RAYCHECK_BUILD) / "tests" / name;
   }
 
-  /// Builds an example as its CMakeLists.txt says; the folder of the build.
+  /// An example, built once as its CMakeLists.txt says; the folder of the build.
   static fs::path built(const std::string& name, const std::string& options = "") {
-    const fs::path to = prefix() / "built" / (name + (options.empty() ? "" : "-options"));
-    const Ended made = build_example(prefix(), name, to, options);
-    EXPECT_EQ(made.code, 0) << made.text;
-    return to;
+    static std::map<std::string, fs::path> known;
+    const auto [its, is_new] = known.emplace(name + options, "");
+    if (is_new) {
+      its->second = prefix() / "built" / (name + "-" + std::to_string(known.size()));
+      const Ended made = build_example(prefix(), name, its->second, options);
+      EXPECT_EQ(made.code, 0) << made.text;
+    }
+    return its->second;
   }
 
   static std::size_t lines_of(const fs::path& path) {

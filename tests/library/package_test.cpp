@@ -1,12 +1,9 @@
 // The Debian packages: made of the build, unpacked where nothing was, and used as someone else
 // does.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/file.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -23,9 +20,7 @@ const std::vector<std::string> kPackages = {"raycheck", "libraycheck0", "librayc
 
 bool is_installed(const std::string& program) { return shell("command -v " + program).code == 0; }
 
-/// Packages of the build and a root that they are unpacked in, made once for all tests, which ctest
-/// starts one by one and several at a time: by the first, and by whoever finds them older than what
-/// they are made of.
+/// Packages of the build and a root that they are unpacked in, made once for all tests.
 class Package : public testing::Test {
  protected:
   static fs::path folder() { return fs::path(RAYCHECK_BUILD) / "tests/packages"; }
@@ -50,40 +45,12 @@ class Package : public testing::Test {
 
   static void SetUpTestSuite() {
     if (!can_be_made()) return;
-    fs::create_directories(folder());
-    const int lock = open((folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
-    flock(lock, LOCK_EX);
-    if (!fs::exists(folder() / "made") || fs::last_write_time(folder() / "made") < newest()) {
-      why_not_made() = make();
-    }
-    close(lock);
-  }
-
-  /// The newest of what packages are made of.
-  static fs::file_time_type newest() {
-    const fs::path source = RAYCHECK_SOURCE_DIR, build = RAYCHECK_BUILD;
-    std::vector<fs::path> paths = {build / "tools/raycheck",       build / "tools/raycheck-check",
-                                   build / "tools/raycheck-study", build / "tools/raycheck-grade",
-                                   build / "tools/raycheck-jail",  build / "tools/raycheck-worker",
-                                   build / "CPackConfig.cmake"};
-    for (const fs::path& below :
-         {source / "include", source / "examples", source / "share", source / "packaging",
-          source / "library/cmake", source / "tools/external/adapters", build / "tools/manual"}) {
-      for (const auto& entry : fs::recursive_directory_iterator(below)) paths.push_back(entry);
-    }
-    for (const auto& entry : fs::directory_iterator(build / "library")) {
-      if (entry.is_regular_file()) paths.push_back(entry);
-    }
-    fs::file_time_type latest = fs::file_time_type::min();
-    for (const fs::path& path : paths) latest = std::max(latest, fs::last_write_time(path));
-    return latest;
+    why_not_made() = make();
   }
 
   /// What went wrong; empty: nothing.
   static std::string make() {
-    for (const auto& entry : fs::directory_iterator(folder())) {
-      if (entry.path().filename() != "lock") fs::remove_all(entry);
-    }
+    fs::remove_all(folder());
     const std::string build = RAYCHECK_BUILD;
     const Ended made =
         shell("cpack --config '" + build + "/CPackConfig.cmake' -B '" +
@@ -96,9 +63,7 @@ class Package : public testing::Test {
     // them have is an error.
     const Ended unpacked = shell(as_root() + "dpkg --root='" + (folder() / "root").string() +
                                  "' --log=/dev/null --force-not-root --unpack " + all());
-    if (unpacked.code != 0) return unpacked.text;
-    std::ofstream(folder() / "made") << "in full\n";
-    return "";
+    return unpacked.code == 0 ? "" : unpacked.text;
   }
 
   static fs::path file_of(const std::string& package) {

@@ -153,10 +153,12 @@ std::vector<std::filesystem::path> documents() {
   return paths;
 }
 
-TEST(LongDocumentation, shows_what_the_program_prints) {
+/// Runs the commands of pages that `is_looked_at`, each once wherever it is shown.
+void expect_prints_what_is_shown(bool (*is_looked_at)(const std::string& path), int fewest) {
   int commands = 0;
-  std::map<std::string, std::vector<std::string>> printed;  // of a command, wherever it is shown
+  std::map<std::string, std::vector<std::string>> printed;
   for (const auto& page : documents()) {
+    if (!is_looked_at(page.string())) continue;
     for (const Shown& shown : shown_in(page, "console")) {
       if (shown.arguments == "test" || shown.arguments.rfind("bench", 0) == 0) continue;
       const auto [its, is_new] = printed.emplace(shown.arguments, std::vector<std::string>());
@@ -170,7 +172,18 @@ TEST(LongDocumentation, shows_what_the_program_prints) {
       ++commands;
     }
   }
-  EXPECT_GE(commands, 6);
+  EXPECT_GE(commands, fewest);
+}
+
+bool is_of_the_gallery(const std::string& path) { return has(path, "/docs/gallery/"); }
+
+// Suites of their own run beside each other.
+TEST(LongDocumentation, shows_what_the_program_prints) {
+  expect_prints_what_is_shown([](const std::string& path) { return !is_of_the_gallery(path); }, 6);
+}
+
+TEST(LongGallery, shows_what_the_program_prints) {
+  expect_prints_what_is_shown(is_of_the_gallery, 1);
 }
 
 constexpr std::size_t kMostPictureBytes = 100'000;  ///< Of a page; a clone has them all.
@@ -337,16 +350,16 @@ void expect_session(const std::filesystem::path& page, std::size_t fewest) {
   }
 }
 
-TEST(LongDocumentation, instructors_get_from_an_empty_folder_to_a_graded_class) {
+TEST(LongGradingSession, instructors_get_from_an_empty_folder_to_a_graded_class) {
   if (!is_installed("node")) GTEST_SKIP() << "Node is not installed, which runs ella";
   expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/grading.md", 8);
 }
 
-TEST(LongDocumentation, campaigns_are_kept_shared_and_merged) {
+TEST(LongCampaignsSession, campaigns_are_kept_shared_and_merged) {
   expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/campaigns.md", 11);
 }
 
-TEST(LongDocumentation, students_check_three_functions_by_one_command) {
+TEST(LongStudentsSession, students_check_three_functions_by_one_command) {
   expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/students.md", 4);
 }
 

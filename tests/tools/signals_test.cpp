@@ -95,6 +95,25 @@ void write_scene(const std::string& path, int side, int spheres) {
   }
 }
 
+/// What command lines read, for all of them.
+struct ReadByLines {
+  TestFolder folder;
+  std::string big = folder.path() / "big.toml", many = folder.path() / "many.toml",
+              units = folder.path() / "units";
+
+  static const ReadByLines& once() {
+    static const ReadByLines its;
+    return its;
+  }
+
+ private:
+  ReadByLines() {
+    write_scene(big, 30000, 3);
+    write_scene(many, 4096, 5000);
+    run("properties --filter frame --cases 50 --shard 1/1 --out " + units, 0);
+  }
+};
+
 /// Moments that differ from line to line; RAYCHECK_SIGNAL_SEED gives others.
 double moment(std::size_t line, int signal) {
   const char* const seed = std::getenv("RAYCHECK_SIGNAL_SEED");
@@ -107,20 +126,14 @@ class HostileSignals : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_nothing_left_behind) {
   const Line& line = lines()[GetParam()];
-  const TestFolder scenes;
-  const std::string big = scenes.path() / "big.toml", many = scenes.path() / "many.toml";
-  write_scene(big, 30000, 3);
-  write_scene(many, 4096, 5000);
+  const ReadByLines& scenes = ReadByLines::once();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TestFolder temporary, written;
     std::vector<std::string> arguments = line.arguments;
     for (std::string& word : arguments) {
-      if (word == "BIG") word = big;
-      if (word == "MANY") word = many;
-      if (word == "UNITS") {
-        word = scenes.path() / "units";
-        run("properties --filter frame --cases 50 --shard 1/1 --out " + word);
-      }
+      if (word == "BIG") word = scenes.big;
+      if (word == "MANY") word = scenes.many;
+      if (word == "UNITS") word = scenes.units;
       if (word.rfind("OUT", 0) == 0) word = written.path() / word;
     }
     if (line.is_json) arguments.insert(arguments.end(), {"--format", "json"});
@@ -201,7 +214,7 @@ constexpr std::uint64_t kMemory = std::uint64_t{1} << 30;
 #endif
 
 /// An interrupt comes after so long, where work does not end before.
-constexpr double kSeconds = 1;
+constexpr double kSeconds = 0.5;
 
 LimitedOutcome run_in_memory(const std::vector<std::string>& arguments) {
   return run_limited(arguments, {.signal = SIGINT, .signal_after = kSeconds, .memory = kMemory});

@@ -42,7 +42,7 @@ TEST(Renderer, whose_colours_are_dimmed_still_has_its_mask_judged) {
 
 TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
   const auto expect_said = [](const std::string& mistake, const std::string& what) {
-    const json report = judged(kProbeScene, renderer(mistake), "--timeout 2");
+    const json report = judged(kProbeScene, renderer(mistake), "--timeout 1");
     EXPECT_GT(report["discrepancies"], 0);
     expect_parts(report["worst"].dump(), {what});
   };
@@ -51,13 +51,13 @@ TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
   expect_said("huge", "its picture has 8192 x 8192 pixels, the scene 40 x 26");
   expect_said("half", "its PPM has a word that is no number, or ends");
   expect_said("crash", "exited with 1");
-  expect_said("hang", "did not end, and computed next to nothing for 2 s");
+  expect_said("hang", "did not end, and computed next to nothing for 1 s");
   expect_said("link", "its picture {image} is no file");
 }
 
 /// A campaign on a renderer, right or wrong.
 Outcome tried(const std::string& built, const std::string& more) {
-  return run("properties --filter image --cases 40 " + more + " --candidate 'renderer:" + built +
+  return run("properties --filter image --cases 12 " + more + " --candidate 'renderer:" + built +
              " {scene} {image}'");
 }
 
@@ -73,7 +73,7 @@ TEST(Renderer, keeps_the_law_of_images_or_is_tried_on_the_other_sources_and_told
   for (const json& part : campaign["parts"]) EXPECT_FALSE(part["replay"].is_null()) << part.dump(2);
   ASSERT_EQ(campaign["explanations"].size(), 1u) << campaign["explanations"].dump(2);
   EXPECT_GE(campaign["explanations"][0]["wrong"], 3);
-  const Outcome words = tried(built, sources + "--image-change 1e-5");
+  const Outcome words = tried(built, "--source course --image-change 1e-5");
   EXPECT_EQ(words.exit_code, 1);
   expect_parts(words.out, {"columns are mirrored: ", "{image}' --image-change 1e-05 --replay '"});
 }

@@ -22,21 +22,23 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kTracer = "source:tests/candidates/float_tracer.cpp";
-const std::string kTextbook = "source:tests/candidates/float_quadratic.cpp";
+const std::string& float_tracer() { return compiled("tests/candidates/float_tracer.cpp"); }
+const std::string& float_textbook() { return compiled("tests/candidates/float_quadratic.cpp"); }
 
 TEST(SinglePrecision, passes_all_laws_where_floats_are_good_of_their_kind) {
-  const std::string said = run("properties --cases 300 --candidate " + kTracer, 0).out;
-  EXPECT_FALSE(has(said, "0 comparisons, 300 left out"));
+  const std::string said =
+      run("properties --cases 100 --candidate source:tests/candidates/float_tracer.cpp", 0).out;
+  EXPECT_FALSE(has(said, "0 comparisons, 100 left out"));
 }
 
 TEST(SinglePrecision, tells_a_textbook_formula_in_its_own_units) {
-  const json campaign = report_of("properties --filter parameter", kTextbook, 1)["campaigns"][0];
+  const json campaign =
+      report_of("properties --filter parameter", float_textbook(), 1)["campaigns"][0];
   EXPECT_EQ(campaign["finding"], "broken");
   EXPECT_EQ(campaign["precision"], "single");
   EXPECT_EQ(campaign["quantities"][0]["unit"], "ulp of float");
   // Its class holds on what is far from the limits of floats.
-  report_of("properties --filter class --source rays", kTextbook, 0);
+  report_of("properties --filter class --source rays", float_textbook(), 0);
 }
 
 TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_says_so) {
@@ -44,14 +46,14 @@ TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_sa
                                            "[[ray]]\norigin = [0, 0.1, 0]\ndirection = [1, 0, 0]\n"
                                            "[[sphere]]\ncentre = [3, 0.1, 0.3]\nradius = 0.7\n");
   // Beside a candidate in doubles each is judged on what it was asked.
-  const json both = report_of("check " + scene + " --rays direct", kTracer, 0)["candidates"];
+  const json both = report_of("check " + scene + " --rays direct", float_tracer(), 0)["candidates"];
   ASSERT_EQ(both.size(), 2u);
   EXPECT_EQ(both[0]["precision"], "double");
   EXPECT_EQ(both[0]["rounded_numbers"], 0);
   EXPECT_EQ(both[1]["rounded_numbers"], 4);
   EXPECT_LT(quantity_of(both[1]["quantities"], "parameter")["max"], 4);
   expect_parts(
-      run("check " + scene + " --candidate " + kTracer).out,
+      run("check " + scene + " --candidate " + float_tracer()).out,
       {"4 numbers of the scene are no floats: asked and judged on the scene rounded to floats"});
 }
 
@@ -59,7 +61,7 @@ TEST(SinglePrecision, is_not_judged_where_floats_cannot_hold_the_scene) {
   const std::string scene = temporary_file("wide.toml",
                                            "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
                                            "[[sphere]]\ncentre = [1e60, 0, 0]\nradius = 1\n");
-  const Outcome words = run("check " + scene + " --candidate " + kTracer, 4);
+  const Outcome words = run("check " + scene + " --candidate " + float_tracer(), 4);
   expect_parts(words.out, {"not judged here: rounded to floats: 1e+60 leaves their range"});
 }
 
@@ -70,7 +72,8 @@ TEST(SinglePrecision, has_certificates_that_hold) {
                                            "[[sphere]]\ncentre = [300, 30, 0.3]\nradius = 0.7\n"
                                            "[[sphere]]\ncentre = [3, 0, 0.3]\nradius = 0.5\n");
   const std::string proofs = temporary_file("proofs", "");
-  const json report = judged(scene, kTextbook, "--max-ulp 0 --top 50 --certificates " + proofs);
+  const json report =
+      judged(scene, float_textbook(), "--max-ulp 0 --top 50 --certificates " + proofs);
   EXPECT_GT(report["discrepancies"], 3);
   const Outcome verified = run_python("tools/verify_certificates.py " + proofs, 0);
   expect_parts(verified.out, {"confirmed"});
@@ -124,7 +127,7 @@ void expect_floats(const std::string& toml) {
 
 TEST(OwnUnits, AreThoseOfStress) {
   const std::string distance = "stress --family distance --severity 0..2 --cases 40";
-  const json good = report_of(distance, kTracer, 0)["families"][0]["methods"][0];
+  const json good = report_of(distance, float_tracer(), 0)["families"][0]["methods"][0];
   EXPECT_EQ(good["precision"], "single");
   EXPECT_EQ(good["bounds_of"], "direct/cross");
   EXPECT_EQ(good["first_failing"], nullptr);
@@ -134,16 +137,16 @@ TEST(OwnUnits, AreThoseOfStress) {
     EXPECT_LT(s["median"], 4);
     EXPECT_EQ(quantity_of(severity["inside"], "backward error")["unit"], "u of float");
   }
-  const json bad = report_of("stress --family distance --severity 0..4 --cases 40", kTextbook,
-                             1)["families"][0]["methods"][0];
+  const json bad = report_of("stress --family distance --severity 0..4 --cases 40",
+                             float_textbook(), 1)["families"][0]["methods"][0];
   EXPECT_GT(bad["max_ratio"], 16);
   const json s = quantity_of(bad["severities"].back()["inside"], "parameter");
   EXPECT_EQ(s["unit"], "ulp of float");
   EXPECT_GT(s["max"], 88);
   EXPECT_LT(s["max"], 1e8);  // there are no more than 2^24 of them in s
   // Its rays, too, of cameras rounded to floats.
-  const json rays = report_of("stress --family far-camera --severity 0..1 --cases 20", kTracer,
-                              0)["families"][0]["methods"];
+  const json rays = report_of("stress --family far-camera --severity 0..1 --cases 20",
+                              float_tracer(), 0)["families"][0]["methods"];
   ASSERT_EQ(rays.size(), 2u);
   for (const json& stage : rays) {
     const bool makes_rays = stage["stage"] == "rays";
@@ -157,34 +160,35 @@ TEST(OwnUnits, AreThoseOfStress) {
 TEST(OwnUnits, OfDoublesDoNotChangeBesideFloats) {
   const std::string stress = "stress --family distance --severity 1 --cases 20 --method cross";
   const Outcome alone = run(stress + " --format json");
-  const json beside = report_of(stress, kTracer, 0)["families"][0]["methods"];
+  const json beside = report_of(stress, float_tracer(), 0)["families"][0]["methods"];
   EXPECT_EQ(json::parse(alone.out)["families"][0]["methods"][0], beside[0]);
   EXPECT_EQ(beside[0]["precision"], "double");
   EXPECT_EQ(beside[1]["precision"], "single");
-  expect_parts(run(stress + " --candidate " + kTracer).out,
+  expect_parts(run(stress + " --candidate " + float_tracer()).out,
                {"judged in single precision: u = 2^-24, ulp of float", "ulp of float\n"});
 }
 
 TEST(OwnUnits, LeaveOutWhatFloatsCannotHoldAndCountIt) {
   const std::string scale = "stress --family scale --cases 10";
-  const json method = report_of(scale, kTracer, 0)["families"][0]["methods"].back();
+  const json method = report_of(scale, float_tracer(), 0)["families"][0]["methods"].back();
   EXPECT_GT(method["severities"].back()["left_out"], 0);
   EXPECT_EQ(method["severities"][0]["left_out"], 0);
-  expect_parts(run(scale + " --candidate " + kTracer).out,
+  expect_parts(run(scale + " --candidate " + float_tracer()).out,
                {"left out, whose numbers floats cannot hold"});
 }
 
 TEST(OwnUnits, AreThoseOfWorst) {
   const std::string few = "worst --cases 60 --steps 200 --family ";
-  const json good = report_of(few + "distance", kTracer, 0);
+  const json good = report_of(few + "distance", float_tracer(), 0);
   EXPECT_EQ(good["unit"], "ulp of float");
   EXPECT_EQ(good["precision"], "single");
   EXPECT_GT(good["error"], 0.5);
   EXPECT_LT(good["error"], 88);
   expect_floats(good["scene"]);
   EXPECT_EQ(good["discrepancy"]["unit"], "ulp of float");
-  EXPECT_EQ(report_of(few + "cameras --quantity direction", kTracer, 0)["unit"], "u of float");
-  const json bad = report_of(few + "distance@4", kTextbook, 1);
+  EXPECT_EQ(report_of(few + "cameras --quantity direction", float_tracer(), 0)["unit"],
+            "u of float");
+  const json bad = report_of(few + "distance@4", float_textbook(), 1);
   EXPECT_GT(bad["error"], 88);
   EXPECT_EQ(bad["outcome"], "unstable");
   expect_floats(bad["scene"]);
@@ -192,23 +196,23 @@ TEST(OwnUnits, AreThoseOfWorst) {
 
 TEST(OwnUnits, AreThoseOfTradeoff) {
   const std::string arguments = "tradeoff --family distance@4 --cases 60 --method cross";
-  const json report = report_of(arguments, kTextbook, 0);
+  const json report = report_of(arguments, float_textbook(), 0);
   const json& mine = report["intersections"][1];
   EXPECT_EQ(quantity_of(mine["inside"], "parameter")["unit"], "ulp of float");
   EXPECT_EQ(mine["unstable_on"], json::array({"distance@4"}));
   EXPECT_EQ(report["intersections"][0]["precision"], "double");
-  const json good = report_of(arguments, kTracer, 0)["intersections"][1];
+  const json good = report_of(arguments, float_tracer(), 0)["intersections"][1];
   EXPECT_EQ(good["unstable_on"], json::array());
   EXPECT_LT(quantity_of(good["inside"], "parameter")["max"], 16);
   expect_parts(
-      run(arguments + " --candidate " + kTracer).out,
+      run(arguments + " --candidate " + float_tracer()).out,
       {"\nintersections\n", "\nintersections, in single precision\n", "median ulp of float",
        "backward u of float", "u and ulp are those of float, 2^29 times those of double"});
 }
 
 /// It ends where it is asked anything but floats.
 TEST(OwnUnits, AreAskedAboutFloatsAlone) {
-  const std::string source = temporary_file("floats_alone.cpp", R"(
+  const std::string& library = compiled(temporary_file("floats_alone.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <unistd.h>
 #include <initializer_list>
@@ -221,7 +225,7 @@ static std::optional<Hit> intersect(const Ray& r, const Sphere& s, const Convent
   return {};
 }
 RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single)
-)");
+)"));
 
   const std::string picture = temporary_file("floats.png", "");
   const std::string scene = "scene/examples/ten-spheres.toml";
@@ -231,7 +235,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single)
         std::string("worst --family distance --cases 20 --steps 40"),
         "tradeoff --cases 40 --method direct,cross" + kUnkept, "explain " + scene + " --pixel 3,4",
         "image " + scene + " --what error --out " + picture}) {
-    const Outcome outcome = run(command + " --candidate source:" + source + " --format json");
+    const Outcome outcome = run(command + " --candidate " + library + " --format json");
     EXPECT_FALSE(has(outcome.out, "exited with 3")) << command << outcome.out;
     EXPECT_TRUE(json::accept(outcome.out)) << command << outcome.err;
     if (command.starts_with("tradeoff")) {
@@ -245,22 +249,22 @@ RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single)
 TEST(OwnUnits, AreThoseOfExplain) {
   const std::string far = "explain --ray 0,0.1,0,1,0,0 --sphere 3000,0.1,0.3,0.7";
   const std::string near = "explain --ray 0,0.1,0,1,0,0 --sphere 3,0.1,0.3,0.7";
-  const json good = report_of(near, kTracer, 0);
+  const json good = report_of(near, float_tracer(), 0);
   EXPECT_EQ(good["rounded_numbers"], 4);
   const json& mine = good["methods"].back();
   EXPECT_EQ(mine["unit"], "ulp of float");
   EXPECT_LT(mine["ulp_error"], 4);
   EXPECT_EQ(mine["steps"][1]["unit"], "u of float");
   EXPECT_EQ(good["methods"][0]["unit"], "ulp");
-  const json bad = report_of(far, kTextbook, 1)["methods"].back();
+  const json bad = report_of(far, float_textbook(), 1)["methods"].back();
   EXPECT_EQ(bad["goes_wrong_at"], "s");
   EXPECT_GT(bad["ulp_error"], 88);
   EXPECT_LT(bad["ulp_error"], 1e8);
-  expect_parts(run(near + " --candidate " + kTracer).out,
+  expect_parts(run(near + " --candidate " + float_tracer()).out,
                {"4 numbers of the scene are no floats", " ulp of float\n"});
   // Of a camera: every step that it offers.
-  const json pixel =
-      report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2", kTracer, 0);
+  const json pixel = report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2",
+                               float_tracer(), 0);
   for (const json& step : pixel["ray_methods"].back()["steps"]) {
     EXPECT_EQ(step["unit"], "u of float");
     EXPECT_LT(step["error"], 16) << step;
@@ -271,15 +275,15 @@ TEST(OwnUnits, AreThoseOfPicturesOfErrors) {
   const std::string picture = temporary_file("floats.png", "");
   const std::string scene = "scene/examples/ten-spheres.toml";
   const std::string image = "image " + scene + " --what error --out " + picture;
-  const json good = report_of(image, kTracer, 0)["error"];
+  const json good = report_of(image, float_tracer(), 0)["error"];
   EXPECT_EQ(good["unit"], "ulp of float");
   const json& steps = good["steps"];
   EXPECT_EQ(steps.back()["pixels"], 0);
   EXPECT_EQ(steps[steps.size() - 2]["pixels"], 0);  // up to 65536
   EXPECT_GT(steps[0]["pixels"].get<int>() + steps[1]["pixels"].get<int>(), 0);
-  expect_parts(run(image + " --candidate " + kTracer).out, {"up to 0.5 ulp of float"});
+  expect_parts(run(image + " --candidate " + float_tracer()).out, {"up to 0.5 ulp of float"});
   // Who makes no rays is given raycheck's, rounded to floats.
-  const json textbook = report_of(image, kTextbook, 0)["error"];
+  const json textbook = report_of(image, float_textbook(), 0)["error"];
   EXPECT_EQ(textbook["failed"]["pixels"], 0);
   EXPECT_EQ(textbook["steps"].back()["pixels"], 0);
 }

@@ -120,22 +120,22 @@ TEST(ValidRoots, are_followed_in_cpp) {
   const std::string scene = temporary_file(
       "cull.toml", "[conventions]\nculling = \"front-faces\"\nt_max = 4\n" + kThreeRays);
   const auto source = [](const std::string& name, const std::string& end) {
-    return temporary_file(name, R"(
+    return compiled(temporary_file(name, R"(
 #include <raycheck/candidate.hpp>
 using namespace raycheck;
 std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions& by) {
   const double x = s.centre.x - ray.origin.x;
   const double first = x + (by.valid.culling == Culling::front_faces ? s.radius : -s.radius);
-  if (first < by.valid.t_min || !(first )" +
-                                    end + R"( by.valid.t_max)) return {};
+  if (first < by.valid.t_min || !(first )" + end +
+                                             R"( by.valid.t_max)) return {};
   return Hit{first, {ray.origin.x + first, 0, 0}};
 }
 RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)
-)");
+)"));
   };
   const std::string right = source("right.cpp", "<="), wrong = source("wrong.cpp", "<");
-  EXPECT_EQ(judged(scene, "source:" + right)["discrepancies"], 0);
-  expect_off_at_the_ends(scene, "source:" + wrong);
+  EXPECT_EQ(judged(scene, right)["discrepancies"], 0);
+  expect_off_at_the_ends(scene, wrong);
 }
 
 /// >= for > at an end: a defect that no witness excuses, in doubles as in floats.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -49,58 +50,62 @@ void PrintTo(const Sharded& one, std::ostream* out) { *out << one.name; }
 
 const std::vector<Sharded> kSharded = {
     {"properties",
-     "properties --level extreme --intersect quadratic --intersect cross --filter r --cases 150 "
+     "properties --level extreme --intersect quadratic --intersect cross --filter r --cases 60 "
      "--keep-going 3 --target rho",
      1},
     {"properties_someone_elses",
-     "properties --candidate source:tests/candidates/float_quadratic.cpp --filter class --cases "
-     "100 "
-     "--level extreme",
-     1},
-    {"stress", "stress --family distance,far-camera --cases 150 --severity 2..4", 1},
+     "properties --candidate FLOATS --filter class --cases 60 --level extreme", 1},
+    {"stress", "stress --family distance,far-camera --cases 80 --severity 2..4", 1},
     {"worst", "worst --method cross --family distance --cases 40 --steps 40 --searches 9", 0},
     {"check", "check FAR --intersect lecture --pixels 9000", 1}};
 
-/// The command line, with a scene of some units in place of FAR.
-std::string with_scene(std::string asked) {
-  std::string text = contents(RAYCHECK_SOURCE_DIR "/scene/examples/far-sphere.toml");
-  for (const char* size : {"width = 16", "height = 16"}) {
-    text.replace(text.find(size), std::string(size).size(), std::string(size) + "0");
+class ShardsOf : public testing::TestWithParam<Sharded> {
+ protected:
+  /// The command line, with a scene of some units in place of FAR, and a library in that of FLOATS.
+  static std::string asked() {
+    std::string line = GetParam().asked;
+    const auto put = [&](const std::string& word, const auto& what) {
+      if (const std::size_t at = line.find(word); at != line.npos)
+        line.replace(at, word.size(), what());
+    };
+    put("FAR", [] { return resized_example("far-sphere.toml", 160); });
+    put("FLOATS", [] { return compiled("tests/candidates/float_quadratic.cpp"); });
+    return line;
   }
-  const std::size_t at = asked.find("FAR");
-  return at == std::string::npos ? asked : asked.replace(at, 3, temporary_file("far.toml", text));
-}
-
-class ShardsOf : public testing::TestWithParam<Sharded> {};
+  /// What one run of it reports.
+  static const std::string& whole() {
+    static std::map<std::string, std::string> known;
+    std::string& its = known[GetParam().name];
+    if (its.empty()) its = run(asked() + " --format json", GetParam().exit_code).out;
+    return its;
+  }
+};
 
 /// By any number of workers, in any order, some units twice.
 TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
   const auto& [name, line, exit_code] = GetParam();
-  const std::string asked = with_scene(line);
-  const std::string whole = run(asked + " --format json", exit_code).out;
   const std::string twice = fresh_folder(name + "_twice");
-  run(asked + " --shard 1/2 --out " + twice, 0);
+  run(asked() + " --shard 1/2 --out " + twice, 0);
   // What is done in units is one thing for all commands.
   const std::vector<int> workers =
-      name == "properties" ? std::vector<int>{1, 2, 3, 7, 64} : std::vector<int>{3};
+      name == "properties" ? std::vector<int>{1, 2, 7, 23} : std::vector<int>{3};
   for (const int of : workers) {
     const std::string folder = fresh_folder(fmt::format("{}_{}", name, of));
     for (int k = of; k >= 1; --k) {
-      const Outcome shard = run(fmt::format("{} --shard {}/{} --out {}", asked, k, of, folder), {});
+      const Outcome shard = run(fmt::format("{} --shard {}/{} --out {}", asked(), k, of, folder));
       ASSERT_EQ(shard.exit_code, of == 1 ? exit_code : 0) << shard.err;
       EXPECT_EQ(lines_of(shard.err).front(),
                 fmt::format("raycheck: shard {0} of {1} (--shard {0}/{1})", k, of));
     }
-    EXPECT_EQ(run(fmt::format("merge {} {} --format json", folder, twice), exit_code).out, whole)
+    EXPECT_EQ(run(fmt::format("merge {} {} --format json", folder, twice), exit_code).out, whole())
         << of;
-    EXPECT_EQ(run("merge --format json " + folder, exit_code).out, whole) << of;
+    EXPECT_EQ(run("merge --format json " + folder, exit_code).out, whole()) << of;
   }
 }
 
 /// Killed again and again, it goes on with what is missing.
 TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
   const auto& [name, line, exit_code] = GetParam();
-  const std::string asked = with_scene(line);
   const std::string folder = fresh_folder(name + "_killed");
   std::mt19937 random(7);
   std::size_t all = units_in(fresh_folder("none")).size();
@@ -110,7 +115,7 @@ TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
     if (child == 0) {
       execl("/bin/sh", "sh", "-c",
             fmt::format("cd {} && exec {} {} --threads 1 --out {} >/dev/null 2>&1",
-                        RAYCHECK_SOURCE_DIR, RAYCHECK_BINARY, asked, folder)
+                        RAYCHECK_SOURCE_DIR, RAYCHECK_BINARY, asked(), folder)
                 .c_str(),
             nullptr);
       _exit(127);
@@ -127,8 +132,8 @@ TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
     all = units_in(folder).size();
   }
   EXPECT_GT(all, 0u);
-  run(asked + " --out " + folder, exit_code);
-  EXPECT_EQ(run("merge " + folder, exit_code).out, run(asked, exit_code).out);
+  run(asked() + " --out " + folder, exit_code);
+  EXPECT_EQ(run("merge --format json " + folder, exit_code).out, whole());
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, ShardsOf, testing::ValuesIn(kSharded),
@@ -242,8 +247,8 @@ TEST_F(Merge, takes_no_options_of_reports_from_a_folder) {
 /// A candidate that hangs on some cases: whatever was asked before, and by however many threads.
 TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
   const std::string asked =
-      "properties --candidate 'command:python3 tests/candidates/sometimes_silent.py' --timeout 1 "
-      "--filter class --source rays --source distance --source tangency --cases 400 --format json";
+      "properties --candidate 'command:python3 tests/candidates/sometimes_silent.py' "
+      "--timeout 0.5 --filter class --source rays --source distance --cases 100 --format json";
   const std::string whole = run(asked + " --threads 1", 1).out;
   EXPECT_EQ(run(asked + " --threads 3", 1).out, whole);
   const std::string folder = fresh_folder("silent");
@@ -251,7 +256,8 @@ TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
   EXPECT_EQ(run("merge --format json " + folder, 1).out, whole);
 }
 
-/// Each request without a reply takes a second: laws in tens, sources in tens, and a few requests.
+/// Each request without a reply takes all of its time: laws in tens, sources in tens, and a few
+/// requests.
 TEST(Shards, ask_who_never_replies_a_few_times) {
   const std::string starts = fresh_folder("starts");
   const std::string hangs = temporary_file(
@@ -259,7 +265,7 @@ TEST(Shards, ask_who_never_replies_a_few_times) {
                       "', 'a').write('x')\ndef intersect(*asked):\n    while True: pass\n"
                       "rc.run('hangs', intersect=intersect)\n");
   const std::string asked = "properties --candidate 'command:python3 " + hangs +
-                            "' --sandbox none --i-know --timeout 1 --threads ";
+                            "' --sandbox none --i-know --timeout 0.3 --threads ";
   const std::string by_one = run(asked + "1", 1).out;
   EXPECT_TRUE(has(by_one, "answers nothing: intersect: "));
   EXPECT_LE(contents(starts).size(), 12u);  // a process for each

@@ -90,17 +90,17 @@ TEST_P(HostileProcess, LeavesNothingBehindThatRuns) {
 
 TEST_P(HostileProcess, LeavesNothingBehindThatStartsAnotherAndEnds) {
   // Whoever is looked at has ended. What is left after three seconds waits to be counted.
-  const std::string mark = std::to_string(920000000 + getpid());
-  const std::string hops =
-      "for k in range(4):\n  if os.fork() == 0:\n    os.setsid()\n    end = time.time() + 3\n"
-      "    while time.time() < end:\n      if os.fork() != 0: os._exit(0)\n"
-      "    os.execvp('sleep', ['" +
-      mark + "', '9'])\ntime.sleep(0.2)\n";
-  for (const char* end : {"", "time.sleep(60)"}) {
-    words_of(python_renderer(hops + end), std::string("--timeout 1 ") + GetParam());
-    std::this_thread::sleep_for(std::chrono::seconds(4));
-    EXPECT_EQ(processes_with(mark).size(), 0u) << end;
+  const auto mark = [](int k) { return std::to_string(920000000 + 2 * getpid() + k); };
+  const std::string ends[] = {"", "time.sleep(60)"};
+  for (int k = 0; k < 2; ++k) {
+    words_of(python_renderer("for k in range(4):\n  if os.fork() == 0:\n    os.setsid()\n"
+                             "    end = time.time() + 3\n    while time.time() < end:\n"
+                             "      if os.fork() != 0: os._exit(0)\n    os.execvp('sleep', ['" +
+                             mark(k) + "', '9'])\ntime.sleep(0.2)\n" + ends[k]),
+             std::string("--timeout 1 ") + GetParam());
   }
+  std::this_thread::sleep_for(std::chrono::seconds(4));
+  for (int k = 0; k < 2; ++k) EXPECT_EQ(processes_with(mark(k)).size(), 0u) << ends[k];
 }
 
 TEST_P(HostileProcess, IsNotHeardForLongerThanItsTime) {
