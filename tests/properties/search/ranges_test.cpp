@@ -286,7 +286,7 @@ std::optional<Case> far_failure(const Candidate& candidate, std::uint64_t seed) 
   return failure->shrunk;
 }
 
-TEST(CertifiedRanges, BreakTheLawAtEveryOneOfAThousandNumbers) {
+TEST(CertifiedRanges, BreakTheLawAtEveryNumberTried) {
   Random random(1);
   int certified = 0, whole = 0;
   for (const auto* method : {&fast::kLecture, &fast::kQuadratic, &fast::kStableQuadratic}) {
@@ -300,7 +300,7 @@ TEST(CertifiedRanges, BreakTheLawAtEveryOneOfAThousandNumbers) {
         whole += range.certified == range.span ? 1 : 0;
         EXPECT_GE(range.certified->least, range.span.least);
         EXPECT_LE(range.certified->greatest, range.span.greatest);
-        EXPECT_EQ(count_right(candidate, *method, *shrunk, range, 1000, random), 0)
+        EXPECT_EQ(count_right(candidate, *method, *shrunk, range, 200, random), 0)
             << method->name << ", " << range.name;
       }
     }
