@@ -84,6 +84,7 @@ fi
 ln -s "$(type -P true)" bin/cmake
 ln -s "$(type -P echo)" build/release/tools/raycheck
 PATH=$PWD/bin ./run check scene.toml
+eval "${then:-}"
 )bash";
 
 Outcome run_without_apt(const std::string& setting, int exit_code) {
@@ -98,6 +99,36 @@ TEST(RunScript, names_the_packages_where_nothing_installs_them_and_goes_on_where
   const Outcome result = run_without_apt("export RAYCHECK_PACKAGES=have", 0);
   EXPECT_EQ(result.out, "check scene.toml\n");
   EXPECT_EQ(result.err, "building for the first time: a few minutes\n");
+}
+
+TEST(RunScript, asks_nothing_until_something_of_the_program_changes) {
+  // A CMake that leaves a file behind where it is asked, and changes after each of which the
+  // program is run.
+  const Outcome result = run_without_apt(R"bash(export RAYCHECK_PACKAGES=have
+more="chmod find rm sleep touch"
+then='
+PATH=$PWD/bin
+rm bin/cmake
+printf "#!/bin/bash\n: >asked\n" >bin/cmake
+mkdir scene reference fast properties proofs library include
+touch CMakeLists.txt CMakePresets.json build/release/tools/raycheck-check build/release/build.ninja
+chmod +x bin/cmake build/release/tools/raycheck-check
+for change in : : "touch scene/new.cpp" : "touch packages.txt" "rm scene/new.cpp" \
+  "rm build/release/raycheck-check.built" :; do
+  sleep 0.02
+  $change
+  ./run check >&2
+  answer=nothing
+  [ ! -f asked ] || answer=CMake
+  [ ! -f asked ] || rm asked
+  echo "$change: $answer"
+done'
+)bash",
+                                         0);
+  EXPECT_EQ(result.out,
+            "check scene.toml\n:: CMake\n:: nothing\ntouch scene/new.cpp: CMake\n:: nothing\n"
+            "touch packages.txt: CMake\nrm scene/new.cpp: CMake\n"
+            "rm build/release/raycheck-check.built: CMake\n:: nothing\n");
 }
 
 TEST(RunScript, takes_an_older_package_for_none_where_it_holds_less) {
