@@ -236,7 +236,7 @@ TEST(Candidate, in_JavaScript_offers_all_that_one_in_Python_does) {
 
 TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
   const std::string candidate = "--candidate 'command:python3 tests/candidates/right.py'";
-  run("properties --filter nearest-root --source rays --cases 30 " + candidate, 0);
+  run("properties --filter nearest-root --source rays --cases 60 " + candidate, 0);
   const Outcome broken =
       run("properties --filter class --source direction-length --level extreme --cases 200 " +
               candidate,

@@ -106,8 +106,7 @@ TEST(FailingCandidate, that_fails_for_no_question_is_told_so) {
 }
 
 TEST(FailingCandidate, that_is_silent_is_not_waited_for_without_end) {
-  const json report = judged("scene/examples/lecture-examples.toml", fails_by("hang all"),
-                             "--timeout 0.5 --top 100");
+  const json report = judged(kTenSpheres, fails_by("hang all"), "--timeout 0.5 --top 100");
   EXPECT_EQ(cases(report, "class"), 0);
   EXPECT_EQ(blaming(report, "question").size(), 1u);
   EXPECT_EQ(blaming(report, "anything").size(), 1u);
