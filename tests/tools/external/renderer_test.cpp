@@ -57,7 +57,7 @@ TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
 
 /// A campaign on a renderer, right or wrong.
 Outcome tried(const std::string& built, const std::string& more) {
-  return run("properties --filter image --cases 12 " + more + " --candidate 'renderer:" + built +
+  return run("properties --filter image --cases 40 " + more + " --candidate 'renderer:" + built +
              " {scene} {image}'");
 }
 

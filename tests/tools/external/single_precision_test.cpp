@@ -27,7 +27,7 @@ const std::string& float_textbook() { return compiled("tests/candidates/float_qu
 
 TEST(SinglePrecision, passes_all_laws_where_floats_are_good_of_their_kind) {
   const std::string said =
-      run("properties --cases 100 --candidate source:tests/candidates/float_tracer.cpp", 0).out;
+      run("properties --cases 300 --candidate source:tests/candidates/float_tracer.cpp", 0).out;
   EXPECT_FALSE(has(said, "0 comparisons, 100 left out"));
 }
 
