@@ -54,7 +54,7 @@ const std::vector<Sharded> kSharded = {
      "--keep-going 3 --target rho",
      1},
     {"properties_someone_elses",
-     "properties --candidate FLOATS --filter class --cases 60 --level extreme", 1},
+     "properties --candidate FLOATS --filter class --cases 150 --level extreme", 1},
     {"stress", "stress --family distance,far-camera --cases 80 --severity 2..4", 1},
     {"worst", "worst --method cross --family distance --cases 40 --steps 40 --searches 9", 0},
     {"check", "check FAR --intersect lecture --pixels 9000", 1}};
