@@ -113,7 +113,10 @@ TEST_F(Consumers, AreAsThePageShowsThem) {
   EXPECT_EQ(shown, 3u);
 }
 
-TEST_F(Consumers, OfOtherFrameworksPassAndFail) {
+/// The same, each of which takes as long again.
+class NightlyConsumers : public Consumers {};
+
+TEST_F(NightlyConsumers, OfOtherFrameworksPassAndFail) {
   for (const auto& [framework, program, said] :
        {std::tuple("catch2", "tracer_test", "nearest-root/rays"),
         {"doctest", "tracer_test", "nearest-root/rays"},
@@ -136,7 +139,7 @@ void expect_far_root(const Ended& bad) {
   EXPECT_TRUE(has(bad.text, "[[sphere]]"));
 }
 
-TEST_F(Consumers, OfLibFuzzerSurviveAndFail) {
+TEST_F(NightlyConsumers, OfLibFuzzerSurviveAndFail) {
   if (shell("echo 'extern \"C\" int LLVMFuzzerTestOneInput() { return 0; }' | clang++ -x c++ "
             "-fsanitize=fuzzer -o /dev/null -")
           .code != 0) {
@@ -152,7 +155,7 @@ TEST_F(Consumers, OfLibFuzzerSurviveAndFail) {
 }
 
 /// The same entry, by the compiler that there is, on random bytes.
-TEST_F(Consumers, OfFuzzHSurviveAndFailOnRandomBytes) {
+TEST_F(NightlyConsumers, OfFuzzHSurviveAndFailOnRandomBytes) {
   const fs::path example = prefix() / "share/raycheck/examples/consumer-fuzz";
   const std::string program = (prefix() / "random_bytes").string();
   const std::string library = "$(find " + prefix().string() + " -name libraycheck.so.0)";
@@ -167,7 +170,7 @@ TEST_F(Consumers, OfFuzzHSurviveAndFailOnRandomBytes) {
 }
 
 /// How they are compiled touches no proof.
-TEST_F(Consumers, HaveTheSameTruthHoweverTheyAreCompiled) {
+TEST_F(NightlyConsumers, HaveTheSameTruthHoweverTheyAreCompiled) {
   const Ended plain = shell((built("consumer-exact") / "truth").string());
   EXPECT_EQ(plain.code, 0);
   EXPECT_TRUE(has(plain.text, "exactly"));

@@ -21,7 +21,7 @@ const std::vector<std::string> kPackages = {"raycheck", "libraycheck0", "librayc
 bool is_installed(const std::string& program) { return shell("command -v " + program).code == 0; }
 
 /// Packages of the build and a root that they are unpacked in, made once for all tests.
-class Package : public testing::Test {
+class NightlyPackage : public testing::Test {
  protected:
   static fs::path folder() { return fs::path(RAYCHECK_BUILD) / "tests/packages"; }
   static fs::path prefix() { return folder() / "root/usr"; }
@@ -92,7 +92,7 @@ class Package : public testing::Test {
   }
 };
 
-TEST_F(Package, HasWhatItIsFor) {
+TEST_F(NightlyPackage, HasWhatItIsFor) {
   const std::string programs = contents("raycheck"), library = contents("libraycheck0"),
                     development = contents("libraycheck-dev");
   for (const char* file :
@@ -116,7 +116,7 @@ TEST_F(Package, HasWhatItIsFor) {
   }
 }
 
-TEST_F(Package, NeedsWhatItIsLinkedWith) {
+TEST_F(NightlyPackage, NeedsWhatItIsLinkedWith) {
   for (const char* library : {"libgmp10 ", "libflint", "libstdc++6 ", "libc6 "}) {
     EXPECT_TRUE(has(field("libraycheck0", "Depends"), library));
     EXPECT_TRUE(has(field("raycheck", "Depends"), library));
@@ -130,7 +130,7 @@ TEST_F(Package, NeedsWhatItIsLinkedWith) {
   EXPECT_TRUE(has(control("libraycheck0", "triggers"), "ldconfig"));
 }
 
-TEST_F(Package, ServesConsumers) {
+TEST_F(NightlyPackage, ServesConsumers) {
   const fs::path to = folder() / "built/consumer-gtest";
   const Ended made = build_example(prefix(), "consumer-gtest", to);
   ASSERT_EQ(made.code, 0) << made.text;
@@ -143,7 +143,7 @@ TEST_F(Package, ServesConsumers) {
 }
 
 /// With the rubric, the headers and the adapters that lie beside it, and nothing of the sources.
-TEST_F(Package, HasAProgramThatJudgesAndSendsAnAutograder) {
+TEST_F(NightlyPackage, HasAProgramThatJudgesAndSendsAnAutograder) {
   const std::string raycheck = (prefix() / "bin/raycheck").string();
   const fs::path rubric = prefix() / "share/raycheck/rubrics/lecture7";
   const Ended judged =
@@ -167,7 +167,7 @@ TEST_F(Package, HasAProgramThatJudgesAndSendsAnAutograder) {
   EXPECT_TRUE(has(loaded.text, sent));
 }
 
-TEST_F(Package, GivesLintianNothingToSay) {
+TEST_F(NightlyPackage, GivesLintianNothingToSay) {
   if (!is_installed("lintian")) GTEST_SKIP() << "lintian is not installed";
   const Ended said = shell("lintian --allow-root --fail-on error,warning " + all());
   EXPECT_EQ(said.code, 0) << said.text;
