@@ -32,7 +32,7 @@ foreach(suite IN LISTS suites)
     if(shards)
       math(EXPR number "${shard} + 1")
       set(name "${suite} ${number} of ${shards}")
-      set(environment " ENVIRONMENT \"GTEST_TOTAL_SHARDS=${shards}\;GTEST_SHARD_INDEX=${shard}\"")
+      set(environment " ENVIRONMENT \"GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${shard}\"")
     endif()
     string(APPEND tests "add_test([==[${name}]==] bash ${CMAKE_CURRENT_LIST_DIR}/timed.sh ${PROGRAM} --gtest_filter=${suite}.*)\n"
       "set_tests_properties([==[${name}]==] PROPERTIES LABELS \"${labels}\"${environment})\n")
