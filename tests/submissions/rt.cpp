@@ -1,8 +1,7 @@
 // A student's finished renderer in C++, right as it stands: rt DRIVER IMAGE reads a driver file of
 // dialect B and writes a PPM (P3), the top line first, by ambient light alone. A first line
-// `#define MISTAKE u_flipped` makes it wrong in the one way of that name, `#define ALSO mirrored`
-// in another, too, `#define BOUNDS 0, 2, 1, 3` reads left, right, bottom and top from those places,
-// and `#define NUMBER float` computes all in floats.
+// `#define MISTAKE u_flipped` makes it wrong in the one way of that name, `#define NUMBER float`
+// computes all in floats.
 
 #include <algorithm>
 #include <cmath>
@@ -35,27 +34,18 @@ namespace {
       bottom_first, size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, \
       epsilon, whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind,  \
       lines_for_columns, lines_from_the_last, whole_view, whole_d, least_size_wins,              \
-      largest_distance
+      largest_distance, crossed_bounds, normalize_discarded_and_upside_down
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
-bool has(Mistake mistake) {
-  static const auto made = static_cast<Mistake>(PLACE_BY_NAME(MISTAKES));
-  return mistake == made;
-}
+const auto kMade = static_cast<Mistake>(PLACE_BY_NAME(MISTAKES));
 #else
-#ifndef ALSO
-#define ALSO none
+constexpr Mistake kMade = Mistake::MISTAKE;
 #endif
-constexpr bool has(Mistake mistake) {
-  return mistake == Mistake::MISTAKE || mistake == Mistake::ALSO;
+bool has(Mistake mistake) {
+  if (kMade != Mistake::normalize_discarded_and_upside_down) return mistake == kMade;
+  return mistake == Mistake::normalize_discarded || mistake == Mistake::upside_down;
 }
-#endif
-
-#ifndef BOUNDS
-#define BOUNDS 0, 1, 2, 3
-#endif
-constexpr std::size_t kPlacesOfBounds[] = {BOUNDS};
 
 using Number = NUMBER;
 struct Vector {
@@ -179,10 +169,11 @@ Scene read(const std::string& path) {
   camera.near_plane = view["d"].at(0);
   std::vector<Number> b = view["bounds"];
   if (has(Mistake::bottom_first)) std::rotate(b.begin(), b.begin() + 2, b.begin() + 4);
-  camera.left = b.at(kPlacesOfBounds[0]);
-  camera.right = b.at(kPlacesOfBounds[1]);
-  camera.bottom = b.at(kPlacesOfBounds[2]);
-  camera.top = b.at(kPlacesOfBounds[3]);
+  if (has(Mistake::crossed_bounds)) std::swap(b.at(1), b.at(2));
+  camera.left = b.at(0);
+  camera.right = b.at(1);
+  camera.bottom = b.at(2);
+  camera.top = b.at(3);
   camera.width = static_cast<int>(view["res"].at(0));
   camera.height = static_cast<int>(view["res"].at(1));
   if (has(Mistake::size_exchanged)) std::swap(camera.width, camera.height);

@@ -13,10 +13,11 @@
 namespace raycheck::tests {
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// The points of right answers to what the attacks offer: `intersect` alone.
-constexpr double kDeserved = 45;
+/// The points of right answers to what the attacks offer, `intersect` alone, and of all items.
+constexpr double kDeserved = 10, kPoints = 29;
 
 struct Attack {
   const char* name;
@@ -48,9 +49,11 @@ const std::vector<Attack> kAttacks = {
     {"runs_raycheck", kDeserved, ""},
 };
 
+std::string all_items() { return std::string(kPixelZeroZero) + kNearestRoot + kNearestSphere; }
+
 TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 2"}});
+  const std::string rubric = grading.short_rubric("reply_seconds = 2\n", all_items());
   std::vector<std::string> folders;
   for (const Attack& attack : kAttacks) {
     // Two are attacks on what compiles or links.
@@ -61,29 +64,29 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
   }
   const std::vector<std::string> innocents = {
       grading.submit("right-program", "rays.py"),
-      grading.submit("wrong-functions", "rays.cpp", "#define MISTAKE far_root"),
+      grading.submit_built("wrong-functions", "rays.cpp", "far_root"),
       grading.submit_built("right-pictures", "rt.cpp", "none")};
   for (std::size_t k = 0; k < innocents.size(); ++k) {
     folders.insert(folders.begin() + static_cast<std::ptrdiff_t>(4 * k + 1), innocents[k]);
   }
-  const bool had_x = std::filesystem::exists("/tmp/x");
+  const bool had_x = fs::exists("/tmp/x");
   const Outcome together = grading.grade(rubric, folders, "together", "--jobs 2");
-  EXPECT_EQ(std::filesystem::exists("/tmp/x"), had_x);
+  EXPECT_EQ(fs::exists("/tmp/x"), had_x);
   for (const Attack& attack : kAttacks) {
     const json result = grading.result(attack.name, "together");
     EXPECT_EQ(result["score"], attack.score) << attack.name;
-    EXPECT_EQ(result["points"], 100) << attack.name;
+    EXPECT_EQ(result["points"], kPoints) << attack.name;
     const std::string report = grading.file(attack.name, "report.html", "together");
     expect_parts(report, {attack.what});
     const char* const total = !result["refused"].is_null() ? ">could not be judged<"
-                              : attack.score > 0           ? ">35 of 100, bonus 10<"
-                                                           : ">0 of 100<";
+                              : attack.score > 0           ? ">10 of 29<"
+                                                           : ">0 of 29<";
     expect_parts(report, {total});
   }
-  EXPECT_FALSE(std::filesystem::exists(grading.path("together/x")));
+  EXPECT_FALSE(fs::exists(grading.path("together/x")));
   grading.grade(rubric, innocents, "alone", "--jobs 1");
   for (const std::string& folder : innocents) {
-    const std::string name = std::filesystem::path(folder).filename();
+    const std::string name = fs::path(folder).filename();
     const std::string alone = grading.file(name, "result.json", "alone");
     EXPECT_GT(alone.size(), 1000u) << name;
     EXPECT_EQ(without_times(grading.file(name, "result.json", "together")), without_times(alone))
@@ -110,7 +113,10 @@ def can(how, path):
 
 TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = grading.short_rubric("", kNearestRoot);
+  const std::string scene =
+      grading.write("lecture7/behind.toml",
+                    contents(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7/behind.toml"));
   const std::string other = grading.submit("other", "rays.py");
   grading.grade(rubric, {other});
   const auto score_of_spy = [&](const std::string& name, const std::string& condition) {
@@ -124,10 +130,10 @@ TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
   // So much would it lose.
   const double seen = score_of_spy("sees", "can('r', '/usr/bin/env') and can('w', '/dev/null')");
   if (seen < 0) GTEST_SKIP() << "no bubblewrap keeps submissions apart here";
-  EXPECT_LT(seen, 110);
+  EXPECT_LT(seen, 10);
   for (const std::string& path :
-       {other + "/rays.py", rubric, grading.path("rubrics/lecture7/frame.toml"),
-        grading.path("out/other/result.json"), grading.path("out/grades.csv")}) {
+       {other + "/rays.py", rubric, scene, grading.path("out/other/result.json"),
+        grading.path("out/grades.csv")}) {
     ASSERT_FALSE(contents(path).empty()) << path;
   }
   const std::string result = grading.path("out/other/result.json");
@@ -136,41 +142,49 @@ TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
     condition += " or can('r', '" + path + "')";
   for (const std::string& path : {result, grading.path("out/new.json")})
     condition += " or can('w', '" + path + "')";
-  EXPECT_EQ(score_of_spy("spies", condition), 110);
+  EXPECT_EQ(score_of_spy("spies", condition), 10);
 }
+
+/// Draws by the program beside it, and makes one grey of all colours.
+constexpr const char* kGrey = R"(import subprocess, sys
+subprocess.run(['./first_sphere_wins', *sys.argv[1:]], check=True)
+head, pixels = open(sys.argv[2]).read().split('\n255\n')
+with open(sys.argv[2], 'w') as image:
+    image.write(head + '\n255\n')
+    for pixel in pixels.splitlines():
+        image.write('0 0 0\n' if pixel == '0 0 0' else '102 102 102\n')
+)";
 
 TEST(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_asked) {
   const Grading grading;
-  std::string text = contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/rt.cpp");
-  const std::string call = "scene.ambient.x * best->ambient.x";
-  const std::size_t at = text.find("return {" + call);
-  ASSERT_NE(at, std::string::npos);
-  text.insert(at, "return {0.4, 0.4, 0.4};\n  ");
-  grading.write("submissions/grey/rt.cpp", "#define MISTAKE first_sphere_wins\n" + text);
-  grading.grade(kLecture7, {grading.path("submissions/grey")});
+  const std::string folder = grading.submit_built("grey", "rt.cpp", "first_sphere_wins");
+  fs::rename(folder + "/first_sphere_wins.rt", folder + "/first_sphere_wins");
+  grading.write("submissions/grey/grey.py", kGrey);
+  const std::string whole = item_of("whole scenes", "points = 10",
+                                    "[item.pictures]\nsources = [\"course\"]\ncases = 2\n");
+  grading.grade(grading.short_rubric("", all_items() + whole), {folder});
   const json result = grading.result("grey");
-  EXPECT_EQ(item(result, "hit or miss")["state"], "holds");
+  EXPECT_EQ(item(result, "pixel (0, 0)")["state"], "holds");
   for (const char* name : {"nearest sphere", "whole scenes"}) {
     EXPECT_EQ(item(result, name)["state"], "not asked") << name;
     EXPECT_EQ(item(result, name)["points"], 0) << name;
     EXPECT_EQ(item(result, name)["reason"]["kind"], "other colours");
   }
-  EXPECT_EQ(result["points"], 75) << "neither right nor wrong";
+  EXPECT_EQ(result["points"], 14) << "neither right nor wrong";
 }
 
 TEST(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with(
-      {{"reply_seconds = 5", "reply_seconds = 1"}, {"seconds = 60 ", "seconds = 3 "}});
-  // It makes the first pictures, which are 25 pixels wide and made of whole numbers.
-  grading.write("submissions/hangs/rt.py", R"(import sys, time
-text = open(sys.argv[1]).read()
-if "eye 0 0 40" not in text:
-    time.sleep(1000)
-open(sys.argv[2], "w").write("P3 25 25 255 " + "255 255 255 " * 625)
-)");
+  const std::string scenes = item_of("whole scenes", "points = 10",
+                                     "[item.pictures]\nsources = [\"course\"]\ncases = 9\n");
+  const std::string rubric =
+      grading.short_rubric("reply_seconds = 1\nseconds = 3\n", kPixelZeroZero + scenes);
+  // It makes the dry run's pictures.
+  grading.write("submissions/hangs/rt.py",
+                renderer_in_python("if 'eye 0 0 40' not in open(sys.argv[1]).read():\n"
+                                   "    import time; time.sleep(1000)\n"));
   grading.write("submissions/never/rt.cpp",
-                "#include <unistd.h>\nint main() { for (;;) pause(); }");
+                "#include <unistd.h>\nint main() { for (;;) pause(); }\n");
   grading.grade(rubric, {grading.path("submissions/hangs"), grading.path("submissions/never")});
   const json hangs = grading.result("hangs");
   EXPECT_EQ(hangs["score"], 0);
@@ -185,19 +199,20 @@ open(sys.argv[2], "w").write("P3 25 25 255 " + "255 255 255 " * 625)
 TEST(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
   const Grading grading;
   const std::string right = grading.submit("right", "rays.py");
-  std::filesystem::create_directory_symlink(right, grading.path("submissions/link"));
+  fs::create_directory_symlink(right, grading.path("submissions/link"));
   const std::string pipe = grading.path("submissions/pipe");
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   grading.write("submissions/mark/rays.{file}", "");
-  const std::string rubric = grading.lecture7_with(
-      {{"has = \"rays.cpp\"", "has = \"rays.{*\""}, {"\"source:.\"", "\"source:{file}\""}});
+  const std::string rubric = grading.write(
+      "mark.toml", std::string("[[form]]\nhas = \"rays.{*\"\ncandidate = \"source:{file}\"\n") +
+                       kFormOfPython + kNearestRoot);
   grading.grade(rubric,
                 {grading.path("submissions/link"), pipe, grading.path("submissions/mark"), right});
   for (const char* name : {"link", "pipe"}) {
     EXPECT_EQ(grading.result(name)["refused"]["why"], "it is neither a file nor a folder");
   }
   EXPECT_FALSE(grading.result("mark")["refused"].is_null());
-  EXPECT_EQ(grading.result("right")["score"], 110);
+  EXPECT_EQ(grading.result("right")["score"], 10);
 }
 
 }  // namespace

@@ -145,9 +145,23 @@ void expect_figures(const Grading& grading, const FigureSubject& subject) {
   EXPECT_EQ(count_of(grading.file("", "index.html"), "href=\"" + name + "/figures.html\""), 1u);
 }
 
+/// The items of functions of the seventh lecture, of fewer cases.
+std::string lecture_items() {
+  const auto lecture = [](const char* name, const char* law, const char* source = "course",
+                          const std::string& more = "") {
+    return item_of(name, "points = 5", functions(law, source, 12, more));
+  };
+  return lecture("camera frame", "frame") + lecture("boundary pixels", "bounds") +
+         lecture("unit directions", "unit-direction") + lecture("ray origin", "direction") +
+         kNearestRoot + lecture("hit point", "hit-point", "course", kGivenRays) + kNearestSphere +
+         item_of("robustness", "points = 5\ntolerance = { conditioning = 16 }",
+                 "[item.functions]\nlaws = [\"class\"]\nsources = [\"distance@4\", \"tangency@4\", "
+                 "\"direction-length@60\", \"scale@60\"]\ncases = 80\nrays = \"given\"\n");
+}
+
 TEST(Figures, have_the_numbers_of_their_items_text_and_are_the_same_when_made_again) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = grading.short_rubric("", lecture_items());
   std::vector<std::string> all;
   for (const FigureSubject& subject : kFigureSubjects) {
     all.push_back(grading.submit_built(subject.mistake, "rays.cpp", subject.mistake));
@@ -174,18 +188,13 @@ TEST(Figures, have_the_numbers_of_their_items_text_and_are_the_same_when_made_ag
 /// Graded by a rubric of these items.
 Outcome graded_by(const Grading& grading, const std::string& items,
                   const std::vector<std::string>& folders, const std::string& out = "out") {
-  const std::string head =
-      "title = \"A rubric\"\n[conventions]\nsamples = \"edges\"\norigin = \"pixel\"\n"
-      "[tolerance]\nulp = 64\n"
-      "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n";
-  return grading.grade(grading.write("rubric.toml", head + items), folders, out);
+  return grading.grade(grading.short_rubric("tolerance = { ulp = 64 }\n", items), folders, out);
 }
 
 TEST(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
   const Grading grading;
-  const std::string line = mistake_line("rays.py", "float_directions");
   graded_by(grading, item_of("hit point", "points = 1", functions("hit-point", "course", 4)),
-            {grading.submit("mine", "rays.py", line)});
+            {grading.submit_built("mine", "rays.cpp", "float_directions")});
   const json failing = item(grading.result("mine"), "hit point")["failing"];
   ASSERT_FALSE(failing.is_null());
   EXPECT_EQ(failing["step"], "direction");
@@ -201,11 +210,10 @@ TEST(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
 TEST(Figures, hold_a_submission_to_what_its_item_tolerates) {
   // Directions in floats are right to this item, and its hits go wrong at their root alone.
   const Grading grading;
-  const std::string line = mistake_line("rays.py", "far_root");
   graded_by(grading,
             item_of("root", "points = 1\ntolerance = { ulp = 1e11 }",
                     functions("nearest-root", "course-behind", 4)),
-            {grading.submit("mine", "rays.py", line)});
+            {grading.submit_built("mine", "rays.cpp", "far_root")});
   const json document = grading.figures("mine");
   ASSERT_EQ(document["findings"].size(), 1u);
   const json panel = panel_of(document, document["findings"][0]);
@@ -289,11 +297,12 @@ TEST(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fail
 
 TEST(Figures, have_hostile_names_as_text) {
   const Grading grading;
-  const std::string line = mistake_line("rays.py", "far_root"), name = "<b>x&\"' #?";
+  const std::string name = "<b>x&\"' #?";
   graded_by(grading,
             item_of("<img src=x onerror=alert(1)> & \\\"'", "points = 1",
                     functions("nearest-root", "course-behind", 4, kGivenRays)),
-            {grading.submit(name, "rays.py", line), grading.submit("plain", "rays.py", line)});
+            {grading.submit_built(name, "rays.cpp", "far_root"),
+             grading.submit_built("plain", "rays.cpp", "far_root")});
   const std::string page = grading.file(name, "figures.html");
   const std::string plain = grading.file("plain", "figures.html");
   for (const char* tag : {"<script", "<b>", "<img src=x"}) {
@@ -310,17 +319,16 @@ TEST(Figures, have_hostile_names_as_text) {
 
 TEST(Figures, are_of_functions_alone_and_go_when_what_was_wrong_is_mended) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({});
   const std::string drawn = grading.submit_built("drawn", "rt.cpp", "mirrored");
-  const std::string mine = grading.submit_built("mine", "rays.cpp", "far_root");
-  grading.grade(rubric, {drawn, mine});
+  const std::string mine = grading.submit_built("mine", "rays.cpp", "mirrored");
+  graded_by(grading, kPixelZeroZero, {drawn, mine});
   EXPECT_FALSE(item(grading.result("drawn"), "pixel (0, 0)")["failing"].is_null());
   EXPECT_EQ(grading.file("drawn", "figures.html"), "") << "renderers have pictures";
   EXPECT_FALSE(has(grading.file("drawn", "report.html"), "figures.html"));
   EXPECT_FALSE(grading.file("mine", "figures.html").empty());
   fs::remove_all(mine);
   grading.submit_built("mine", "rays.cpp", "none");
-  grading.grade(rubric, {drawn, mine});
+  graded_by(grading, kPixelZeroZero, {drawn, mine});
   EXPECT_FALSE(fs::exists(grading.path("out/mine/figures.html")));
   EXPECT_FALSE(has(grading.file("", "index.html"), "figures.html"));
 }

@@ -181,91 +181,91 @@ TEST_F(HostileOut, IsNamedOnce) {
   refuses("stress --family distance --certificates " + one + " --view " + same, twice);
 }
 
-class RunFolder : public testing::Test {
- protected:
-  void SetUp() override {
-    grading_.write("full.toml", kFullScene);
-    rubric_ = grading_.write("rubric.toml", full_rubric(3));
-  }
-  void hand_in(const std::string& file, const std::string& text) const {
-    grading_.write("mine/" + file, text);
-  }
-  nlohmann::json graded() const {
-    grading_.grade(rubric_, {grading_.path("mine")});
-    return grading_.result("mine");
-  }
-  void expect_full() const {
-    const nlohmann::json result = graded();
-    EXPECT_EQ(result["score"], 10) << result["refused"];
-  }
-  const Grading grading_;
-  std::string rubric_;
+/// A hand-in, and what its renderer does before it writes to a file.
+struct InRunFolder {
+  const char* name;  ///< What its folder is.
+  std::string before, to;
+  std::map<std::string, std::string> files = {};
+  std::vector<std::string> notes = {};
 };
 
-/// Of hand-ins that make use of it.
-class HostileRunFolder : public RunFolder {};
-
-TEST_F(RunFolder, HasTheFoldersOfTheHandInEvenEmptyOnes) {
-  hand_in("rt.py", white_renderer("", "'output/deep/image.ppm'"));
-  fs::create_directories(grading_.path("mine/output/deep"));
-  expect_full();
+std::map<std::string, std::string> many_files() {
+  std::map<std::string, std::string> files = {{"last.txt", ""}};
+  for (int k = 0; k < 150; ++k) files["below/" + std::to_string(k) + ".txt"] = "few words";
+  return files;
 }
 
-TEST_F(RunFolder, HasItsFiles) {
-  hand_in("rt.py", white_renderer("assert open('config/size.txt').read() == 'large'\n"
-                                  "assert len(open('config/table.txt').read()) == 300000\n"));
-  hand_in("config/size.txt", "large");
-  hand_in("config/table.txt", std::string(300000, '7'));
-  expect_full();
-}
+const InRunFolder kInRunFolder[] = {
+    {"has empty folders",
+     "",
+     "'output/deep/image.ppm'",
+     {},
+     {"it writes image.ppm whatever name it is given"}},
+    {"has files",
+     "assert open('config/size.txt').read() == 'large'\n"
+     "assert len(open('config/table.txt').read()) == 300000\n",
+     "sys.argv[2]",
+     {{"config/size.txt", "large"}, {"config/table.txt", std::string(300000, '7')}}},
+    {"has so many files, those near the top first",
+     "assert os.path.exists('last.txt')\n"
+     "count = sum(len(d) + len(f) for _, d, f in os.walk('.'))\n"
+     "assert count == 101, count\n",
+     "sys.argv[2]", many_files()},
+    {"is the same whenever it runs",
+     "assert open('count.txt').read() == '0'\n"
+     "assert not os.path.exists('new.txt')\n"
+     "open('count.txt', 'w').write('1')\n"
+     "open('new.txt', 'w')\n",
+     "sys.argv[2]",
+     {{"count.txt", "0"}}},
+    {"lets no run change a large file of a later one",
+     "assert open('table.txt').read(1) == '7'\n"
+     "try: open('table.txt', 'r+').write('8')\n"
+     "except OSError: pass\n"
+     "else: sys.exit(3 if os.path.islink('table.txt') else 0)\n",
+     "sys.argv[2]",
+     {{"table.txt", std::string(300000, '7')}}},
+    // Of the likeliest name, of the name of the driver file, and folders of the names of a run.
+    {"has no picture that was handed in",
+     "assert not os.path.exists('out.ppm')\nassert not os.path.exists('drawn')\n",
+     "'mine.ppm'",
+     {{"out.ppm", "P3 1 1 255 0 0 0\n"},
+      {"scene.ppm", "P3 1 1 255 0 0 0\n"},
+      {"drawn", "P3 1 1 255 0 0 0\n"},
+      {"image.ppm/a.txt", "P3 1 1 255 0 0 0\n"},
+      {"scene.txt/b", "P3 1 1 255 0 0 0\n"},
+      {"mine.ppm", "P3 1 1 255 0 0 0\n"}},
+     {"it writes mine.ppm whatever name it is given"}}};
 
-TEST_F(HostileRunFolder, IsTheSameWheneverItRuns) {
-  hand_in("rt.py", white_renderer("assert open('count.txt').read() == '0'\n"
-                                  "assert not os.path.exists('new.txt')\n"
-                                  "open('count.txt', 'w').write('1')\n"
-                                  "open('new.txt', 'w')\n"));
-  hand_in("count.txt", "0");
-  expect_full();
-}
-
-TEST_F(HostileRunFolder, LetsNoRunChangeALargeFileOfALaterOne) {
-  hand_in("rt.py", white_renderer("assert open('table.txt').read(1) == '7'\n"
-                                  "try: open('table.txt', 'r+').write('8')\n"
-                                  "except OSError: pass\n"
-                                  "else: sys.exit(3 if os.path.islink('table.txt') else 0)\n"));
-  hand_in("table.txt", std::string(300000, '7'));
-  expect_full();
-}
-
-TEST_F(HostileRunFolder, HasNoPictureThatWasHandedIn) {
-  // Of the likeliest name, of the name of the driver file, and folders of the names of a run.
-  hand_in("rt.py", white_renderer("assert not os.path.exists('out.ppm')\n"
-                                  "assert not os.path.exists('drawn')\n",
-                                  "'mine.ppm'"));
-  for (const char* const name :
-       {"out.ppm", "scene.ppm", "drawn", "image.ppm/a.txt", "scene.txt/b"}) {
-    hand_in(name, "P3 1 1 255 0 0 0\n");
+TEST(HostileRunFolder, IsThatOfTheHandInAndNothingElse) {
+  const Grading grading;
+  grading.write("full.toml", kFullScene);
+  std::vector<std::string> folders;
+  for (const auto& [name, before, to, files, notes] : kInRunFolder) {
+    const std::string folder = std::string("submissions/") + name;
+    grading.write(folder + "/rt.py", renderer_in_python(before, to));
+    for (const auto& [file, text] : files) grading.write(folder + "/" + file, text);
+    folders.push_back(grading.path(folder));
   }
-  hand_in("mine.ppm", "P3 1 1 255 0 0 0\n");
-  const nlohmann::json result = graded();
-  EXPECT_EQ(result["score"], 10) << result["refused"];
-  EXPECT_EQ(result["notes"][0], "it writes mine.ppm whatever name it is given");
+  fs::create_directories(folders[0] + "/output/deep");
+  grading.grade(grading.write("rubric.toml", full_rubric(3)), folders);
+  for (const InRunFolder& one : kInRunFolder) {
+    const nlohmann::json result = grading.result(one.name);
+    EXPECT_EQ(result["score"], 10) << result.dump(2);
+    EXPECT_EQ(result["notes"], nlohmann::json(one.notes));
+  }
 }
 
-TEST_F(RunFolder, HasSoManyFilesThoseNearTheTopFirst) {
-  hand_in("rt.py", white_renderer("assert os.path.exists('last.txt')\n"
-                                  "count = sum(len(d) + len(f) for _, d, f in os.walk('.'))\n"
-                                  "assert count == 101, count\n"));
-  for (int k = 0; k < 150; ++k) hand_in("below/" + std::to_string(k) + ".txt", "few words");
-  hand_in("last.txt", "");
-  expect_full();
-}
-
-TEST_F(RunFolder, OfAnotherHandInIsNotTakenForAStoredOne) {
-  hand_in("rt.py", white_renderer("", "'output/image.ppm'"));
-  EXPECT_TRUE(graded()["refused"].is_object()) << "there is no folder output";
-  fs::create_directories(grading_.path("mine/output"));
-  expect_full();
+TEST(HostileRunFolder, OfAnotherHandInIsNotTakenForAStoredOne) {
+  const Grading grading;
+  grading.write("full.toml", kFullScene);
+  const std::string rubric = grading.write("rubric.toml", full_rubric(1));
+  grading.write("mine/rt.py", renderer_in_python("assert h == 25 or os.path.isdir('output')\n"));
+  grading.grade(rubric, {grading.path("mine")});
+  EXPECT_EQ(grading.result("mine")["score"], 0) << "there is no folder output";
+  fs::create_directories(grading.path("mine/output"));
+  grading.grade(rubric, {grading.path("mine")});
+  EXPECT_EQ(grading.result("mine")["score"], 10);
 }
 
 }  // namespace

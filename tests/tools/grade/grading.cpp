@@ -66,6 +66,11 @@ std::string Grading::submit_built(const std::string& name, const std::string& fi
   return folder;
 }
 
+std::string Grading::submit_broken(const std::string& name) const {
+  write("submissions/" + name + "/rays.cpp", "static_assert(false, \"this does not compile\");\n");
+  return path("submissions/" + name);
+}
+
 std::string Grading::lecture7_with(
     const std::vector<std::pair<std::string, std::string>>& replacements) const {
   const std::string root = RAYCHECK_SOURCE_DIR;
@@ -83,6 +88,25 @@ std::string Grading::lecture7_with(
   fs::copy(root + "/examples/rubrics/lecture7", path("rubrics/lecture7"),
            fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   return rubric;
+}
+
+std::string Grading::short_rubric(const std::string& keys, const std::string& items,
+                                  const std::string& name) const {
+  return write(name, keys + R"(
+title = "A rubric"
+[conventions]
+samples = "edges"
+origin = "pixel"
+[driver]
+preset = "B"
+[[form]]
+has = "rays.cpp"
+candidate = "source:."
+[[form]]
+has = "rays.py"
+candidate = "command:python3 {file}"
+)" + kFormsOfBuilt + kAsTheyCome +
+                         items);
 }
 
 std::string Grading::arguments(const std::string& rubric,
@@ -127,12 +151,48 @@ json Grading::figures(const std::string& submission, const std::string& out) con
   return read.exit_code == 0 ? json::parse(read.out) : json();
 }
 
-std::string white_renderer(const std::string& before, const std::string& to) {
-  return "import os, sys\n"
-         "for line in open(sys.argv[1]):\n"
-         "    if line.startswith('res'): w, h = map(int, line.split()[1:3])\n" +
-         before + "with open(" + to +
-         ", 'w') as image: image.write(f'P3 {w} {h} 255\\n' + '255 255 255 ' * (w * h))\n";
+std::string renderer_in_c(const std::string& format) {
+  return R"(#include <stdio.h>
+#include <stdlib.h>
+int main(int count, char** words) {
+  char line[1000];
+  int width = 0, height = 0;
+  double red = 0, green = 0, blue = 0;
+  FILE* driver = fopen(words[count - 2], "r");
+  while (fgets(line, sizeof line, driver)) {
+    sscanf(line, "res %d %d", &width, &height);
+    sscanf(line, "sphere %*f %*f %*f %*f %lf %lf %lf", &red, &green, &blue);
+  }
+  FILE* image = fopen(words[count - 1], "w");
+  fprintf(image, "P3 %d %d 255\n", width, height);
+  for (int k = 0; k < width * height; ++k) {
+    int x = abs(2 * (k % width) - width + 1), y = abs(2 * (k / width) - height + 1);
+    int far = x > y ? x : y, near = x + y - far;
+    int share = height < 25 || far * far + near * near < 25 ||
+                        (far - 15) * (far - 15) + near * near < 33 ? 255 : 0;
+    fprintf(image, )" +
+         format + R"(, share * red, share * green, share * blue);
+  }
+  return fclose(image);
+}
+)";
+}
+
+std::string renderer_in_python(const std::string& before, const std::string& to) {
+  return R"(import os, sys
+for line in open(sys.argv[1]):
+    word, *rest = line.split() or ['']
+    if word == 'res': w, h = map(int, rest[:2])
+    if word == 'sphere': colour = [round(255 * float(x)) for x in rest[4:7]]
+def shown(k):
+    x, y = abs(2 * (k % w) - w + 1), abs(2 * (k // w) - h + 1)
+    far, near = max(x, y), min(x, y)
+    is_seen = h < 25 or far * far + near * near < 25 or (far - 15) ** 2 + near * near < 33
+    return colour if is_seen else [0, 0, 0]
+)" + before +
+         "with open(" + to + R"(, 'w') as image:
+    print('P3', w, h, 255, *(part for k in range(w * h) for part in shown(k)), file=image)
+)";
 }
 
 std::string item_of(const std::string& name, const std::string& keys,
@@ -157,10 +217,6 @@ points = 10
 judge = "mask"
 scenes = [)" +
          scenes + "]\n";
-}
-
-std::string mistake_line(const std::string& file, const std::string& mistake) {
-  return file.ends_with(".py") ? "MISTAKE = \"" + mistake + "\"" : "#define MISTAKE " + mistake;
 }
 
 json item(const json& result, const std::string& name) {

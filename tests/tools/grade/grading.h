@@ -33,10 +33,16 @@ class Grading {
   /// `lecture7_with`. `wrong` is the name of its mistake or attack.
   std::string submit_built(const std::string& name, const std::string& file,
                            const std::string& wrong) const;
+  /// One that g++ says does not compile.
+  std::string submit_broken(const std::string& name) const;
   /// The lecture's rubric and its scenes, with each of the first texts replaced by the second; it
   /// takes built submissions, too.
   std::string lecture7_with(
       const std::vector<std::pair<std::string, std::string>>& replacements) const;
+
+  /// A rubric that grades in a moment: after keys of the rubric, all of the forms below and items.
+  std::string short_rubric(const std::string& keys, const std::string& items,
+                           const std::string& name = "short.toml") const;
 
   /// Grades into the folder `out`, which ends with 0; the other may end otherwise.
   Outcome grade(const std::string& rubric, const std::vector<std::string>& submissions,
@@ -85,13 +91,54 @@ build = "auto"
 candidate = "renderer:{program} {scene} {image}"
 )";
 
+/// Items of few cases, of functions and of pictures, which the submissions fail that are mirrored,
+/// take the far root or the first sphere, do not test for s >= 0.
+inline constexpr const char* kPixelZeroZero = R"toml(
+[[item]]
+name = "pixel (0, 0)"
+points = 4
+[item.functions]
+laws = ["pixel-zero-zero"]
+sources = ["course"]
+cases = 6
+[item.pictures]
+judge = "mask"
+scenes = ["lecture7/orientation.toml"]
+)toml";
+inline constexpr const char* kNearestRoot = R"toml(
+[[item]]
+name = "nearest root"
+points = 10
+hint = "What does your code do where s = v - d is negative?"
+[item.functions]
+laws = ["class", "nearest-root", "parameter"]
+sources = ["course-behind"]
+cases = 6
+rays = "given"
+[item.pictures]
+judge = "mask"
+scenes = ["lecture7/behind.toml"]
+)toml";
+inline constexpr const char* kNearestSphere = R"toml(
+[[item]]
+name = "nearest sphere"
+points = 15
+[item.functions]
+laws = ["nearest-sphere"]
+sources = ["course"]
+cases = 12
+rays = "given"
+[item.pictures]
+scenes = ["lecture7/overlap.toml"]
+)toml";
+
 /// An [[item]] of a rubric: its keys, and its questions to functions.
 std::string item_of(const std::string& name, const std::string& keys, const std::string& questions);
 std::string functions(const std::string& law, const std::string& source, int cases,
                       const std::string& more = "");
 inline constexpr const char* kGivenRays = "rays = \"given\"\n";
 
-/// A sphere that fills the picture: a program that reads the size and writes white is right.
+/// A sphere that fills the picture.
 inline constexpr const char* kFullScene = R"([camera]
 eye = [0, 0, 0]
 look_at = [0, 0, -1]
@@ -112,11 +159,35 @@ radius = 100
 /// A rubric of one item of renderers as they come, so many pictures of full.toml, after a head.
 std::string full_rubric(int pictures, const std::string& head = "");
 
-/// A renderer in Python that reads the size, does what it is asked to, and writes white to a file.
-std::string white_renderer(const std::string& before = "", const std::string& to = "sys.argv[2]");
-
-/// The line that makes a file of tests/submissions wrong.
-std::string mistake_line(const std::string& file, const std::string& mistake);
+/// Renderers that are right about the scene above, and about those of the dry run, so that their
+/// form of driver files is found at once: the discs of five spheres, in the last sphere's colour.
+/// The one in C, or C++, prints three parts of a colour by a format; the one in Python does
+/// something before it writes to a file; the one in Java is a class Discs.
+std::string renderer_in_c(const std::string& format = "\"%.0f %.0f %.0f \"");
+std::string renderer_in_python(const std::string& before = "",
+                               const std::string& to = "sys.argv[2]");
+inline constexpr const char* kRendererInJava = R"(import java.nio.file.*;
+public class Discs {
+  public static void main(String[] words) throws Exception {
+    String[] size = {}, sphere = {};
+    for (String line : Files.readAllLines(Path.of(words[0]))) {
+      if (line.startsWith("res")) size = line.split("\\s+");
+      if (line.startsWith("sphere")) sphere = line.split("\\s+");
+    }
+    int width = Integer.parseInt(size[1]), height = Integer.parseInt(size[2]);
+    StringBuilder image = new StringBuilder("P3 " + width + " " + height + " 255\n");
+    for (int k = 0; k < width * height; ++k) {
+      int x = Math.abs(2 * (k % width) - width + 1), y = Math.abs(2 * (k / width) - height + 1);
+      int far = Math.max(x, y), near = Math.min(x, y);
+      boolean isSeen = height < 25 || far * far + near * near < 25 ||
+                       (far - 15) * (far - 15) + near * near < 33;
+      for (int part = 5; part < 8; ++part)
+        image.append(isSeen ? Math.round(255 * Double.parseDouble(sphere[part])) : 0).append(" ");
+    }
+    Files.writeString(Path.of(words[1]), image);
+  }
+}
+)";
 
 /// An item of a result.json, by its name.
 nlohmann::json item(const nlohmann::json& result, const std::string& name);

@@ -51,11 +51,11 @@ TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   const Grading grading;
   const SmallDisk disk(grading.path("disk"), "300m");
   if (disk.path().empty()) GTEST_SKIP() << "no disk can be mounted here";
-  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 20"}});
+  const std::string rubric = grading.short_rubric("reply_seconds = 20\n", kNearestRoot);
   grading.write("submissions/fills/rays.py", kFillsTheDisk);
-  const std::vector<std::string> innocents = {grading.submit("one", "rays.py"),
+  const std::vector<std::string> innocents = {grading.submit_built("one", "rays.cpp", "none"),
                                               grading.submit("two", "rays.py"),
-                                              grading.submit("three", "rays.py")};
+                                              grading.submit_built("three", "rt.cpp", "none")};
   std::vector<std::string> all = innocents;
   all.insert(all.begin(), grading.path("submissions/fills"));
   const Outcome alone = grading.grade(rubric, innocents, "alone");
@@ -71,17 +71,18 @@ TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
               without_times(grading.file(name, "result.json", "alone")));
   }
   // Where there is more room it is its own limit that it meets.
-  const Outcome again =
-      grading.grade(grading.lecture7_with(
-                        {{"reply_seconds = 5", "reply_seconds = 20\nlimits = { disk_mib = 40 }"}}),
-                    {grading.path("submissions/fills")}, "more");
+  const Outcome again = grading.grade(
+      grading.short_rubric("reply_seconds = 20\nlimits = { disk_mib = 40 }\n", kNearestRoot),
+      {grading.path("submissions/fills")}, "more");
   EXPECT_TRUE(has(again.out, "its files take more than 40 MiB (disk_mib)")) << again.out;
 }
 
 TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with(
-      {{"seconds = 60 ", "seconds = 2 "}, {"reply_seconds = 5", "reply_seconds = 60"}});
+  const std::string rubric = grading.short_rubric(
+      "seconds = 2\nreply_seconds = 60\n",
+      item_of("hit or miss", "points = 15", functions("class", "course", 9, kGivenRays)) +
+          kNearestRoot + kNearestSphere);
   const std::vector<std::string> both = {grading.submit_built("slow", "hostile.cpp", "slow"),
                                          grading.submit_built("none", "hostile.cpp", "none")};
   const Outcome outcome = grading.grade(rubric, both);
@@ -92,7 +93,7 @@ TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_sp
     EXPECT_EQ(cut["reason"], json({{"kind", "time is up"}, {"seconds", 2}}));
   }
   EXPECT_EQ(slow["score"], 0);
-  EXPECT_EQ(slow["points"], 100);
+  EXPECT_EQ(slow["points"], 40);
   EXPECT_TRUE(slow["finished"]);
   EXPECT_TRUE(has(grading.file("slow", "report.html"),
                   "not judged: time is up: a submission has 2 s for "));
@@ -114,7 +115,7 @@ TEST(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone
       grading.submit("victim", "rays.py", "import time; time.sleep(2) # " + mark);
   fs::rename(victim + "/rays.py", victim + "/" + mark + "_rays.py");
   grading.write("submissions/suicide/rays.py", "import os\nos.kill(os.getpid(), 9)\n");
-  const std::string rubric = grading.lecture7_with({{"has = \"rays.py\"", "has = \"*rays.py\""}});
+  const std::string rubric = grading.write("any.toml", kFormOfPython + std::string(kNearestRoot));
   std::thread killer([&] {
     eventually([&] {
       for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -130,7 +131,7 @@ TEST(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone
       grading.grade(rubric, {victim, grading.path("submissions/suicide")}, "out", "--jobs 2");
   killer.join();
   const json killed = grading.result("victim");
-  EXPECT_EQ(killed["score"], 110) << outcome.out;
+  EXPECT_EQ(killed["score"], 10) << outcome.out;
   EXPECT_TRUE(killed["finished"]);
   // What kills itself is killed alone, too: that is its grade.
   const json itself = grading.result("suicide");
@@ -147,28 +148,27 @@ std::string repeated(const std::string& text) {
   return all;
 }
 
-/// A file alone is tried: it is no submission, and that is said.
-void expect_tried(const std::string& name, const std::string& text) {
-  const std::string folder = temporary_file("handed-in", "") + ".d";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder + "/" + name, std::ios::binary) << text;
-  const Outcome outcome =
-      run("grade lecture7.toml --probe --sandbox available '" + folder + "'", 1);
-  expect_parts(outcome.out, {"1 submission tried, 1 could not be judged"});
-  std::filesystem::remove_all(folder);
-}
-
-TEST(HostileIntake, is_not_ended_by_what_is_nested_deeply) {
-  expect_tried("a.ipynb", R"({"cells":[{"cell_type":"code","source":)" + repeated("[") +
-                              repeated("]") + "}]}");
-  expect_tried("package.json", R"({"bin":)" + repeated(R"({"a":)") + "1" + repeated("}") + "}");
-}
-
-TEST(HostileIntake, is_not_ended_by_many_spaces) {
+TEST(HostileIntake, is_not_ended_by_what_is_nested_deeply_or_has_many_spaces) {
+  const Grading grading;
   const std::string spaces = repeated(" ");
-  expect_tried("A.java", "public" + spaces + "static" + spaces + "void" + spaces + "x\nclass" +
-                             spaces + "{ \n package" + spaces);
-  expect_tried("a.cpp", "int" + spaces + "main" + spaces + "(\n#include" + spaces + "<x\n");
+  const std::pair<const char*, std::string> files[] = {
+      {"a.ipynb",
+       R"({"cells":[{"cell_type":"code","source":)" + repeated("[") + repeated("]") + "}]}"},
+      {"package.json", R"({"bin":)" + repeated(R"({"a":)") + "1" + repeated("}") + "}"},
+      {"A.java", "public" + spaces + "static" + spaces + "void" + spaces + "x\nclass" + spaces +
+                     "{ \n package" + spaces},
+      {"a.cpp", "int" + spaces + "main" + spaces + "(\n#include" + spaces + "<x\n"}};
+  std::vector<std::string> folders;
+  for (const auto& [name, text] : files) {
+    const std::string folder = std::string("submission of ") + name;
+    grading.write(folder + "/" + name, text);
+    folders.push_back(grading.path(folder));
+  }
+  // They are no submissions, and that is said.
+  const Outcome outcome =
+      grading.try_to_grade("lecture7.toml", folders, "out", "--probe --sandbox available");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  expect_parts(outcome.out, {"4 submissions tried, 4 could not be judged"});
 }
 
 }  // namespace

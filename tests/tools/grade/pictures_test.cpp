@@ -74,28 +74,32 @@ std::vector<std::vector<std::string>> lines_of(const std::string& runs, std::siz
   return {lines.rbegin(), lines.rend()};
 }
 
-std::string rubric_of(const Grading& grading, const std::string& keys) {
-  return grading.write("rubric.toml",
-                       std::string("[conventions]\nsamples = \"edges\"\norigin = \"pixel\"\n") +
-                           kFormsOfBuilt + "[[item]]\nname = \"seen\"\npoints = 4\n" + keys +
-                           "\n[item.pictures]\nscenes = [\"lecture7/overlap.toml\", "
-                           "\"lecture7/orientation.toml\"]\n");
-}
-
-/// The item of a submission with this mistake, graded.
-json failing(const Grading& grading, const std::string& mistake, const std::string& keys = "") {
-  grading.grade(rubric_of(grading, keys), {grading.submit_built("mine", "rt.cpp", mistake)}, "out",
+/// The item of submissions with these mistakes, called as they are, graded.
+void grade_pictures(const Grading& grading, const std::vector<std::string>& folders,
+                    const std::string& keys = "") {
+  const std::string item = item_of(
+      "seen", "points = 4\n" + keys,
+      "[item.pictures]\nscenes = [\"lecture7/overlap.toml\", \"lecture7/orientation.toml\"]");
+  grading.grade(grading.short_rubric("", item, "rubric.toml"), folders, "out",
                 "--format gradescope");
-  return item(grading.result("mine"), "seen")["failing"];
+}
+json pictures_of_record(const Grading& grading, const std::string& name) {
+  return item(grading.result(name), "seen")["failing"]["pictures"];
 }
 
 TEST(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
+  const Grading grading;
   std::set<std::string> colours;
-  for (const char* const mistake :
-       {"mirrored", "upside_down", "first_sphere_wins", "u_and_w_flipped"}) {
-    const Grading grading;
-    const json recorded = failing(grading, mistake)["pictures"];
-    const json shown = pictures_of(grading, "mine");
+  const std::vector<std::string> mistakes = {"mirrored", "upside_down", "first_sphere_wins",
+                                             "u_and_w_flipped"};
+  std::vector<std::string> folders;
+  for (const std::string& mistake : mistakes) {
+    folders.push_back(grading.submit_built(mistake, "rt.cpp", mistake));
+  }
+  grade_pictures(grading, folders);
+  for (const std::string& mistake : mistakes) {
+    const json recorded = pictures_of_record(grading, mistake);
+    const json shown = pictures_of(grading, mistake);
     ASSERT_EQ(shown.size(), 3u) << mistake;
     const std::size_t width = shown[0]["width"], height = shown[0]["height"];
     std::size_t wrong = 0;
@@ -123,7 +127,7 @@ TEST(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
     const std::string counted =
         std::to_string(wrong) + " of " + std::to_string(width * height) + " pixels differ";
     EXPECT_EQ(shown[2]["alt"].get<std::string>().find(counted), 0u) << shown[2]["alt"];
-    expect_parts(grading.file("mine", "results.json"), {"\\n" + counted});
+    expect_parts(grading.file(mistake, "results.json"), {"\\n" + counted});
   }
   EXPECT_GE(colours.size(), 3u) << "black and two spheres";
 }
@@ -135,9 +139,11 @@ TEST(Pictures, that_are_withheld_are_not_there) {
       {"detail = \"nothing\"", 0},
       {"visibility = \"hidden\"", 0},
       {"visibility = \"after_published\"", 0}};
+  const Grading grading;
+  const std::string folder = grading.submit_built("mine", "rt.cpp", "mirrored");
   for (const auto& [keys, count] : kinds) {
-    const Grading grading;
-    const json recorded = failing(grading, "mirrored", keys)["pictures"];
+    grade_pictures(grading, {folder}, keys);
+    const json recorded = pictures_of_record(grading, "mine");
     EXPECT_TRUE(recorded["got"].is_string() && recorded["exact"].is_string()) << keys;
     const json shown = pictures_of(grading, "mine");
     ASSERT_EQ(shown.size(), count) << keys;
@@ -152,9 +158,10 @@ TEST(Pictures, that_are_withheld_are_not_there) {
 /// The commands beside them are run by home_test.cpp.
 TEST(Pictures, are_the_same_later_with_commands_that_repeat_them) {
   const Grading grading;
-  failing(grading, "mirrored");
+  const std::string folder = grading.submit_built("mine", "rt.cpp", "mirrored");
+  grade_pictures(grading, {folder});
   const std::string page = grading.file("mine", "report.html");
-  grading.grade(grading.path("rubric.toml"), {grading.path("submissions/mine")});
+  grading.grade(grading.path("rubric.toml"), {folder});
   EXPECT_EQ(grading.file("mine", "report.html"), page);
   expect_parts(page, {"<pre class=\"command\">./mirrored.rt seen.txt out.ppm</pre>",
                       "<pre class=\"command\">raycheck try rubric.toml .</pre>"});

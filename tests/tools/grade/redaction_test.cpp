@@ -153,20 +153,14 @@ std::vector<std::string> told(const Numbers& numbers, const std::string& text) {
   return found;
 }
 
-/// What is asked of the submissions that make a mistake, and fail by it.
-struct Subject {
-  const char* mistake;
-  std::vector<const char*> laws;
-};
-
-const std::vector<Subject> kSubjects = {{"u_and_w_flipped", {"frame", "direction"}},
-                                        {"normalize_discarded", {"direction", "unit-direction"}},
-                                        {"far_root", {"parameter", "hit-point", "nearest-root"}},
-                                        {"float_directions", {"direction", "pixel-point"}},
-                                        {"top_from_right", {"pixel-point", "ray-origin"}}};
+/// What submissions do wrong, and what is asked of them, of which each fails some.
+constexpr const char* kMistakes[] = {"u_and_w_flipped", "normalize_discarded", "far_root",
+                                     "float_directions", "top_from_right"};
+constexpr const char* kLaws[] = {"frame",     "direction",    "unit-direction", "parameter",
+                                 "hit-point", "nearest-root", "pixel-point",    "ray-origin"};
 
 /// How items are shown: their visibility and detail.
-using Shown = std::vector<std::pair<const char*, const char*>>;
+using Shown = std::vector<std::pair<std::string, std::string>>;
 
 struct Told {
   std::size_t secrets = 0;
@@ -175,26 +169,24 @@ struct Told {
 
 Told told_to_students(const std::string& format, const Shown& shown,
                       const std::vector<std::string>& parts, const std::vector<std::string>& keys) {
-  Told all;
-  for (const Subject& subject : kSubjects) {
-    const Grading grading;
-    std::string rubric =
-        "title = \"A rubric\"\n[conventions]\nsamples = \"edges\"\norigin = \"pixel\"\n"
-        "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n";
-    for (const char* law : subject.laws) {
-      for (const auto& [visibility, detail] : shown) {
-        const std::string name = std::string(law) + " " + visibility + " " + detail;
-        rubric += item_of(name,
-                          std::string("points = 1\nvisibility = \"") + visibility +
-                              "\"\ndetail = \"" + detail + "\"",
-                          functions(law, "cameras", 4));
-      }
+  const Grading grading;
+  std::string items;
+  for (const std::string law : kLaws) {
+    for (const auto& [visibility, detail] : shown) {
+      const std::string how = "visibility = \"" + visibility + "\"\ndetail = \"" + detail + "\"";
+      items += item_of(law + " " + visibility + " " + detail, "points = 1\n" + how,
+                       functions(law, "cameras", 4));
     }
-    grading.grade(grading.write("rubric.toml", rubric),
-                  {grading.submit("mine", "rays.py", mistake_line("rays.py", subject.mistake))},
-                  "out", "--format " + format);
-    const Numbers numbers = numbers_of(grading.result("mine"), parts, keys);
-    const auto found = told(numbers, given_to_student(grading, "mine"));
+  }
+  std::vector<std::string> folders;
+  for (const char* mistake : kMistakes) {
+    folders.push_back(grading.submit_built(mistake, "rays.cpp", mistake));
+  }
+  grading.grade(grading.short_rubric("", items), folders, "out", "--format " + format);
+  Told all;
+  for (const char* mistake : kMistakes) {
+    const Numbers numbers = numbers_of(grading.result(mistake), parts, keys);
+    const auto found = told(numbers, given_to_student(grading, mistake));
     all.secrets += numbers.secret.size();
     all.told.insert(all.told.end(), found.begin(), found.end());
   }
@@ -229,12 +221,11 @@ INSTANTIATE_TEST_SUITE_P(Formats, EachResultsFormat, testing::Values("gradescope
 TEST(Redaction, names_no_item_that_is_hidden) {
   const Grading grading;
   const std::string frame = functions("frame", "course", 4);
-  const std::string rubric = grading.write(
-      "rubric.toml", kFormOfPython +
-                         item_of("covert", "visibility = \"hidden\"\npoints = 1", frame) +
-                         item_of("open", "points = 1\nrequires = [\"covert\"]", frame));
-  const std::string folder = grading.submit("mine", "rays.py", "MISTAKE = \"u_flipped\"");
-  grading.grade(rubric, {folder}, "out", "--format prairielearn");
+  const std::string items = item_of("covert", "visibility = \"hidden\"\npoints = 1", frame) +
+                            item_of("open", "points = 1\nrequires = [\"covert\"]", frame);
+  grading.grade(grading.short_rubric("", items),
+                {grading.submit_built("mine", "rays.cpp", "u_flipped")}, "out",
+                "--format prairielearn");
   EXPECT_EQ(item(grading.result("mine"), "open")["reason"]["item"], "covert");
   const std::string text = given_to_student(grading, "mine");
   EXPECT_FALSE(has(text, "covert"));

@@ -14,11 +14,19 @@ namespace {
 
 using nlohmann::json;
 
-/// The lecture's rubric with an item hidden and one shown late.
+/// 34 points for functions, an item hidden and one shown late, a bonus of 10, and an item that
+/// only renderers are asked.
 std::string rubric_of(const Grading& grading) {
-  return grading.lecture7_with(
-      {{"name = \"ray origin\"", "name = \"ray origin\"\nvisibility = \"hidden\""},
-       {"name = \"hit point\"", "name = \"hit point\"\nvisibility = \"after_due_date\""}});
+  return grading.short_rubric(
+      "", item_of("ray origin", "points = 10\nvisibility = \"hidden\"",
+                  functions("ray-origin", "course", 6)) +
+              item_of("hit point", "points = 10\nvisibility = \"after_due_date\"",
+                      functions("hit-point", "course", 6, kGivenRays)) +
+              kNearestRoot + kPixelZeroZero +
+              item_of("whole scenes", "points = 10",
+                      "[item.pictures]\nsources = [\"course\"]\ncases = 1") +
+              item_of("robustness", "points = 10\nbonus = true\ntolerance = { conditioning = 16 }",
+                      functions("parameter", "distance@4", 6, kGivenRays)));
 }
 
 json results(const Grading& grading, const std::string& name) {
@@ -42,7 +50,7 @@ void expect_gradescope(const Grading& grading) {
     EXPECT_EQ(all["stdout_visibility"], "hidden");
     EXPECT_EQ(all["output_format"], "text");
     double sum = 0, most = 0;
-    ASSERT_EQ(all["tests"].size(), 11u) << "whole scenes are not asked of programs";
+    ASSERT_EQ(all["tests"].size(), 5u) << "whole scenes are not asked of programs";
     for (const json& one : all["tests"]) {
       sum += one["score"].get<double>();
       most += one["max_score"].get<double>();
@@ -52,12 +60,12 @@ void expect_gradescope(const Grading& grading) {
       }
     }
     EXPECT_NEAR(sum, all["score"].get<double>(), 1e-9) << name;
-    EXPECT_EQ(most, 100) << "without the bonus";
+    EXPECT_EQ(most, 34) << "without the bonus";
     EXPECT_EQ(test_named(all, "ray origin")["visibility"], "hidden");
     EXPECT_EQ(test_named(all, "hit point")["visibility"], "after_due_date");
     EXPECT_EQ(test_named(all, "nearest root")["visibility"], "visible");
   }
-  EXPECT_EQ(results(grading, "right")["score"], 110);
+  EXPECT_EQ(results(grading, "right")["score"], 44);
   const json wrong = results(grading, "wrong");
   const json root = test_named(wrong, "nearest root");
   EXPECT_EQ(root["status"], "failed");
@@ -81,7 +89,7 @@ void expect_prairielearn(const Grading& grading) {
       EXPECT_TRUE(one["points"].is_number() && one["max_points"].is_number());
       EXPECT_TRUE(one["message"].is_string() && one["output"].is_string());
     }
-    EXPECT_EQ(all["tests"].size(), 9u);
+    EXPECT_EQ(all["tests"].size(), 3u);
     EXPECT_EQ(all["gradable"], std::string(name) != "broken");
   }
   EXPECT_EQ(test_named(results(grading, "wrong"), "nearest root")["points"], 0);
@@ -96,9 +104,9 @@ TEST(Results, of_a_class_are_what_each_system_reads) {
   const Grading grading;
   const std::string rubric = rubric_of(grading);
   const std::vector<std::string> folders = {
-      grading.submit("right", "rays.py"), grading.submit(kOdd, "rays.py", "MISTAKE = \"mirrored\""),
-      grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error"),
-      grading.submit("wrong", "rays.py", "MISTAKE = \"no_test_for_t\"")};
+      grading.submit_built("right", "rays.cpp", "none"),
+      grading.submit_built(kOdd, "rays.cpp", "mirrored"), grading.submit_broken("broken"),
+      grading.submit_built("wrong", "rays.cpp", "no_test_for_t")};
   const auto graded = [&](const char* format) {
     return grading.grade(rubric, folders, "out", std::string("--format ") + format).out;
   };
@@ -110,10 +118,10 @@ TEST(Results, of_a_class_are_what_each_system_reads) {
   expect_prairielearn(grading);
   const std::string table = graded("csv");
   EXPECT_EQ(table, grading.file("", "grades.csv"));
-  expect_parts(table, {"\nright,110,", "\n\"'=1+1, \"\"quoted\"\"\",", ",columns are mirrored\n",
-                       "\nbroken,,100,", ",could not be judged: g++ exited with 1\n"});
+  expect_parts(table, {"\nright,44,", "\n\"'=1+1, \"\"quoted\"\"\",", ",columns are mirrored\n",
+                       "\nbroken,,34,", ",could not be judged: g++ exited with 1\n"});
   const json report = json::parse(graded("json"));
-  EXPECT_EQ(report["rubric"], "Lecture 7: rays and spheres");
+  EXPECT_EQ(report["rubric"], "A rubric");
   EXPECT_EQ(report["interrupted"], false);
   ASSERT_EQ(report["submissions"].size(), 4u);
   EXPECT_EQ(report["submissions"][1], grading.result(kOdd));
@@ -121,11 +129,12 @@ TEST(Results, of_a_class_are_what_each_system_reads) {
 
 TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
   const Grading grading;
-  const std::string rubric =
-      grading.lecture7_with({{"seconds = 60", "unjudged = 0.25\nseconds = 60"}});
-  const std::string broken =
-      grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error");
-  const std::string right = grading.submit("right", "rays.py");
+  const std::string hits = functions("class", "course", 6, kGivenRays);
+  const std::string rubric = grading.short_rubric(
+      "unjudged = 0.25\n",
+      item_of("hits", "points = 100", hits) + item_of("more", "points = 10\nbonus = true", hits));
+  const std::string broken = grading.submit_broken("broken");
+  const std::string right = grading.submit_built("right", "rays.cpp", "none");
   expect_parts(grading.grade(rubric, {broken, right}, "out", "--format gradescope").out,
                {"broken      25 of 100  could not be judged: ", "right      100 of 100, bonus 10\n",
                 "2 submissions graded, 1 could not be judged"});
@@ -172,7 +181,7 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
   const Grading grading;
   const std::string name = "<b>x&\"";
   const std::string escaped = "&lt;b&gt;x&amp;&quot;";
-  grading.grade(grading.lecture7_with({}),
+  grading.grade(grading.short_rubric("", kNearestRoot),
                 {grading.submit(name, "rays.cpp", "#error <script>alert(1)</script> & \"more\""),
                  grading.submit_built("wrong", "rays.cpp", "far_root"),
                  grading.submit_built("'also <i>wrong", "rays.cpp", "far_root")});
@@ -180,8 +189,7 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
   const std::string wrong = grading.file("wrong", "report.html");
   const std::string index = grading.file("", "index.html");
   expect_parts(broken, {"&lt;script&gt;alert(1)&lt;/script&gt; &amp; &quot;more&quot;",
-                        "<p>" + escaped + "</p>",
-                        "<title>Lecture 7: rays and spheres: " + escaped + "</title>"});
+                        "<p>" + escaped + "</p>", "<title>A rubric: " + escaped + "</title>"});
   expect_parts(index, {escaped});
   for (const std::string& page : {broken, wrong, index}) {
     EXPECT_GT(page.size(), 2000u);
@@ -210,13 +218,12 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
 TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_judged) {
   // Two make the same mistake, and one cannot be judged.
   const Grading grading;
-  const Outcome outcome =
-      grading.grade(grading.lecture7_with({}),
-                    {grading.submit_built("ada", "rays.cpp", "none"),
-                     grading.submit_built("bob", "rays.cpp", "far_root"),
-                     grading.submit_built("cleo", "rt.cpp", "mirrored"),
-                     grading.submit("dan", "hostile.cpp", "#define ATTACK compile_error"),
-                     grading.submit_built("eve", "rays.cpp", "far_root")});
+  const Outcome outcome = grading.grade(
+      grading.short_rubric("", std::string(kNearestRoot) + kPixelZeroZero),
+      {grading.submit_built("ada", "rays.cpp", "none"),
+       grading.submit_built("bob", "rays.cpp", "far_root"),
+       grading.submit_built("cleo", "rt.cpp", "mirrored"), grading.submit_broken("dan"),
+       grading.submit_built("eve", "rays.cpp", "far_root")});
   expect_parts(outcome.out, {"could not be judged: g++ exited with 1\n",
                              "5 submissions graded, 1 could not be judged (built in "});
   const std::string page = grading.file("", "index.html");

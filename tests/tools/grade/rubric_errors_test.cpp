@@ -176,7 +176,7 @@ TEST(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
   const std::string other = grading.write("submissions/other/main.rb", "puts 1\n");
   const std::string nothing = grading.path("submissions/nothing");
   std::filesystem::create_directories(nothing);
-  grading.grade(kLecture7,
+  grading.grade(grading.short_rubric("", kNearestRoot),
                 {grading.path("submissions/other"), nothing, grading.submit("mine", "rays.py")});
   for (const auto& [name, why] : {std::pair("other", "there is nothing in it to build or run"),
                                   std::pair("nothing", "there is no file in it")}) {
@@ -184,7 +184,7 @@ TEST(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
     EXPECT_EQ(result["score"], 0);
     expect_parts(result["refused"]["why"], {why});
   }
-  EXPECT_EQ(grading.result("mine")["score"], 110);
+  EXPECT_EQ(grading.result("mine")["score"], 10);
 }
 
 TEST(GradeCommand, grades_the_others_when_names_are_no_text) {

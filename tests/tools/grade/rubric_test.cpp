@@ -13,26 +13,17 @@
 namespace raycheck::tests {
 namespace {
 
+namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* kForms = R"(title = "A rubric"
-[conventions]
-samples = "edges"
-origin = "pixel"
-[[form]]
-has = "rays.py"
-candidate = "command:python3 {file}"
-)";
-
-/// Graded by a rubric of these items.
+/// The submission with this mistake, graded by a rubric of these items.
 json graded(const Grading& grading, const std::string& items, const std::string& file,
-            const std::string& mistake, const std::string& more = "") {
-  const std::string rubric = grading.write("rubric.toml", kForms + (kFormsOfBuilt + items));
-  const std::string submission = file == "rays.py"
-                                     ? grading.submit("mine", file, mistake_line(file, mistake))
-                                     : grading.submit_built("mine-" + mistake, file, mistake);
-  grading.grade(rubric, {submission}, "out", more);
-  const json result = grading.result(std::filesystem::path(submission).filename());
+            const std::string& mistake, const std::string& more = "",
+            const std::string& keys = "") {
+  const std::string folder = grading.path("submissions/" + mistake);
+  if (!fs::exists(folder)) grading.submit_built(mistake, file, mistake);
+  grading.grade(grading.short_rubric(keys, items), {folder}, "out", more);
+  const json result = grading.result(mistake);
   EXPECT_TRUE(result["refused"].is_null());
   return result;
 }
@@ -45,7 +36,7 @@ TEST(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
   // Each alone: several would have one mistake cost the first of them only.
   const auto wrong = [&](const std::string& keys) {
     const json result =
-        graded(grading, item_of("one", keys, nearest), "rays.py", "first_sphere_wins");
+        graded(grading, item_of("one", keys, nearest), "rays.cpp", "first_sphere_wins");
     const json one = item(result, "one");
     EXPECT_EQ(one["state"], "fails");
     EXPECT_EQ(one["cases"], 40);
@@ -65,7 +56,7 @@ TEST(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
              item_of("all", "points = 8", nearest) + item_of("share", share, nearest) +
                  item_of("steps", "points = 8\ncredit = \"steps\"\nsteps = [[1, 0.5], [0.5, 0.25]]",
                          nearest),
-             "rays.py", "none");
+             "rays.cpp", "none");
   EXPECT_EQ(right["score"], 20) << "the last step gives but half";
 }
 
@@ -77,7 +68,7 @@ TEST(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
              item_of("first", "points = 8", nearest) +
                  item_of("second", "points = 4\ncredit = \"share\"", nearest) +
                  item_of("other", "points = 2", functions("class", "course", 40, kGivenRays)),
-             "rays.py", "first_sphere_wins");
+             "rays.cpp", "first_sphere_wins");
   EXPECT_EQ(item(result, "first")["state"], "fails");
   EXPECT_EQ(item(result, "first")["score"], 0);
   const json second = item(result, "second");
@@ -103,7 +94,7 @@ TEST(RubricKeys, requires_leaves_out_what_cannot_be_right) {
                          functions("class", "course", 40, kGivenRays)) +
                  item_of("later", "points = 16\nrequires = [\"after\"]",
                          functions("class", "course", 40, kGivenRays)),
-             "rays.py", "u_flipped");
+             "rays.cpp", "u_flipped");
   EXPECT_EQ(item(result, "frame")["state"], "fails");
   EXPECT_EQ(item(result, "seen")["state"], "not asked");
   EXPECT_EQ(item(result, "seen")["points"], 0);
@@ -113,7 +104,7 @@ TEST(RubricKeys, requires_leaves_out_what_cannot_be_right) {
             json({{"kind", "needs"}, {"item", "frame"}, {"state", "fails"}}));
   EXPECT_EQ(item(result, "later")["reason"],
             json({{"kind", "needs"}, {"item", "after"}, {"state", "left out"}}));
-  const std::string page = grading.file("mine", "report.html");
+  const std::string page = grading.file("u_flipped", "report.html");
   expect_parts(page, {"left out: it needs &#39;frame&#39;, which fails<",
                       "left out: it needs &#39;after&#39;, which is left out<"});
   EXPECT_EQ(result["score"], 4);
@@ -124,10 +115,10 @@ TEST(RubricKeys, tolerance_of_the_item_or_else_of_the_rubric_decides_what_floats
   const Grading grading;
   const auto judged = [&](const std::string& tolerance, const std::string& mistake,
                           const std::string& of_rubric = "") {
-    const json result = graded(grading,
-                               of_rubric + item_of("directions", "points = 1\n" + tolerance,
-                                                   functions("direction", "course", 20)),
-                               "rays.py", mistake);
+    const json result = graded(
+        grading,
+        item_of("directions", "points = 1\n" + tolerance, functions("direction", "course", 20)),
+        "rays.cpp", mistake, "", of_rubric);
     EXPECT_GT(result["items"][0]["comparisons"], 50);
     return result["score"].get<double>();
   };
@@ -137,16 +128,16 @@ TEST(RubricKeys, tolerance_of_the_item_or_else_of_the_rubric_decides_what_floats
   EXPECT_EQ(judged("tolerance = { conditioning = 1 }", "float_directions"), 0);
   EXPECT_EQ(judged("tolerance = { conditioning = 1e9 }", "float_directions"), 1);
   EXPECT_EQ(judged("", "float_directions"), 0);
-  EXPECT_EQ(judged("", "float_directions", "[tolerance]\nulp = 1e10\n"), 1);
-  EXPECT_EQ(judged("tolerance = { ulp = 1 }", "float_directions", "[tolerance]\nulp = 1e10\n"), 0);
+  EXPECT_EQ(judged("", "float_directions", "tolerance = { ulp = 1e10 }\n"), 1);
+  EXPECT_EQ(judged("tolerance = { ulp = 1 }", "float_directions", "tolerance = { ulp = 1e10 }\n"),
+            0);
   EXPECT_EQ(judged("tolerance = { ulp = 0 }", "none"), 0);
   EXPECT_EQ(judged("tolerance = { conditioning = 1 }", "none"), 1);
 }
 
 TEST(RubricKeys, judge_mask_counts_whether_a_sphere_is_seen_and_not_which) {
   const Grading grading;
-  grading.lecture7_with({});
-  const std::string scenes = "\nscenes = [\"rubrics/lecture7/overlap.toml\"]";
+  const std::string scenes = "\nscenes = [\"lecture7/overlap.toml\"]";
   const auto items =
       item_of("mask", "points = 1", "[item.pictures]\njudge = \"mask\"" + scenes) +
       item_of("spheres", "points = 2\nbonus = true", "[item.pictures]" + scenes) +
@@ -171,9 +162,9 @@ TEST(RubricKeys, detail_and_visibility_withhold_what_they_say) {
       graded(grading,
              item_of("the root", "points = 3\nhint = \"a hint\"\n" + keys,
                      functions("nearest-root", "course-behind", 40, kGivenRays)),
-             "rays.py", "far_root", std::string("--format ") + format);
-      return grading.file("mine", "report.html") +
-             json::parse(grading.file("mine", "results.json")).dump();
+             "rays.cpp", "far_root", std::string("--format ") + format);
+      return grading.file("far_root", "report.html") +
+             json::parse(grading.file("far_root", "results.json")).dump();
     };
     const std::string sentence = "the far root is taken for the near one";
     expect_parts(read(""), {sentence, "a hint", "<dt>exact</dt>", "  exact ", "root, ray "});
@@ -182,7 +173,7 @@ TEST(RubricKeys, detail_and_visibility_withhold_what_they_say) {
     const std::string nothing = read("detail = \"nothing\"");
     expect_parts(nothing, {"fails 37 of 37 cases"});
     read("visibility = \"hidden\"");
-    const std::string hidden = grading.file("mine", "report.html");
+    const std::string hidden = grading.file("far_root", "report.html");
     expect_parts(hidden, {"1 item is in the score and not shown.", ">0 of 3<"});
     for (const auto& [text, parts] :
          {std::pair(actual, std::vector{"<dt>exact</dt>", "  exact "}),
@@ -192,8 +183,6 @@ TEST(RubricKeys, detail_and_visibility_withhold_what_they_say) {
     }
   }
 }
-
-namespace fs = std::filesystem;
 
 TEST(RubricCommand, prints_one_that_works_without_its_scenes_beside_it) {
   const Grading grading;
@@ -230,22 +219,13 @@ TEST(RubricCommand, copies_one_with_its_scenes_and_writes_over_nothing) {
   EXPECT_EQ(contents(out + "/lecture7.toml"), "mine");
 }
 
-constexpr const char* kOneScene = R"(
-[[item]]
-name = "frame"
-points = 4
-[item.pictures]
-judge = "mask"
-scenes = ["lecture7/frame.toml"]
-)";
-
 TEST(RubricScenes, lie_beside_the_rubric_before_they_are_those_that_come_with_raycheck) {
   const Grading grading;
-  const std::string rubric = grading.write("mine.toml", kFormsOfBuilt + std::string(kOneScene));
+  const std::string rubric = grading.short_rubric("", kPixelZeroZero);
   const std::string right = grading.submit_built("right", "rt.cpp", "none");
   grading.grade(rubric, {right});
   EXPECT_EQ(grading.result("right")["score"], 4);
-  const std::string beside = grading.write("lecture7/frame.toml", "no scene");
+  const std::string beside = grading.write("lecture7/orientation.toml", "no scene");
   const Outcome refused = grading.try_to_grade(rubric, {right});
   EXPECT_EQ(refused.exit_code, 2);
   expect_parts(refused.err, {beside});
@@ -253,11 +233,10 @@ TEST(RubricScenes, lie_beside_the_rubric_before_they_are_those_that_come_with_ra
 
 TEST(RubricKeys, why_is_said_beside_what_is_asked) {
   const Grading grading;
-  std::string text = kFormsOfBuilt + std::string(kOneScene);
-  text.replace(text.find("points"), 6, "asks = \"U & V\"\nwhy = \"A <b> left hand\"\npoints");
-  grading.grade(grading.write("mine.toml", text),
-                {grading.submit_built("wrong", "rt.cpp", "u_flipped"),
-                 grading.submit_built("right", "rt.cpp", "none")},
+  const std::string asked = "points = 4\nasks = \"U & V\"\nwhy = \"A <b> left hand\"";
+  grading.grade(grading.short_rubric("", item_of("frame", asked, functions("frame", "course", 6))),
+                {grading.submit_built("wrong", "rays.cpp", "u_flipped"),
+                 grading.submit_built("right", "rays.cpp", "none")},
                 "out", "--format prairielearn");
   for (const std::string& page :
        {grading.file("wrong", "report.html"), grading.file("right", "report.html"),
