@@ -6,11 +6,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <map>
+#include <memory>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -23,26 +24,20 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+/// What a call fails with.
 struct Fault {
   const char* name;
   int error;
 };
-/// What each call may fail with.
-constexpr Fault kFaults[] = {
-    {"open", EMFILE},        {"open", EIO},       {"openat", EMFILE},   {"fopen", EMFILE},
-    {"read", EIO},           {"read", EINTR},     {"write", EIO},       {"write", ENOSPC},
-    {"write", EINTR},        {"writev", ENOSPC},  {"writev", EIO},      {"pipe2", EMFILE},
-    {"mkdir", ENOSPC},       {"mkdtemp", ENOSPC}, {"rename", EIO},      {"poll", EINTR},
-    {"poll", ENOMEM},        {"waitpid", EINTR},  {"opendir", EMFILE},  {"posix_spawn", EAGAIN},
-    {"posix_spawn", ENOMEM}, {"sendfile", EIO},   {"sendfile", ENOSPC}, {"chown", EIO}};
 
 constexpr const char* kControlGroup = ", control group";
 
 constexpr const char* kNames[] = {"right", "wrong", "drawn"};
 
-class HostileFaultsAtAll : public testing::Test {
- protected:
-  HostileFaultsAtAll() {
+/// A class that is graded without a fault, as "whole", and with faults.
+class FaultyGrading {
+ public:
+  FaultyGrading() {
     rubric_ = grading_.write("rubric.toml", std::string("reply_seconds = 5\n") + kFormsOfBuilt + R"(
 [[item]]
 name = "hits"
@@ -60,6 +55,9 @@ cases = 1
     folders_ = {grading_.submit_built("right", "rays.cpp", "none"),
                 grading_.submit_built("wrong", "rays.cpp", "no_test_for_t"),
                 grading_.submit_built("drawn", "rt.cpp", "none")};
+    const Variable preload("LD_PRELOAD", RAYCHECK_FAULTS);
+    const Variable where("RAYCHECK_FAULT_COUNTS", grading_.path("counts"));
+    EXPECT_EQ(grade("whole").exit_code, 0);
   }
 
   Outcome grade(const std::string& out) const {
@@ -88,87 +86,121 @@ cases = 1
                   << whole.substr(from, 200);
   }
 
-  std::map<std::string, int> counts() const {
-    const Variable preload("LD_PRELOAD", RAYCHECK_FAULTS);
-    const Variable where("RAYCHECK_FAULT_COUNTS", grading_.path("counts"));
-    EXPECT_EQ(grade("counted").exit_code, 0);
-    std::istringstream lines(contents(grading_.path("counts")));
-    std::map<std::string, int> counts;
-    std::string name;
-    for (int count = 0; lines >> name >> count;) counts[name] = count;
-    return counts;
+  /// The calls of this name that are tried to fail, by their numbers: so many, each from another
+  /// place in the program, where there are so many.
+  std::set<std::int64_t> points(const std::string& name, std::size_t most) const {
+    std::int64_t count = 0;
+    std::vector<std::int64_t> places;
+    for (const std::string& line : lines_of(contents(grading_.path("counts")))) {
+      if (!line.starts_with(name + " ")) continue;
+      std::istringstream numbers(line.substr(name.size()));
+      numbers >> count;
+      for (std::int64_t call = 0; numbers >> call;) places.push_back(call);
+    }
+    std::sort(places.begin(), places.end());
+    std::set<std::int64_t> chosen;
+    // Places spread over the run; where there are few, any calls.
+    for (std::size_t k = 0; k < std::min(most, places.size()); ++k) {
+      chosen.insert(places[k * places.size() / std::min(most, places.size())]);
+    }
+    for (std::size_t k = 0; k < most && chosen.size() < most; ++k) {
+      if (count > 0)
+        chosen.insert(static_cast<std::int64_t>(k) * count / static_cast<std::int64_t>(most));
+    }
+    return chosen;
   }
 
+  const Grading& grading() const { return grading_; }
+  const std::vector<std::string>& folders() const { return folders_; }
+
+ private:
   Grading grading_;
   std::string rubric_;
   std::vector<std::string> folders_;
 };
 
-/// A fault, and at how many points of a run it is tried.
+/// A fault, and in how many calls of its name it is tried.
 struct Tried {
   Fault fault;
-  int points;
+  std::size_t most;
 };
-class HostileFaults : public HostileFaultsAtAll, public testing::WithParamInterface<Tried> {};
+class HostileFaults : public testing::TestWithParam<Tried> {
+ protected:
+  static void SetUpTestSuite() { faulty_ = std::make_unique<FaultyGrading>(); }
+  static void TearDownTestSuite() { faulty_.reset(); }
+
+  static std::unique_ptr<FaultyGrading> faulty_;
+};
+std::unique_ptr<FaultyGrading> HostileFaults::faulty_;
 
 TEST_P(HostileFaults, OfTheSystemMakeNoGradeWrongAndLoseNothing) {
-  const auto [fault, points] = GetParam();
+  const auto& [fault, most] = GetParam();
   if (fault.name == std::string("chown") && geteuid() != 0)
     GTEST_SKIP() << "root alone gives folders to users of their own";
-  ASSERT_EQ(grade("whole").exit_code, 0);
-  const int count = counts().at(fault.name);
-  ASSERT_GT(count, 0) << fault.name << " is never called";
-  const int tried = std::min(points, count);
-  for (int k = 0; k < tried; ++k) {
-    // Spread over the run.
-    const int position = static_cast<int>(static_cast<std::int64_t>(k) * count / tried);
+  const FaultyGrading& faulty = *faulty_;
+  const Grading& grading = faulty.grading();
+  const std::set<std::int64_t> points = faulty.points(fault.name, most);
+  ASSERT_GT(points.size(), 0u) << fault.name << " is never called";
+  for (const std::int64_t position : points) {
     const std::string point = std::string(fault.name) + ":" + std::to_string(position) + ":" +
                               std::to_string(fault.error);
     SCOPED_TRACE(point);
-    const std::string out = "out" + std::to_string(k);
-    const Outcome outcome = grade_with(point, out);
+    const Outcome outcome = faulty.grade_with(point, "out");
     const int code = outcome.exit_code;
     EXPECT_TRUE(code == 0 || code == 2 || code == 4) << code << "\n" << outcome.err;
     EXPECT_TRUE(code != 2 || !outcome.err.empty());
     bool is_whole = true;
     for (const char* name : kNames) {
-      const std::string text = grading_.file(name, "result.json", out);
+      const std::string text = grading.file(name, "result.json");
       const json result = json::parse(text, nullptr, false);
       const bool finished = !result.is_discarded() && result.value("finished", false);
       is_whole = is_whole && finished;
-      if (finished) expect_same(name, "result.json", out);
+      if (finished) faulty.expect_same(name, "result.json", "out");
     }
     EXPECT_TRUE(code != 0 || is_whole) << outcome.out;
-    EXPECT_EQ(grade(out).exit_code, 0);
+    EXPECT_EQ(faulty.grade("out").exit_code, 0);
     for (const char* name : kNames) {
-      expect_same(name, "result.json", out);
-      expect_same(name, "report.html", out);
+      faulty.expect_same(name, "result.json", "out");
+      faulty.expect_same(name, "report.html", "out");
     }
-    fs::remove_all(grading_.path(out));
+    fs::remove_all(grading.path("out"));
   }
-  for (const std::string& folder : folders_) {
+  for (const std::string& folder : faulty.folders()) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
   }
 }
 
 /// What may fail is failed: this test would not hold if nothing were.
-TEST_F(HostileFaultsAtAll, AreNoticed) {
+TEST(HostileFaultsAtAll, AreNoticed) {
   // Four are of the first process, which is tried again as another user where it fails.
-  const Outcome outcome = grade_with("pipe2:4:" + std::to_string(EMFILE), "out");
+  const Outcome outcome = FaultyGrading().grade_with("pipe2:4:" + std::to_string(EMFILE), "out");
   EXPECT_NE(outcome.exit_code, 0) << outcome.out;
 }
 
-std::vector<Tried> all_faults(int points) {
-  std::vector<Tried> all;
-  for (const Fault& fault : kFaults) all.push_back({fault, points});
-  return all;
-}
-const auto kFaultName = [](const auto& the_test) {
+const auto kNameOfFault = [](const auto& the_test) {
   const Fault& fault = the_test.param.fault;
   return fault.name + std::string("_") + strerrorname_np(fault.error);
 };
-INSTANTIATE_TEST_SUITE_P(Each, HostileFaults, testing::ValuesIn(all_faults(2)), kFaultName);
-INSTANTIATE_TEST_SUITE_P(LongEach, HostileFaults, testing::ValuesIn(all_faults(13)), kFaultName);
+std::vector<Tried> all_in(std::size_t most, const std::vector<Fault>& faults) {
+  std::vector<Tried> all;
+  for (const Fault& fault : faults) all.push_back({fault, most});
+  return all;
+}
+
+/// Each in two calls, and at night in twelve: several suites, which run side by side.
+#define RAYCHECK_TRY_FAULTS(name, ...)                                                       \
+  INSTANTIATE_TEST_SUITE_P(name, HostileFaults, testing::ValuesIn(all_in(2, {__VA_ARGS__})), \
+                           kNameOfFault);                                                    \
+  INSTANTIATE_TEST_SUITE_P(Nightly##name, HostileFaults,                                     \
+                           testing::ValuesIn(all_in(12, {__VA_ARGS__})), kNameOfFault)
+RAYCHECK_TRY_FAULTS(Opening, {"open", EMFILE}, {"open", EIO}, {"openat", EMFILE}, {"fopen", EMFILE},
+                    {"opendir", EMFILE}, {"pipe2", EMFILE});
+RAYCHECK_TRY_FAULTS(Reading, {"read", EIO}, {"read", EINTR}, {"poll", EINTR}, {"poll", ENOMEM},
+                    {"sendfile", EIO}, {"sendfile", ENOSPC});
+RAYCHECK_TRY_FAULTS(Writing, {"write", EIO}, {"write", ENOSPC}, {"write", EINTR},
+                    {"writev", ENOSPC}, {"writev", EIO}, {"rename", EIO});
+RAYCHECK_TRY_FAULTS(Making, {"mkdir", ENOSPC}, {"mkdtemp", ENOSPC}, {"chown", EIO},
+                    {"waitpid", EINTR}, {"posix_spawn", EAGAIN}, {"posix_spawn", ENOMEM});
 
 }  // namespace
 }  // namespace raycheck::tests

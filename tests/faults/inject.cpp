@@ -1,11 +1,13 @@
 // Loaded before the C library (LD_PRELOAD): counts the system calls of a program by name, and fails
 // one of them once.
 //   RAYCHECK_FAULT=NAME:K:ERRNO     the K-th call of this name, from 0, fails with this number
-//   RAYCHECK_FAULT_COUNTS=FILE      takes, at the end, a line "NAME COUNT" for each name
+//   RAYCHECK_FAULT_COUNTS=FILE      takes, at the end, a line "NAME COUNT K..." for each name: K is
+//                                   the number of the first call from each place in the program
 // What the program starts has another environment, and no faults.
 
 #include <dirent.h>
 #include <dlfcn.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -22,6 +24,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <mutex>
 #include <string_view>
 
 namespace {
@@ -37,11 +41,28 @@ constexpr std::size_t index_of(std::string_view name) {
   return k;
 }
 
+/// Where a call comes from: this function, the wrapper of the call, and the callers of it.
+using Place = std::array<void*, 6>;
+std::array<std::map<Place, long>, kNames.size()> first_calls;
+
+void note_place(std::size_t which, long count) {
+  static std::mutex mutex;
+  static thread_local bool is_noting = false;
+  if (std::getenv("RAYCHECK_FAULT_COUNTS") == nullptr || is_noting) return;
+  is_noting = true;  // what this calls itself is not noted
+  Place place{};
+  backtrace(place.data(), place.size());
+  const std::lock_guard lock(mutex);
+  first_calls[which].emplace(place, count);
+  is_noting = false;
+}
+
 /// Whether this call is the one that fails; errno is set then.
 bool fails(std::size_t which) {
   static const bool is_tried = std::strcmp(program_invocation_short_name, "raycheck") == 0;
   if (!is_tried) return false;
   const long count = counts[which]++;
+  note_place(which, count);
   static const char* const fault = std::getenv("RAYCHECK_FAULT");
   if (fault == nullptr) return false;
   std::array<char, 32> name{};
@@ -65,7 +86,9 @@ struct AtTheEnd {
     std::FILE* const file = next<std::FILE* (*)(const char*, const char*)>("fopen")(path, "w");
     if (file == nullptr) return;
     for (std::size_t k = 0; k < kNames.size(); ++k) {
-      std::fprintf(file, "%s %ld\n", kNames[k], counts[k].load());
+      std::fprintf(file, "%s %ld", kNames[k], counts[k].load());
+      for (const auto& [place, count] : first_calls[k]) std::fprintf(file, " %ld", count);
+      std::fputs("\n", file);
     }
     std::fclose(file);
   }

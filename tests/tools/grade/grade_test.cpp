@@ -26,14 +26,18 @@ int seeds() {
   return given != nullptr ? std::atoi(given) : 2;
 }
 
-std::string source_text(const std::string& path) {
-  return contents(RAYCHECK_SOURCE_DIR "/" + path);
-}
-
-void expect_full_marks(const Grading& grading, const std::vector<std::string>& folders, int first,
-                       int last) {
+TEST(RightSubmission, has_full_marks_under_every_seed) {
+  const Grading grading;
+  ASSERT_GT(seeds(), 1);
+  grading.write("submissions/py/rays.py",
+                contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"));
   const std::string rubric = grading.lecture7_with({});
-  for (int seed = first; seed <= last; ++seed) {
+  // What is compiled when it is graded is, under the first seed.
+  std::vector<std::string> folders = {
+      grading.submit("source", "rays.cpp"), grading.submit_built("renderer", "rt.cpp", "none"),
+      grading.submit("mine", "rays.py"), grading.submit_built("so", "right.cpp", "right"),
+      grading.path("submissions/py")};
+  for (int seed = 1; seed <= seeds(); ++seed) {
     const json report = json::parse(
         grading.grade(rubric, folders, "out", "--format json --seed " + std::to_string(seed)).out);
     ASSERT_EQ(report["submissions"].size(), folders.size());
@@ -42,25 +46,17 @@ void expect_full_marks(const Grading& grading, const std::vector<std::string>& f
       EXPECT_EQ(one["points"], 100);
       EXPECT_EQ(one["seed"], seed);
     }
+    if (seed == 1) folders[0] = grading.submit_built("functions", "rays.cpp", "none");
   }
 }
 
-TEST(RightSubmission, has_full_marks_under_every_seed) {
-  const Grading grading;
-  ASSERT_GT(seeds(), 1);
-  grading.write("submissions/cpp/rays.cpp", source_text("tests/candidates/right.cpp"));
-  grading.write("submissions/py/rays.py", source_text("tests/candidates/right.py"));
-  const std::string mine = grading.submit("mine", "rays.py"), py = grading.path("submissions/py");
-  // What is compiled when it is graded is, under the first seed.
-  expect_full_marks(grading,
-                    {grading.submit("source", "rays.cpp"), grading.submit("drawn", "rt.cpp"), mine,
-                     grading.path("submissions/cpp"), py},
-                    1, 1);
-  expect_full_marks(grading,
-                    {grading.submit_built("functions", "rays.cpp", "none"),
-                     grading.submit_built("renderer", "rt.cpp", "none"), mine,
-                     grading.submit_built("so", "right.cpp", "right"), py},
-                    2, seeds());
+/// Those of functions in Python that always miss, and what they say of themselves.
+std::string dull(const Grading& grading, const std::string& name, const std::string& more = "") {
+  grading.write(name + "/rays.py",
+                "import raycheck_candidate as rc\n"
+                "rc.run('dull', intersect=lambda ray, sphere, asked: None" +
+                    more + ")\n");
+  return grading.path(name);
 }
 
 /// At exact tangents either class has a witness.
@@ -70,12 +66,8 @@ TEST(DullSubmission, whose_every_answer_is_excused_has_no_points) {
       grading.write("tangents.toml",
                     kFormOfPython + item_of("tangents", "points = 10\ntolerance = { ulp = 16 }",
                                             functions("class", "tangent-ulps@53", 20, kGivenRays)));
-  grading.write("misses/rays.py",
-                "import raycheck_candidate as rc\n"
-                "rc.run('dull', intersect=lambda ray, sphere, asked: None)\n");
-  const json item =
-      json::parse(grading.grade(rubric, {grading.path("misses")}, "out", "--format json --seed 1")
-                      .out)["submissions"][0]["items"][0];
+  grading.grade(rubric, {dull(grading, "misses")});
+  const json item = grading.result("misses")["items"][0];
   EXPECT_EQ(item["score"], 0) << item.dump(2);
   EXPECT_EQ(item["state"], "fails");
   EXPECT_EQ(item["reason"]["kind"], "never right");
@@ -95,13 +87,9 @@ TEST(DullSubmission, that_states_a_domain_without_any_case_has_no_points) {
                                            "roots=rc.Roots('()', 0, 1e-300, 'radius', 'none')"};
   std::vector<std::string> submissions;
   for (const std::string& stated : states) {
-    const std::string name = "dull" + std::to_string(submissions.size());
-    grading.write(name + "/rays.py",
-                  "import raycheck_candidate as rc\n"
-                  "rc.run('dull', intersect=lambda ray, sphere, asked: None,\n"
-                  "       frame=lambda camera: ((0, 0, 1), (0, 1, 0), (1, 0, 0)), " +
-                      stated + ")\n");
-    submissions.push_back(grading.path(name));
+    submissions.push_back(
+        dull(grading, "dull" + std::to_string(submissions.size()),
+             ", frame=lambda camera: ((0, 0, 1), (0, 1, 0), (1, 0, 0)), " + stated));
   }
   const json report =
       json::parse(grading.grade(rubric, submissions, "out", "--format json --seed 1").out);
@@ -121,10 +109,7 @@ TEST(DullSubmission, that_always_misses_has_no_bonus) {
   const std::string rubric = grading.write(
       "bonus.toml", kFormOfPython + item_of("rays", "points = 10\nbonus = true\ncredit = \"share\"",
                                             functions("class", "rays", 60, kGivenRays)));
-  grading.write("misses/rays.py",
-                "import raycheck_candidate as rc\n"
-                "rc.run('dull', intersect=lambda ray, sphere, asked: None)\n");
-  grading.grade(rubric, {grading.path("misses")});
+  grading.grade(rubric, {dull(grading, "misses")});
   const json result = grading.result("misses");
   EXPECT_EQ(result["score"], 0) << result.dump(2);
   EXPECT_GT(result["items"][0]["cases"], 0);
@@ -133,9 +118,9 @@ TEST(DullSubmission, that_always_misses_has_no_bonus) {
 TEST(RightSubmission, may_lie_in_the_only_folder_of_its_folder_or_be_a_file) {
   const Grading grading;
   const std::string deep = grading.submit("deep/unpacked/src", "rays.py");
-  grading.grade(kLecture7, {grading.path("submissions/deep"), deep + "/rays.py"});
-  EXPECT_EQ(grading.result("deep")["score"], kFull);
-  EXPECT_EQ(grading.result("rays")["score"], kFull);
+  grading.grade(grading.short_rubric("", kNearestRoot),
+                {grading.path("submissions/deep"), deep + "/rays.py"});
+  for (const char* name : {"deep", "rays"}) EXPECT_EQ(grading.result(name)["score"], 10) << name;
 }
 
 TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
@@ -147,6 +132,9 @@ TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
   expect_parts(outcome.err, {"beyond doubles: raycheck's own answer is not given all points"});
 }
 
+constexpr const char* kPicturesOfFrame =
+    "[item.pictures]\njudge = \"mask\"\nscenes = [\"lecture7/frame.toml\"]\n";
+
 TEST(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers_are_stored) {
   // Something of every kind that is quick.
   const Grading grading;
@@ -154,11 +142,13 @@ TEST(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers_a
       grading.submit_built("far-root", "rays.cpp", "far_root"),
       grading.submit_built("mirrored", "rt.cpp", "mirrored"),
       grading.submit_built("crashes", "hostile.cpp", "crashes"),
-      grading.submit("does-not-compile", "hostile.cpp", "#define ATTACK compile_error"),
+      grading.submit_broken("does-not-compile"),
       grading.submit("axes", "rays.py", "MISTAKE = \"axes_dropped\"")};
   const auto graded = [&](const std::string& points, const std::string& out,
                           const std::string& jobs) {
-    const std::string rubric = grading.lecture7_with({{"points = 15", "points = " + points}});
+    const std::string frame = functions("frame", "course", 6) + kPicturesOfFrame;
+    const std::string rubric = grading.short_rubric(
+        "", item_of("frame", "points = " + points, frame) + kPixelZeroZero + kNearestRoot);
     grading.grade(rubric, folders, out, "--jobs " + jobs);
   };
   graded("15", "stored", "1");
@@ -181,13 +171,14 @@ TEST(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers_a
 
 TEST(Grades, come_of_other_cases_for_each_seed_of_which_each_has_its_own_under_a_secret) {
   const Grading grading;
-  const std::string line = "MISTAKE = \"first_sphere_wins\"";
-  const std::vector<std::string> folders = {grading.submit("alice", "rays.py", line),
-                                            grading.submit("bob", "rays.py", line)};
+  const std::string rubric = grading.short_rubric("", kNearestSphere);
+  const std::vector<std::string> folders = {
+      grading.submit_built("alice", "rays.cpp", "first_sphere_wins"),
+      grading.submit_built("bob", "rays.cpp", "first_sphere_wins")};
   std::set<std::uint64_t> seeds;
   std::set<json> first_wrong;
   const auto grade_under = [&](const std::string& secret, const std::string& out) {
-    grading.grade(kLecture7, folders, out, "--secret-file '" + grading.write(secret, secret) + "'");
+    grading.grade(rubric, folders, out, "--secret-file '" + grading.write(secret, secret) + "'");
     for (const char* name : {"alice", "bob"}) {
       const json result = grading.result(name, out);
       seeds.insert(result["seed"].get<std::uint64_t>());
@@ -206,12 +197,15 @@ TEST(Grades, come_of_other_cases_for_each_seed_of_which_each_has_its_own_under_a
 
 TEST(Grades, are_the_same_again_until_something_changes) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({});
+  const auto rubric = [&](const std::string& points) {
+    return grading.short_rubric(
+        "", item_of("frame", points, functions("frame", "course", 6)) + kPixelZeroZero);
+  };
   const std::vector<std::string> folders = {
       grading.submit("one", "rays.py"),
       grading.submit("two", "rays.py", "MISTAKE = \"u_flipped\"")};
-  const auto graded = [&](const std::string& more = "") {
-    grading.grade(rubric, folders, "out", more);
+  const auto graded = [&](const std::string& more = "", const char* points = "points = 15") {
+    grading.grade(rubric(points), folders, "out", more);
     return without_times(grading.file("two", "result.json"));
   };
   const std::string first = graded();
@@ -221,16 +215,15 @@ TEST(Grades, are_the_same_again_until_something_changes) {
   EXPECT_EQ(graded(), first);
   grading.submit("two", "rays.py", "MISTAKE = \"mirrored\"");
   EXPECT_NE(graded(), first) << "another text";
-  EXPECT_EQ(grading.result("two")["score"], 105);
-  grading.lecture7_with({{"points = 15", "points = 14"}});
-  graded();
-  EXPECT_EQ(grading.result("one")["score"], kFull - 1) << "another rubric";
-  EXPECT_EQ(grading.result("two")["score"], 104);
+  EXPECT_EQ(grading.result("two")["score"], 15);
+  graded("", "points = 14");
+  EXPECT_EQ(grading.result("one")["score"], 18) << "another rubric";
+  EXPECT_EQ(grading.result("two")["score"], 14);
 }
 
 TEST(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 2"}});
+  const std::string rubric = grading.short_rubric("reply_seconds = 2\n", kNearestRoot);
   std::vector<std::string> folders = {grading.submit("far-root", "rays.py"),
                                       grading.submit_built("sleeps", "hostile.cpp", "slow"),
                                       grading.submit("last", "rays.py")};
@@ -242,7 +235,7 @@ TEST(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   EXPECT_EQ(cut.exit_code, 130) << cut.err;
   expect_parts(cut.out, {"INTERRUPTED: the same command goes on where it was cut."});
   expect_parts(grading.file("", "index.html"), {"Interrupted: "});
-  expect_parts(grading.file("", "grades.csv"), {"\nfar-root,110,100"});
+  expect_parts(grading.file("", "grades.csv"), {"\nfar-root,10,10"});
   const std::string last = grading.file("last", "result.json");
   EXPECT_TRUE(last.empty() || !json::parse(last)["finished"].get<bool>());
   grading.grade(rubric, folders, "out", "--jobs 1");

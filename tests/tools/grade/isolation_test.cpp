@@ -19,8 +19,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// The points of right answers to all that they offer.
-constexpr double kRightHits = 45;
+/// The points of right answers to all that attacks offer, and of all items.
+constexpr double kRightHits = 10, kAll = 14;
+
+std::string short_rubric(const Grading& grading, const std::string& keys = "") {
+  return grading.short_rubric(keys, std::string(kPixelZeroZero) + kNearestRoot);
+}
 
 /// Why a machine cannot be had here; empty where it can.
 std::string why_not(const Machine& machine) {
@@ -64,7 +68,7 @@ class HostileOnMachine : public testing::TestWithParam<Machine> {
 INSTANTIATE_TEST_SUITE_P(Machines, HostileOnMachine, testing::ValuesIn(kMachines), kNameOfMachine);
 
 TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = short_rubric(grading);
   std::vector<std::string> folders;
   const std::vector<std::string> attacks = {"none",          "kills_judge",   "weakens_judge",
                                             "reads_others",  "opens_socket",  "makes_namespaces",
@@ -72,11 +76,10 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
   for (const std::string& attack : attacks) {
     folders.push_back(grading.submit_built(attack, "hostile.cpp", attack));
   }
-  // Innocents in other languages, which are beside others in class_test.cpp.
-  const std::string hand_ins = RAYCHECK_SOURCE_DIR "/tests/submissions/class/";
-  folders.push_back(hand_ins + "jonas");
+  // Innocents in other languages.
+  folders.push_back(grading.submit("python", "rays.py"));
   const bool has_node = is_installed("node");
-  if (has_node) folders.push_back(hand_ins + "ella");
+  if (has_node) folders.push_back(RAYCHECK_SOURCE_DIR "/tests/submissions/class/ella");
   const Outcome outcome = grade(0, rubric, folders, as_it_is());
   const std::string said = "isolated by: " + GetParam().isolation();
   if (!has(outcome.out, said)) GTEST_SKIP() << "this kernel has less: " << outcome.out;
@@ -89,9 +92,9 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
     EXPECT_TRUE(isolated_by.starts_with(GetParam().isolation())) << attack << isolated_by;
   }
   if (has_node) {
-    EXPECT_EQ(grading.result("ella")["score"], 108) << outcome.out;
+    EXPECT_EQ(grading.result("ella")["score"], kAll) << outcome.out;
   }
-  EXPECT_EQ(grading.result("jonas")["score"], 110) << outcome.out;
+  EXPECT_EQ(grading.result("python")["score"], kAll) << outcome.out;
 }
 
 TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
@@ -107,19 +110,18 @@ TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
           "/usr/local/share/raycheck/\ncp -r include/raycheck "
           "/usr/local/include/\nexec \"$@\"\n");
   const std::string before = "unshare -m sh '" + install + "' ";
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = short_rubric(grading);
   const std::string attack = grading.submit_built("runs_raycheck", "hostile.cpp", "runs_raycheck");
   const std::string program = grading.submit("python", "rays.py");
   expect_parts(
       grade(0, rubric, {attack, program}, as_it_is(), "/usr/local/bin/raycheck", before).out,
       {"isolated by: " + GetParam().isolation()});
   EXPECT_EQ(grading.result("runs_raycheck")["score"], kRightHits);
-  EXPECT_EQ(grading.result("python")["score"], 110) << "the adapter is there";
+  EXPECT_EQ(grading.result("python")["score"], kAll) << "the adapter is there";
 }
 
 TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
-  const std::string rubric = grading.lecture7_with(
-      {{"seconds = 60 ", "seconds = 8 "}, {"reply_seconds = 5 ", "reply_seconds = 2 "}});
+  const std::string rubric = short_rubric(grading, "seconds = 4\nreply_seconds = 1\n");
   std::vector<std::string> submissions = {grading.submit("right", "rays.py")};
   for (const char* name : {"first", "second", "third"}) {
     const std::string file = grading.write(std::string(name) + "/rays.py",
@@ -128,7 +130,7 @@ TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
     submissions.push_back(fs::path(file).parent_path());
   }
   const Outcome outcome = grade(0, rubric, submissions, as_it_is());
-  EXPECT_EQ(grading.result("right")["score"], 110);
+  EXPECT_EQ(grading.result("right")["score"], kAll);
   for (const char* name : {"first", "second", "third"}) {
     EXPECT_EQ(grading.result(name)["score"], 0) << name;
     EXPECT_TRUE(grading.result(name)["finished"]) << name;
@@ -136,7 +138,7 @@ TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
 }
 
 TEST_P(HostileOnMachine, PicturesAndFoldersThatAreClosedAreNoFailureOfTheMachine) {
-  const std::string rubric = grading.lecture7_with({{"preset = \"auto\"", "preset = \"B\""}});
+  const std::string rubric = short_rubric(grading);
   const std::string picture =
       "#!/bin/sh\n{ echo P3 25 25 255; yes 255 255 255 | head -n 625; } > $2\nchmod 0 $2\n";
   const std::string file = grading.write("file/shell.rt", picture);
@@ -151,7 +153,7 @@ TEST_P(HostileOnMachine, PicturesAndFoldersThatAreClosedAreNoFailureOfTheMachine
 }
 
 TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   const Outcome outcome = grade(GetParam().has_bubblewrap ? 0 : 2, rubric, {right});
   if (GetParam().has_bubblewrap) return;
@@ -167,13 +169,13 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
 TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {
   if (GetParam().is_root) GTEST_SKIP() << "as root each submission has a user of its own";
   // More than the 64 that a submission may have, as a desktop has them.
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = short_rubric(grading);
   const std::string threads = grading.submit("python", "rays.py");
   const std::string before = std::string("for k in $(seq 80); do ") + kAsNobody +
                              "sleep 100 & others=\"$others $!\"; done\ntrap 'kill $others' EXIT\n";
   expect_parts(grade(0, rubric, {threads}, as_it_is(), RAYCHECK_BINARY, before).out,
                {"isolated by: " + GetParam().isolation()});
-  EXPECT_EQ(grading.result("python")["score"], 110);
+  EXPECT_EQ(grading.result("python")["score"], kAll);
 }
 
 TEST(HostileJail, KeepsSignalsInWhereTheKernelCannot) {
@@ -256,7 +258,7 @@ struct TriedFolder {
 
 TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   const TriedFolder folders[] = {{"plain-1.2_b+c", 0755, ""},
                                  {"a b", 0755, "its name has ' '"},
@@ -288,7 +290,7 @@ TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
 TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can mount a folder where nothing runs";
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   fs::create_directory(grading.path("noexec"));
   const Outcome outcome = run_bash(
@@ -314,7 +316,7 @@ TEST(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
   }
   const std::string right = grading.submit("right", "rays.py");
   for (const std::string& command :
-       {"grade " + grading.lecture7_with({}) + " " + right + " --out " + grading.path("out"),
+       {"grade " + short_rubric(grading) + " " + right + " --out " + grading.path("out"),
         "check " RAYCHECK_SOURCE_DIR "/scene/examples/optical-axis.toml --candidate source:" +
             right + "/rays.py"}) {
     const Outcome outcome = run_bash(
@@ -326,7 +328,7 @@ TEST(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
 
 TEST(HostileSandbox, NoneIsRefusedToRootWhoDoesNotSayThatHeKnows) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({});
+  const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   if (geteuid() == 0) {
     expect_refused(grading.arguments(rubric, {right}, "out", "--sandbox none"),
@@ -344,7 +346,7 @@ TEST(HostileSubmission, ThatBringsProgramsAndPicturesIsListedForTheInstructor) {
   grading.write("submissions/brings/table.py", "TABLE = '" + std::string(5000, 'x') + "'\n");
   grading.write("submissions/brings/stored.ppm", "P6 1 1 255\n   ");
   grading.write("submissions/brings/notes.txt", "nothing to say of it\n");
-  grading.grade(grading.lecture7_with({}), {folder});
+  grading.grade(short_rubric(grading), {folder});
   const json files = grading.result("brings")["opaque_files"];
   ASSERT_EQ(files.size(), 3u) << files;
   EXPECT_EQ(files[0], json({{"name", "helper"}, {"kind", "program or library"}, {"bytes", 14}}));
