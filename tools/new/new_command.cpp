@@ -86,7 +86,8 @@ CommandRun add_new(CLI::App& command) {
       ->check([](const std::string& name) {
         constexpr std::string_view kLetters =
             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
-        const bool is_name = !name.empty() && kLetters.substr(0, 52).find(name.front()) != std::string_view::npos &&
+        const bool is_name = !name.empty() &&
+                             kLetters.substr(0, 52).find(name.front()) != std::string_view::npos &&
                              name.find_first_not_of(kLetters) == std::string::npos;
         return is_name ? std::string() : "must be a letter, then letters, digits and _";
       });
