@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <regex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,10 +74,6 @@ const std::vector<Mistake> kOfPictures = {
     {"by_discriminant", 95, "nearest sphere", "the sphere with the largest discriminant wins", 2},
     {"eye_plus_point", 100, "ray origin",
      "E is added where it should be subtracted: D = (P + E)/|P + E|", 3},
-    {"axes_dropped", 0,
-     "camera frame, boundary pixels, width and height, pixel (0, 0), unit directions, ray origin, "
-     "hit or miss, nearest root, nearest sphere, whole scenes, robustness",
-     "the picture is of one colour, whatever the scene", 11},
     {"float_directions", 110, "", "", 0},
     {"near_root_only", 108, "robustness",
      "only the near root counts, so that spheres around the origin are not seen", 1},
@@ -139,6 +135,20 @@ const std::vector<Mistake> kOfPictures = {
      1},
 };
 
+/// Those of pictures that make it harder to see which form of driver files is read.
+const std::vector<Mistake> kOfForms = {
+    {"axes_dropped", 0,
+     "camera frame, boundary pixels, width and height, pixel (0, 0), unit directions, ray origin, "
+     "hit or miss, nearest root, nearest sphere, whole scenes, robustness",
+     "the picture is of one colour, whatever the scene", 11},
+    {"crossed_bounds", 95, "boundary pixels, robustness",
+     "near is d itself, as in driver files from 2019 on, but the bounds are read in the order of "
+     "2017 and 2018, or: W has the wrong sign",
+     11},
+    {"normalize_discarded_and_upside_down", 80, "unit directions, whole scenes, robustness",
+     "directions are not normalised: D = P - E", 10},
+};
+
 /// A submission costs what its mistake does, and the mistake is named.
 void expect_cost(const Grading& grading, const std::string& submission, const Mistake& mistake,
                  const Outcome& outcome) {
@@ -167,79 +177,87 @@ void expect_cost(const Grading& grading, const std::string& submission, const Mi
   }
 }
 
-/// A class of which each makes another mistake of the file.
-void expect_costs(const std::string& file, const std::vector<Mistake>& mistakes) {
-  const Grading grading;
-  std::vector<std::string> folders;
+/// A class of which each makes another mistake of the file, graded by this rubric; what is said.
+std::string expect_costs(const Grading& grading, const std::string& rubric, const std::string& file,
+                         const std::vector<Mistake>& mistakes,
+                         std::vector<std::string> folders = {}) {
   for (const Mistake& one : mistakes) {
     folders.push_back(grading.submit_built(one.name, file, one.name));
   }
-  const Outcome outcome = grading.grade(grading.lecture7_with({}), folders);
+  const Outcome outcome = grading.grade(rubric, folders);
   for (const Mistake& one : mistakes) expect_cost(grading, one.name, one, outcome);
+  return outcome.out;
 }
 
-TEST(GradedMistakes, of_functions_cost_what_they_deserve_and_are_named) {
-  expect_costs("rays.cpp", kOfFunctions);
-}
-
-TEST(GradedMistakes, of_pictures_cost_what_they_deserve_and_are_named) {
-  expect_costs("rt.cpp", kOfPictures);
-}
-
-TEST(GradedMistakes, in_python_cost_as_much) {
+TEST(GradedMistakes, of_functions_cost_what_they_deserve_and_are_named_in_python_as_well) {
   const Grading grading;
-  const auto far_root = std::find_if(kOfFunctions.begin(), kOfFunctions.end(), [](const auto& one) {
-    return one.name == std::string("far_root");
-  });
-  const std::string folder =
-      grading.submit("mine", "rays.py", mistake_line("rays.py", far_root->name));
-  expect_cost(grading, "mine", *far_root, grading.grade(kLecture7, {folder}));
+  const std::string line = "MISTAKE = \"far_root\"";
+  expect_costs(grading, grading.lecture7_with({}), "rays.cpp", kOfFunctions,
+               {grading.submit("mine", "rays.py", line)});
+  json in_python = grading.result("mine"), far_root = grading.result("far_root");
+  EXPECT_EQ(in_python["score"], far_root["score"]);
+  EXPECT_EQ(in_python["items"], far_root["items"]);
 }
 
-/// What a renderer with these first lines is said to do wrong by a rubric.
-std::string said_of(const std::string& lines, const std::string& preset) {
+TEST(LongGradedForms, are_found_whatever_the_mistake) {
   const Grading grading;
-  return grading
-      .grade(grading.lecture7_with({{"preset = \"auto\"", "preset = \"" + preset + "\""}}),
-             {grading.submit("one", "rt.cpp", lines)})
-      .out;
-}
-
-/// No form of driver files is seen to be read where directions are not normalised.
-TEST(GradedMistakes, two_at_once_are_both_named_whatever_form_is_read) {
-  const std::string said =
-      said_of("#define MISTAKE normalize_discarded\n#define ALSO upside_down", "auto");
+  const std::string said = expect_costs(grading, grading.lecture7_with({}), "rt.cpp", kOfForms);
+  // No form of driver files is seen to be read where directions are not normalised.
   expect_parts(said, {"directions are not normalised: D = P - E; and rows are upside down"});
-}
-
-TEST(GradedMistakes, bounds_in_another_order_are_that_in_a_form_that_is_given) {
-  const std::string lines = "#define BOUNDS 0, 2, 1, 3";
-  expect_parts(said_of(lines, "2019"), {"right is taken from bottom and bottom from right"});
-  const std::string found = said_of(lines, "auto");
-  expect_parts(found,
-               {"near is d itself, as in driver files from 2019 on, but the bounds are read in "
-                "the order of 2017 and 2018"});
+  const std::string found = grading.result("crossed_bounds").dump();
   EXPECT_FALSE(has(found, "near has the wrong sign")) << found;
 }
 
+/// The mistakes of pictures in so many parts, suites that run side by side.
+constexpr std::size_t kParts = 3;
+class GradedPictures : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(GradedPictures, cost_what_they_deserve_and_their_mistakes_are_named) {
+  const Grading grading;
+  std::vector<Mistake> part;
+  for (std::size_t k = GetParam(); k < kOfPictures.size(); k += kParts) {
+    part.push_back(kOfPictures[k]);
+  }
+  // The form that the renderer reads.
+  expect_costs(grading, grading.lecture7_with({{"preset = \"auto\"", "preset = \"B\""}}), "rt.cpp",
+               part);
+}
+INSTANTIATE_TEST_SUITE_P(LongFirst, GradedPictures, testing::Values(0));
+INSTANTIATE_TEST_SUITE_P(LongSecond, GradedPictures, testing::Values(1));
+INSTANTIATE_TEST_SUITE_P(LongThird, GradedPictures, testing::Values(2));
+static_assert(kParts == 3);
+
+TEST(GradedMistakes, bounds_in_another_order_are_that_in_a_form_that_is_given) {
+  const Grading grading;
+  const std::string corners = item_of("boundary pixels", "points = 5",
+                                      "[item.pictures]\njudge = \"mask\"\nscenes = "
+                                      "[\"lecture7/corners.toml\", \"lecture7/edges.toml\"]\n");
+  const Outcome outcome = grading.grade(grading.short_rubric("", corners),
+                                        {grading.submit_built("one", "rt.cpp", "crossed_bounds")},
+                                        "out", "--dialect 2019");
+  expect_parts(outcome.out, {"right is taken from bottom and bottom from right"});
+}
+
 /// The names of the list MISTAKES of a file.
-std::vector<std::string> mistakes_of(const std::string& file) {
+std::set<std::string> mistakes_of(const std::string& file) {
   std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/submissions/" + file);
   text = text.substr(text.find("#define MISTAKES") + 16);
   text = text.substr(0, text.find("enum class"));
   static const std::regex name("\\w+");
-  std::vector<std::string> names;
+  std::set<std::string> names;
   for (std::sregex_iterator at(text.begin(), text.end(), name), end; at != end; ++at) {
-    names.push_back(at->str());
+    names.insert(at->str());
   }
   return names;
 }
 
 TEST(GradedMistakes, are_all_that_the_submissions_know) {
+  std::vector<Mistake> of_renderers = kOfPictures;
+  of_renderers.insert(of_renderers.end(), kOfForms.begin(), kOfForms.end());
   for (const auto& [file, mistakes] :
-       {std::pair("rays.cpp", &kOfFunctions), {"rt.cpp", &kOfPictures}}) {
-    std::vector<std::string> graded = {"none"};
-    for (const Mistake& mistake : *mistakes) graded.emplace_back(mistake.name);
+       {std::pair("rays.cpp", &kOfFunctions), {"rt.cpp", &of_renderers}}) {
+    std::set<std::string> graded = {"none"};
+    for (const Mistake& mistake : *mistakes) graded.insert(mistake.name);
     EXPECT_EQ(mistakes_of(file), graded);
   }
 }
