@@ -212,7 +212,7 @@ TEST(OwnUnits, AreThoseOfTradeoff) {
 
 /// It ends where it is asked anything but floats.
 TEST(OwnUnits, AreAskedAboutFloatsAlone) {
-  const std::string& library = compiled(temporary_file("floats_alone.cpp", R"(
+  const std::string library = compiled(temporary_file("floats_alone.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <unistd.h>
 #include <initializer_list>
