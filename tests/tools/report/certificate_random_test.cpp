@@ -100,7 +100,7 @@ TEST_P(EachSource, HasItsDiscrepanciesConfirmedWithoutTheProgram) {
   const CaseSource* source = properties::find_case_source(GetParam());
   ASSERT_NE(source, nullptr);
   const auto confirmed =
-      confirmed_of(certificates_of(all_candidates(), *source, source->has_camera ? 1 : 4));
+      confirmed_of(certificates_of(all_candidates(), *source, source->has_camera ? 1 : 6));
   for (const std::string& quantity : kOfIntersections) {
     // A planet is alone: its class says which sphere is nearest.
     if (quantity == "nearest sphere" && source->name == "horizon") continue;
