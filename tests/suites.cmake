@@ -19,10 +19,10 @@ foreach(suite IN LISTS suites)
   elseif(suite MATCHES "(^|/)Long" OR (LONG AND suite MATCHES "^(${LONG})(/|$)"))
     list(APPEND labels long)
   endif()
-  # Long ones of many parameters are four processes.
+  # Of these, which take long and share nothing, the parameters are dealt to four processes.
   set(shards 0)
   set(last 0)
-  if("long" IN_LIST labels AND suite MATCHES "/")
+  if(suite MATCHES "^(Dull|Files|Machines)/")
     set(shards 4)
     set(last 3)
   endif()
