@@ -114,6 +114,26 @@ Tally enumerate_in(int bits, Margin margin, const Part& part) {
   return (bits == 6 ? kIn6 : kIn8).at(static_cast<std::size_t>(margin))(part);
 }
 
+/// Against doubles, in which sums and products of such numbers are exact, and quotients and roots
+/// nowhere so near a tie that rounding twice matters.
+void expect_rounded() {
+  using N = SmallFloat<6, Signs<6>>;
+  const auto rounded = [](double x) {
+    if (x == 0) return x;
+    const int shift = 5 - std::ilogb(x);
+    return std::ldexp(std::nearbyint(std::ldexp(x, shift)), -shift);
+  };
+  for (const int x : numbers(6, -252, 252)) {
+    for (const int y : numbers(6, 1, 252)) {
+      EXPECT_EQ((N(x) + N(y)).raw[0], rounded(x + y));
+      EXPECT_EQ((N(x) - N(y)).raw[0], rounded(x - y));
+      EXPECT_EQ((N(x) * N(y)).raw[0], rounded(x * y));
+      EXPECT_EQ((N(x) / N(y)).raw[0], rounded(static_cast<double>(x) / y));
+      EXPECT_EQ(sqrt(N(y)).raw[0], rounded(std::sqrt(y)));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -199,25 +219,9 @@ TEST(SmallFormats, HaveWrongClassesByMutants) {
   }
 }
 
-/// Against doubles, in which sums and products of such numbers are exact, and quotients and roots
-/// nowhere so near a tie that rounding twice matters.
-TEST(SmallFormats, AreRoundedToNearestAndTiesToEven) {
-  using N = HWY_NAMESPACE::SmallFloat<6, Signs<6>>;
-  const auto rounded = [](double x) {
-    if (x == 0) return x;
-    const int shift = 5 - std::ilogb(x);
-    return std::ldexp(std::nearbyint(std::ldexp(x, shift)), -shift);
-  };
-  for (const int x : numbers(6, -252, 252)) {
-    for (const int y : numbers(6, 1, 252)) {
-      EXPECT_EQ((N(x) + N(y)).raw[0], rounded(x + y));
-      EXPECT_EQ((N(x) - N(y)).raw[0], rounded(x - y));
-      EXPECT_EQ((N(x) * N(y)).raw[0], rounded(x * y));
-      EXPECT_EQ((N(x) / N(y)).raw[0], rounded(static_cast<double>(x) / y));
-      EXPECT_EQ(sqrt(N(y)).raw[0], rounded(std::sqrt(y)));
-    }
-  }
-}
+HWY_EXPORT(expect_rounded);
+
+TEST(SmallFormats, AreRoundedToNearestAndTiesToEven) { HWY_DYNAMIC_DISPATCH(expect_rounded)(); }
 
 }  // namespace
 }  // namespace raycheck::fast
