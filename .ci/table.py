@@ -2,7 +2,7 @@
 
 STAGES has lines NAME WALL USER SYSTEM in seconds, SUITES lines PROGRAM PROCESSOR (it need not be there). BUDGET has lines
 NAME RATIO: processor time as a multiple of that of the stage `reference`, which the same machine took in the same run.
-Whatever is over is said, and fails nothing: load must decide nothing.
+What is over budget is listed last, and fails nothing: times depend on load.
 """
 
 import os
