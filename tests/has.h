@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
 #include <string>
 
 namespace raycheck {
@@ -12,6 +13,24 @@ inline testing::AssertionResult has(const std::string& text, const std::string& 
   return (found ? testing::AssertionSuccess() : testing::AssertionFailure())
          << (found ? "there is '" : "there is no '") << part << "' in:\n"
          << text;
+}
+
+/// A text of which the first `from`, which it has, is something else.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("there is no " + from);
+  return text.replace(at, from.size(), to);
+}
+
+/// What a call throws says, "no error" where it throws nothing.
+template <class Error = std::invalid_argument, class Call>
+std::string thrown_by(const Call& call) {
+  try {
+    call();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
 }
 
 }  // namespace raycheck

@@ -1,15 +1,22 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "scene/files/file_text.h"
 #include "scene/files/scene_file.h"
+#include "scene/plan/plan.h"
+#include "tests/has.h"
 
 namespace raycheck::scene {
 namespace {
+
+namespace fs = std::filesystem;
 
 const std::string kView = "eye 0 0 4\nlook 0 0 0\nup 0 1 0\n";
 const std::string kA = kView + "d 2\nbounds -1 -2 3 4\nres 16 9\n";
@@ -21,18 +28,7 @@ LoadedScene read(const std::string& text, std::optional<Dialect> dialect = {}) {
 }
 
 std::string error_of(const std::string& text, std::optional<Dialect> dialect = {}) {
-  try {
-    read(text, dialect);
-  } catch (const SceneFileError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-std::string with(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("no " + from);
-  return text.replace(at, from.size(), to);
+  return thrown_by<SceneFileError>([&] { read(text, dialect); });
 }
 
 Scene expected_scene() {
@@ -87,7 +83,7 @@ TEST(ReadDriverFile, KnowsWhatOnlyShadingNeeds) {
 }
 
 TEST(ReadDriverFile, WarnsOnceOfEachOddity) {
-  std::string text = with(kB, "d -2", "d -2 7") + "fog 1 1 1\nfog 2 2 2\nAmbient .1 .1 .1\n";
+  std::string text = replaced(kB, "d -2", "d -2 7") + "fog 1 1 1\nfog 2 2 2\nAmbient .1 .1 .1\n";
   for (int i = 0; i < 10; ++i) text += "sphere 0 0 -9 1 .1 .1 .1 red\n";
   const std::vector<std::string> warnings = read(text).warnings;
   EXPECT_EQ(warnings,
@@ -118,25 +114,25 @@ TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
 TEST(ReadDriverFile, NamesWhatIsWrongByFileLineFieldAndValue) {
   constexpr const char* kNoSign = ": must be above zero (dialect A) or below (B and C)";
   const std::pair<std::string, std::string> errors[] = {
-      {with(kA, "d 2\n", ""),
+      {replaced(kA, "d 2\n", ""),
        "f.txt:1: d: is missing; it places the image plane, and its sign tells dialect A (d > 0) "
        "from dialect B (d < 0)"},
-      {with(kA, "d 2", "d -0"), "f.txt:4: d = -0" + std::string(kNoSign)},
-      {with(kA, "d 2", "d nan"), "f.txt:4: d = nan" + std::string(kNoSign)},
-      {with(kC, "-2", "2"), "f.txt:1: d = 2: dialect C needs d < 0"},
-      {with(kA, "d 2", "d 1e400"), "f.txt:4: camera.near = -inf: is not finite"},
+      {replaced(kA, "d 2", "d -0"), "f.txt:4: d = -0" + std::string(kNoSign)},
+      {replaced(kA, "d 2", "d nan"), "f.txt:4: d = nan" + std::string(kNoSign)},
+      {replaced(kC, "-2", "2"), "f.txt:1: d = 2: dialect C needs d < 0"},
+      {replaced(kA, "d 2", "d 1e400"), "f.txt:4: camera.near = -inf: is not finite"},
       {kC + "look 1 2 3\n",
        "f.txt:4: look = 1 2 3: contradicts the camera line, line 1, which already holds it"},
       {"d 2\n" + kC, "f.txt:1: d = 2: contradicts the camera line, line 2, which already holds it"},
       {kA + "\nup 1 0 0\n", "f.txt:8: up = 1 0 0: is given twice, first on line 3"},
       {kC + "res 16 9\n", "f.txt:4: res = 16 9: is given twice, first on line 3"},
-      {with(kA, "eye 0 0 4", "eye 0 zero 4"), "f.txt:1: eye[1] = zero: is not a number"},
-      {with(kA, "eye 0 0 4", "eye 0 \x01 4"), "f.txt:1: eye[1] = \\x01: is not a number"},
+      {replaced(kA, "eye 0 0 4", "eye 0 zero 4"), "f.txt:1: eye[1] = zero: is not a number"},
+      {replaced(kA, "eye 0 0 4", "eye 0 \x01 4"), "f.txt:1: eye[1] = \\x01: is not a number"},
       {kA + "sphere 1 2 3\n", "f.txt:7: sphere = 1 2 3: needs 4 numbers, has 3"},
       {kA + "sphere 1 2 3 r\n", "f.txt:7: sphere[3] = r: is not a number"},
-      {with(kA, "d 2", "d"), "f.txt:4: d = : needs 1 numbers, has 0"},
-      {with(kC, " -2", ""), "f.txt:1: camera = 0 0 4 0 0 0 0 1 0: needs 10 numbers, has 9"},
-      {with(kA, "res 16 9", "res 16.0 9"),
+      {replaced(kA, "d 2", "d"), "f.txt:4: d = : needs 1 numbers, has 0"},
+      {replaced(kC, " -2", ""), "f.txt:1: camera = 0 0 4 0 0 0 0 1 0: needs 10 numbers, has 9"},
+      {replaced(kA, "res 16 9", "res 16.0 9"),
        "f.txt:6: res[0] = 16.0: is not a whole number of pixels"}};
   for (const auto& [text, error] : errors) EXPECT_EQ(error_of(text), error);
 }
@@ -164,7 +160,7 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
     EXPECT_EQ(error_of(text).substr(0, 9 + std::string(keyword).size() + 12),
               std::string("f.txt:1: ") + keyword + ": is missing");
   }
-  EXPECT_EQ(error_of(with(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
+  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
 }
 
 TEST(ReadDriverFile, LocatesEveryValidationProblem) {
@@ -176,32 +172,134 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
             "needs 2 or more\n"
             "f.txt:1: sphere[0].radius = -1: is negative\n"
             "f.txt:8: sphere[1].centre = [0, 0, inf]: is not finite");
-  EXPECT_EQ(error_of(with(kC, "0 1 0", "0 0 5")),
+  EXPECT_EQ(error_of(replaced(kC, "0 1 0", "0 0 5")),
             "f.txt:1: camera.up = [0, 0, 5]: is exactly parallel to eye - look_at");
 }
 
+// A reader that takes quadratic time does not come to an end here.
+TEST(HostileDriverFile, of_a_million_spheres_is_read) {
+  constexpr std::size_t kSpheres = 1000000;
+  std::string text = "eye 0 0 10\nlook 0 0 0\nup 0 1 0\nd -5\nbounds -1 1 -1 1\nres 4 4\n";
+  for (std::size_t k = 0; k < kSpheres; ++k) text += "sphere 1 2 3 4 .1 .1 .1\n";
+  const LoadedScene loaded = read(text);
+  EXPECT_EQ(loaded.scene.spheres.size(), kSpheres);
+  EXPECT_TRUE(loaded.warnings.empty());
+  EXPECT_EQ(error_of(text + "sphere 1 2 3 -4"),
+            "f.txt:1000007: sphere[1000000].radius = -4: is negative");
+}
+
+TEST(HostileDriverFile, of_other_words_has_few_warnings) {
+  std::string text = "camera 0 0 10 0 0 0 0 1 0 -5\nbounds -1 1 -1 1\nres 4 4\n";
+  for (int k = 0; k < 5000; ++k) text += "\x1b[31mword" + std::to_string(k) + "\n";
+  const LoadedScene loaded = read(text);
+  EXPECT_EQ(loaded.warnings.size(), 20u);
+  EXPECT_EQ(loaded.warnings.front(),
+            "f.txt:4: \\x1b[31mword0: unknown keyword, ignored (first on line 4)");
+}
+
+TEST(HostileDriverFile, has_few_of_its_many_errors_listed) {
+  std::string text = "camera 0 0 10 0 0 0 0 1 0 -5\nbounds -1 1 -1 1\nres 4 4\n";
+  for (int k = 0; k < 5000; ++k) text += "sphere 1 2 3 -4\n";
+  const std::string error = error_of(text);
+  EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 20);
+  EXPECT_TRUE(error.ends_with("\nand 4980 more problems")) << error;
+}
+
+class HostileFile : public testing::Test {
+ protected:
+  HostileFile() : folder_(testing::TempDir() + "raycheck_files_" + std::to_string(getpid())) {
+    fs::create_directories(folder_);
+  }
+  ~HostileFile() override { fs::remove_all(folder_); }
+
+  static std::string refusal(const fs::path& path) {
+    return thrown_by<SceneFileError>([&] { file_text(path, 100); });
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(HostileFile, that_is_none_is_refused) {
+  const fs::path pipe = folder_ / "pipe", link = folder_ / "link";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  fs::create_symlink(pipe, link);
+  const std::string named = ": cannot be read: it is a named pipe; give a file, or /dev/stdin";
+  EXPECT_EQ(refusal(pipe), pipe.string() + named);
+  EXPECT_EQ(refusal(link), link.string() + named);
+  for (const char* device : {"/dev/zero", "/dev/null", "/dev/urandom"}) {
+    EXPECT_EQ(refusal(device),
+              std::string(device) + ": cannot be read: it is a device; give a file");
+  }
+  EXPECT_EQ(refusal(folder_), folder_.string() + ": cannot be read: it is a folder; give a file");
+}
+
+TEST_F(HostileFile, of_more_than_the_limit_is_refused) {
+  const fs::path file = folder_ / "large";
+  std::ofstream(file) << std::string(100, 'x');
+  EXPECT_EQ(file_text(file, 100).size(), 100u);
+  fs::resize_file(file, 101);
+  const std::string why = ": cannot be read: it has more than 100 bytes, the most that are read";
+  EXPECT_EQ(refusal(file), file.string() + why);
+  fs::resize_file(file, std::uintmax_t{1} << 40);  // without taking room
+  EXPECT_EQ(
+      thrown_by<SceneFileError>([&] { load_scene(file); }),
+      file.string() + ": cannot be read: it has more than 268435456 bytes, the most that are read");
+}
+
+TEST_F(HostileFile, that_is_a_pipe_of_a_shell_is_read) {
+  int ends[2] = {};
+  ASSERT_EQ(pipe(ends), 0);
+  const std::string name = "/dev/fd/" + std::to_string(ends[0]);
+  ASSERT_EQ(write(ends[1], "hello", 5), 5);
+  ASSERT_EQ(close(ends[1]), 0);
+  EXPECT_EQ(file_text(name, 5), "hello");
+  close(ends[0]);
+}
+
 TEST(LoadScene, NamesTheFileAndTheReason) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
   for (const char* const file : {"raycheck-no-such-file.toml", "raycheck-no-such-file"}) {
-    try {
-      load_scene(folder / file);
-      ADD_FAILURE();
-    } catch (const SceneFileError& error) {
-      EXPECT_EQ(error.what(),
-                (folder / file).string() + ": cannot be read: No such file or directory");
-    }
+    const fs::path path = fs::temp_directory_path() / file;
+    EXPECT_EQ(thrown_by<SceneFileError>([&] { load_scene(path); }),
+              path.string() + ": cannot be read: No such file or directory");
   }
 }
 
-TEST(LoadScene, WarnsThatADialectDoesNotConcernToml) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
-                                     ("raycheck-dialect-" + std::to_string(getpid()) + ".toml");
+TEST_F(HostileFile, of_toml_warns_that_a_dialect_does_not_concern_it) {
+  const fs::path path = folder_ / "dialect.toml";
   std::ofstream(path) << "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n";
   EXPECT_TRUE(load_scene(path).warnings.empty());
   EXPECT_EQ(load_scene(path, Dialect::kA).warnings,
             (std::vector<std::string>{
                 path.string() + ": a dialect was asked for, but only driver files have one"}));
-  std::filesystem::remove(path);
+}
+
+TEST(Examples, EachLoadsSaysWhatItShowsAndShowsSomething) {
+  std::size_t scenes = 0, images = 0;
+  for (const auto& entry : fs::directory_iterator(RAYCHECK_SOURCE_DIR "/scene/examples")) {
+    SCOPED_TRACE(entry.path().string());
+    std::string first_line;
+    std::ifstream file(entry.path());
+    ASSERT_TRUE(std::getline(file, first_line));
+    EXPECT_EQ(first_line.substr(0, 2), "# ");
+    EXPECT_GT(first_line.size(), 30u);
+    const LoadedScene loaded = load_scene(entry.path());
+    const Scene& scene = loaded.scene;
+    EXPECT_FALSE(scene.spheres.empty());
+    EXPECT_TRUE(loaded.warnings.empty());
+    EXPECT_EQ(loaded.not_needed.empty(), entry.path().extension() == ".toml");
+    EXPECT_EQ(read_toml(write_toml(scene), "again").scene, scene);
+    ++scenes;
+    if (!scene.camera || entry.path().stem() == "sphere-behind-eye") continue;
+    // From the eye on, so that what is before the image plane counts.
+    Conventions conventions = scene.conventions;
+    conventions.origin = Origin::kFocal;
+    const auto spheres = plan_scene(scene, conventions, Wanted::kNearest).spheres;
+    EXPECT_TRUE(std::any_of(spheres.begin(), spheres.end(),
+                            [](const SpherePlan& sphere) { return !sphere.pixels.empty(); }));
+    ++images;
+  }
+  EXPECT_EQ(scenes, 22u);
+  EXPECT_EQ(images, 19u);
 }
 
 }  // namespace

@@ -2,12 +2,14 @@
 
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "scene/files/scene_file.h"
+#include "scene/files/toml_fields.h"
 #include "scene/number.h"
+#include "tests/has.h"
+#include "tests/numbers.h"
 
 namespace raycheck::scene {
 namespace {
@@ -22,28 +24,20 @@ constexpr const char* kCamera =
     "left = -20\nright = 20\n"  // 7, 8
     "bottom = 20\ntop = -20\n"  // 9, 10
     "width = 3\nheight = 3\n";  // 11, 12
-constexpr const char* kRay = "[[ray]]\norigin = [-5, 1, 0]\ndirection = [1, 0, 0]\n";
+const std::string kRay = "[[ray]]\norigin = [-5, 1, 0]\ndirection = [1, 0, 0]\n";
 
 Scene read_scene(const std::string& text) { return read_toml(text, "f.toml").scene; }
 
 std::string error_of_toml(const std::string& text) {
-  try {
-    read_scene(text);
-  } catch (const SceneFileError& error) {
-    return error.what();
-  }
-  return "no error";
+  return thrown_by<SceneFileError>([&] { read_scene(text); });
 }
 
 std::string camera_with(const std::string& from, const std::string& to) {
-  std::string text = kCamera;
-  const std::size_t at = text.find(from);
-  if (at == std::string::npos) throw std::logic_error("no " + from);
-  return text.replace(at, from.size(), to);
+  return replaced(kCamera, from, to);
 }
 
 double radius_read_from(const std::string& number) {
-  return read_scene(std::string(kRay) + "[[sphere]]\ncentre = [0, 0, 0]\nradius = " + number + "\n")
+  return read_scene(kRay + "[[sphere]]\ncentre = [0, 0, 0]\nradius = " + number + "\n")
       .spheres.at(0)
       .radius;
 }
@@ -74,7 +68,7 @@ TEST(ReadToml, ReadsConventionsSpheresAndRays) {
       "[conventions]\nrows = 'top-first'\nsamples = \"centres\"\norigin = \"focal\"\n"
       "root = \"smaller\"\ntangent = \"either\"\n"
       "[[sphere]]\ncentre = [0, 1, 2.5]\nradius = 1\n[[sphere]]\ncentre = [3, 4, 5]\nradius = 0\n" +
-      std::string(kRay));
+      kRay);
   EXPECT_EQ(scene.conventions, (Conventions{Rows::kTopFirst, Samples::kCentres, Origin::kFocal,
                                             Root::kSmaller, Tangent::kEither}));
   EXPECT_EQ(scene.spheres, (std::vector<Sphere>{{{0, 1, 2.5}, 1}, {{3, 4, 5}, 0}}));
@@ -82,8 +76,7 @@ TEST(ReadToml, ReadsConventionsSpheresAndRays) {
 }
 
 TEST(ReadToml, AcceptsEveryLayoutThatTomlAllows) {
-  const Scene expected =
-      read_scene(std::string(kRay) + "[[sphere]]\ncentre = [1, 2, 3]\nradius = 4\n");
+  const Scene expected = read_scene(kRay + "[[sphere]]\ncentre = [1, 2, 3]\nradius = 4\n");
   EXPECT_EQ(read_scene(
                 "\xEF\xBB\xBFsphere = [{centre = [1, 2, 3], radius = 4}]\r\n"
                 "ray = [{origin = [ # = [ \" \n -5,\n +1, 0x0, ], \"direction\" = [1, 0b0, 0o0]}]"),
@@ -125,10 +118,10 @@ TEST(ReadToml, RefusesUnknownKeysByNameAndLine) {
             "left, right, bottom, top, width, height");
   EXPECT_EQ(error_of_toml(std::string(kCamera) + "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n"),
             "f.toml:14: sphere[0].center = [0, 0, 0]: unknown key; sphere knows centre, radius");
-  EXPECT_EQ(error_of_toml(std::string(kRay) + "[[spheres]]\nradius = 1\n"),
+  EXPECT_EQ(error_of_toml(kRay + "[[spheres]]\nradius = 1\n"),
             "f.toml:4: spheres = (an array of tables): unknown key; scene knows camera, "
             "conventions, sphere, ray");
-  EXPECT_EQ(error_of_toml(std::string(kRay) + "length = 1979-05-27\n"),
+  EXPECT_EQ(error_of_toml(kRay + "length = 1979-05-27\n"),
             "f.toml:4: ray[0].length = (a date or time): unknown key; ray knows origin, direction");
   EXPECT_EQ(error_of_toml("[conventions]\nroots = \"near\"\n"),
             "f.toml:2: conventions.roots = \"near\": unknown key; conventions knows rows, samples, "
@@ -138,8 +131,8 @@ TEST(ReadToml, RefusesUnknownKeysByNameAndLine) {
 TEST(ReadToml, NamesMissingKeysAtTheirTable) {
   EXPECT_EQ(error_of_toml("\n" + camera_with("near = -30\n", "")),
             "f.toml:2: camera.near: is missing");
-  EXPECT_EQ(error_of_toml(std::string(kRay) + "\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"
-                                              "[[sphere]]\ncentre = [0, 0, 0]\n"),
+  EXPECT_EQ(error_of_toml(kRay + "\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"
+                                 "[[sphere]]\ncentre = [0, 0, 0]\n"),
             "f.toml:8: sphere[1].radius: is missing");
   for (const char* const key :
        {"eye", "look_at", "up", "near", "left", "right", "bottom", "top", "width", "height"}) {
@@ -195,9 +188,8 @@ TEST(ReadToml, ReportsEveryValidationProblemWithItsLine) {
       "needs 2 or more\n"
       "f.toml:13: sphere[0].centre = [0, 0, nan]: is not finite\n"
       "f.toml:14: sphere[0].radius = -1: is negative");
-  EXPECT_EQ(
-      error_of_toml(std::string(kRay) + "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 0]\n"),
-      "f.toml:6: ray[1].direction = [0, 0, 0]: is the zero vector");
+  EXPECT_EQ(error_of_toml(kRay + "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 0]\n"),
+            "f.toml:6: ray[1].direction = [0, 0, 0]: is the zero vector");
   EXPECT_EQ(error_of_toml(""), "f.toml:1: scene = no camera and no rays: needs one of the two");
   EXPECT_EQ(error_of_toml(std::string(kCamera) + kRay),
             "f.toml:13: scene = a camera and 1 ray: needs one of the two, not both");
@@ -211,7 +203,7 @@ TEST(ReadToml, LocatesSyntaxErrors) {
     const std::string error =
         error_of_toml(std::string("[camera]\nup = [0, 1, 0]\n") + line + "\n");
     EXPECT_EQ(error.substr(0, 7), "f.toml:") << line;
-    EXPECT_NE(error.find(": not valid TOML: "), std::string::npos) << line << "\n" << error;
+    EXPECT_TRUE(has(error, ": not valid TOML: ")) << line;
     EXPECT_GE(std::stoi(error.substr(7)), 3) << line << "\n" << error;
   }
 }
@@ -254,7 +246,7 @@ TEST(ValidRootsFile, ReadsBackWhatIsWritten) {
        {"[t_min, t_max]", "[t_min, t_max)", "(t_min, t_max]", "(t_min, t_max)"}) {
     Scene scene = with_conventions("t_min = 0.1\nculling = \"back-faces\"\ninterval = \"" +
                                    std::string(ends) + "\"\n");
-    EXPECT_EQ(scene.conventions.valid.t_max, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(scene.conventions.valid.t_max, kInfinity);
     EXPECT_TRUE(read_toml(write_toml(scene), "again").scene == scene) << write_toml(scene);
     scene.conventions.valid.t_max = 0x1.123456789abcdp+7;
     EXPECT_TRUE(read_toml(write_toml(scene), "again").scene == scene) << write_toml(scene);
@@ -270,10 +262,48 @@ TEST(ValidRootsFile, IsRefusedWhereItMakesNoSense) {
       {"t_unit = \"metres\"\n", "t_unit = \"metres\": must be one of absolute, radius"},
       {"culling = \"front-faces\"\nroot = \"smaller\"\n", "leaves nothing of root = smaller"}};
   for (const auto& [conventions, words] : refused) {
-    const std::string why =
-        error_of_toml("[conventions]\n" + std::string(conventions) + std::string(kRay));
-    EXPECT_NE(why.find(words), std::string::npos) << why;
+    EXPECT_TRUE(has(error_of_toml("[conventions]\n" + std::string(conventions) + kRay), words));
   }
+}
+
+std::string repeated(const std::string& text, std::size_t times) {
+  std::string all;
+  for (std::size_t k = 0; k < times; ++k) all += text;
+  return all;
+}
+
+TEST(HostileToml, has_a_limit_of_parts_of_a_key) {
+  const std::string refused = ": nesting: more than 32 parts of a key; at most 32 are read";
+  for (const std::size_t parts : {std::size_t{33}, std::size_t{40000}, std::size_t{1000000}}) {
+    EXPECT_EQ(error_of_toml("\n" + repeated("a.", parts - 1) + "a = 1\n"), "f.toml:2" + refused);
+    EXPECT_EQ(error_of_toml("[" + repeated("a.", parts - 1) + "a]\n"), "f.toml:1" + refused);
+    EXPECT_EQ(error_of_toml("[[" + repeated("a . ", parts - 1) + "a]]\n"), "f.toml:1" + refused);
+    EXPECT_EQ(error_of_toml("x = {" + repeated("\"a\".", parts - 1) + "a = 1}\n"),
+              "f.toml:1" + refused);
+  }
+  const std::string most = repeated("a.", kMostNested - 1) + "a";
+  EXPECT_EQ(error_of_toml("[" + most + "]\n" + most + " = {" + most + " = 1}\n").substr(0, 24),
+            "f.toml:1: a = (a table):");
+}
+
+TEST(HostileToml, has_a_limit_of_what_is_inside_each_other) {
+  for (const std::size_t depth : {std::size_t{33}, std::size_t{100000}}) {
+    EXPECT_EQ(error_of_toml("x = " + repeated("[", depth)),
+              "f.toml:1: nesting: more than 32 lists and tables inside each other; at most 32 are "
+              "read");
+    EXPECT_TRUE(has(error_of_toml("\n\nx = " + repeated("{a=", depth)), "f.toml:3: nesting: "));
+    EXPECT_TRUE(has(error_of_toml("x = [\n" + repeated("[\n", depth)), ": nesting: "));
+  }
+  EXPECT_EQ(
+      error_of_toml("x = " + repeated("[", kMostNested) + repeated("]", kMostNested)).substr(0, 13),
+      "f.toml:1: x =");
+}
+
+TEST(HostileToml, counts_no_dots_of_numbers_strings_and_comments) {
+  std::string text = "x = [" + repeated("1.5, -0.25e3, 0x1.8p0, ", 1000) + "1.0]\n";
+  text += "y = \"" + repeated(".", 1000) + "\"\nz = '''" + repeated(".\n.", 1000) + "'''\n";
+  text += "# " + repeated("a.", 1000) + "\n";
+  EXPECT_FALSE(has(error_of_toml(text), "nesting"));
 }
 
 }  // namespace

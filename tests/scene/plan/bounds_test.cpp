@@ -9,7 +9,6 @@
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
 
 #include "tests/numbers.h"
@@ -19,27 +18,19 @@ namespace {
 
 using Rational = boost::multiprecision::mpq_rational;
 
-constexpr double kMost = std::numeric_limits<double>::max();
-constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 constexpr int kTries = 20000;
 
 /// Doubles of all magnitudes, the ends of the range, whole numbers and 0 among them.
 class Doubles {
  public:
   double any() {
-    switch (engine_() % 8) {
-      case 0:
-        return static_cast<double>(static_cast<int>(engine_() % 9) - 4);
-      case 1:
-        return around_one() * (engine_() % 2 == 0 ? kLeast * 16 : kMost / 2);
-      case 2:
-      case 3:
-        return around_one();
-      default:
-        for (;;) {
-          const double x = std::bit_cast<double>(engine_());
-          if (std::isfinite(x)) return x;
-        }
+    const auto kind = engine_() % 8;
+    if (kind == 0) return static_cast<double>(static_cast<int>(engine_() % 9) - 4);
+    if (kind == 1) return around_one() * (engine_() % 2 == 0 ? kSmallest * 16 : kLargest / 2);
+    if (kind <= 3) return around_one();
+    for (;;) {
+      const double x = std::bit_cast<double>(engine_());
+      if (std::isfinite(x)) return x;
     }
   }
   /// A double, a few ulps around one, or two that lie apart.
@@ -75,7 +66,7 @@ void expect_holds(const Bounds& bounds, const Rational& exact) {
 void expect_tight(const Bounds& bounds, const Rational& least, const Rational& most) {
   const auto is_ordinary = [](const Rational& x) {
     const Rational size = abs(x);
-    return size > Rational(2 * kBoundsTiny) && size < Rational(kMost / 2);
+    return size > Rational(2 * kBoundsTiny) && size < Rational(kLargest / 2);
   };
   const auto gap = [](const Rational& x) {
     const double size = std::abs(x.convert_to<double>());
@@ -196,7 +187,7 @@ TEST(Bounds, KnowNothingBeyondTheLargestDouble) {
 
 TEST(Bounds, OfNothingTimesAnythingAreNothing) {
   const Bounds zero = Bounds::exactly(0);
-  for (const Bounds& x : {Bounds::exactly(3), Bounds::everything(), Bounds{-1, kMost}}) {
+  for (const Bounds& x : {Bounds::exactly(3), Bounds::everything(), Bounds{-1, kLargest}}) {
     EXPECT_EQ((zero * x).low, 0);
     EXPECT_EQ((zero * x).high, 0);
   }

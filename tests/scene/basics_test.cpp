@@ -1,18 +1,29 @@
-#include "scene/number.h"
+// What all else stands on: numbers and text as they are read and written, interruption, the
+// arithmetic of the processor.
 
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <limits>
+#include <functional>
 #include <random>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "scene/arithmetic.h"
+#include "scene/interruption.h"
+#include "scene/number.h"
+#include "scene/text.h"
 #include "tests/numbers.h"
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
 namespace raycheck::scene {
 namespace {
@@ -128,6 +139,82 @@ TEST(Number, IsSpelledAsDocumented) {
     EXPECT_EQ(spell(-std::nan("")), "nan");
   }
 }
+
+const std::string kNone = "\uFFFD";
+
+TEST(HostileText, keeps_what_only_says_something) {
+  for (const char* text :
+       {"", "plain", "M\u00fcller", "\u00a0", "\u4e2d\u6587 \U0001F600", "a\nb\tc"}) {
+    EXPECT_EQ(visible(text), text);
+  }
+  EXPECT_EQ(visible_line("M\u00fcller"), "M\u00fcller");
+}
+
+TEST(HostileText, spells_what_acts_on_a_terminal) {
+  EXPECT_EQ(visible("\x1b]0;x\a"), "\\x1b]0;x\\x07");
+  EXPECT_EQ(visible("a\rb\x7f"), "a\\x0db\\x7f");
+  EXPECT_EQ(visible(std::string("\0", 1)), "\\x00");
+  EXPECT_EQ(visible("\u009b31m"), "\\u009b31m");
+  EXPECT_EQ(visible("\u202egnp.exe"), "\\u202egnp.exe");
+  EXPECT_EQ(visible("\u2066\u2028"), "\\u2066\\u2028");
+  EXPECT_EQ(visible_line("a\nb\tc"), "a\\x0ab\\x09c");
+}
+
+TEST(HostileText, has_a_mark_for_each_byte_that_is_no_utf_8) {
+  EXPECT_EQ(visible("\xff"), kNone);
+  EXPECT_EQ(visible("a\xe9z"), "a" + kNone + "z");
+  EXPECT_EQ(visible("\xc3"), kNone) << "ends too early";
+  EXPECT_EQ(visible("\xe2\x82"), kNone + kNone) << "ends too early";
+  EXPECT_EQ(visible("\xc0\xaf"), kNone + kNone) << "longer than need be";
+  EXPECT_EQ(visible("\xe0\x80\xaf"), kNone + kNone + kNone) << "longer than need be";
+  EXPECT_EQ(visible("\xed\xa0\x80"), kNone + kNone + kNone) << "half of a pair";
+  EXPECT_EQ(visible("\xf4\x90\x80\x80"), kNone + kNone + kNone + kNone) << "beyond the last";
+  EXPECT_EQ(visible("\x9b"
+                    "31m"),
+            kNone + "31m")
+      << "a control of C1 in one byte";
+}
+
+TEST(Poll, ThrowsWhereTheLastOneAskedSaysSo) {
+  const std::function<bool()> never = [] { return false; };
+  const std::function<bool()> always = [] { return true; };
+  EXPECT_NO_THROW(poll());
+  {
+    const Interruptible outer(always);
+    EXPECT_THROW(poll(), Interrupted);
+    {
+      const Interruptible inner(never);
+      EXPECT_NO_THROW(poll());
+    }
+    EXPECT_THROW(poll(), Interrupted);
+    std::thread([] { EXPECT_NO_THROW(poll()); }).join();
+  }
+  EXPECT_NO_THROW(poll());
+}
+
+TEST(Arithmetic, IsThatOfIeee754) { EXPECT_EQ(arithmetic_defect(), ""); }
+
+TEST(Arithmetic, IsFoundToRoundOtherwise) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const std::string defect = arithmetic_defect();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(defect, "doubles do not round to nearest") << mode;
+  }
+}
+
+#if defined(__SSE2__)
+TEST(Arithmetic, IsFoundToFlushToZero) {
+  constexpr unsigned kFlushResults = 0x8000, kFlushOperands = 0x0040;
+  for (const unsigned flush : {kFlushResults, kFlushOperands}) {
+    const unsigned before = _mm_getcsr();
+    _mm_setcsr(before | flush);
+    const std::string defect = arithmetic_defect();
+    _mm_setcsr(before);
+    EXPECT_EQ(defect, "subnormal doubles are flushed to zero") << flush;
+  }
+}
+#endif
 
 }  // namespace
 }  // namespace raycheck::scene
