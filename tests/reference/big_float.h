@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
-#include <ostream>
 
 #include "reference/enclosure.h"
 #include "tests/numbers.h"

@@ -1,18 +1,27 @@
+// Errors: against what they are by hand, rational arithmetic and balls.
+
 #include "reference/error_measure.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
-#include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "reference/exact_ray.h"
+#include "reference/ray_error.h"
 #include "tests/numbers.h"
 #include "tests/reference/big_float.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
 namespace {
+
+using scene::Ray;
+using scene::Sphere;
 
 Enclosure real(double x) { return Enclosure(x, 192); }
 Enclosure3 real3(double x, double y, double z) { return {real(x), real(y), real(z)}; }
@@ -107,20 +116,16 @@ TEST(RelativeError, OfDoublesIsThatOfTheirEnclosures) {
   EXPECT_EQ(relative_error(infinite, infinite).value, kInfinity);
 }
 
-TEST(AngleError, IsBlindToLength) {
-  const Enclosure3 exact = real3(0.6, 0.8, 0);
-  EXPECT_EQ(angle_error({1.2, 1.6, 0}, exact).value, 0);
-  const double error = angle_error({1, 0x1p-53, 0}, real3(1, 0, 0)).value;
-  EXPECT_EQ(error, 1);
-  EXPECT_EQ(angle_error({2, 0x1p-52, 0}, real3(1, 0, 0)).value, 1);
-}
-
-TEST(AngleError, FromARightAngleOnIsInfinite) {
-  EXPECT_EQ(angle_error({0, 1, 0}, real3(1, 0, 0)).value, kInfinity);
-  EXPECT_EQ(angle_error({-1, 0, 0}, real3(1, 0, 0)).value, kInfinity);
-  EXPECT_EQ(angle_error({0, 0, 0}, real3(1, 0, 0)).value, kInfinity);
-  EXPECT_EQ(angle_error({kNaN, 0, 0}, real3(1, 0, 0)).value, kInfinity);
-  EXPECT_LT(angle_error({1, 1000, 0}, real3(1, 0, 0)).value, 1001 * 0x1p53);
+TEST(AngleError, IsBlindToLengthAndInfiniteFromARightAngleOn) {
+  EXPECT_EQ(angle_error({1.2, 1.6, 0}, real3(0.6, 0.8, 0)).value, 0);
+  const Enclosure3 along_x = real3(1, 0, 0);
+  EXPECT_EQ(angle_error({1, 0x1p-53, 0}, along_x).value, 1);
+  EXPECT_EQ(angle_error({2, 0x1p-52, 0}, along_x).value, 1);
+  EXPECT_LT(angle_error({1, 1000, 0}, along_x).value, 1001 * 0x1p53);
+  for (const scene::Vector3& given :
+       {scene::Vector3{0, 1, 0}, {-1, 0, 0}, {0, 0, 0}, {kNaN, 0, 0}}) {
+    EXPECT_EQ(angle_error({given.x, given.y, given.z}, along_x).value, kInfinity);
+  }
 }
 
 TEST(UnitDefect, IsHowFarTheLengthIsFromOne) {
@@ -145,6 +150,252 @@ TEST(InUnitsOfU, BoundsFromAbove) {
   EXPECT_EQ(in_units_of_u(real(0)).value, 0);
   EXPECT_EQ(in_units_of_u(real(kLargest)).value, kInfinity);
   EXPECT_EQ(in_units_of_u(Enclosure(1) / Enclosure(0)).value, kInfinity);
+}
+
+using Fraction = boost::multiprecision::mpq_rational;
+
+/// |p| / (2 sum_k |q_k| (|L_k| + |C_k| + |s d_k|) + 2 r^2) in units of u; 0 where p = 0.
+Fraction exact_backward_error(const Ray& ray, const Sphere& sphere, double parameter) {
+  const std::array<std::array<double, 3>, 3> coordinates = {{
+      {ray.origin.x, ray.direction.x, sphere.centre.x},
+      {ray.origin.y, ray.direction.y, sphere.centre.y},
+      {ray.origin.z, ray.direction.z, sphere.centre.z},
+  }};
+  const Fraction r(sphere.radius);
+  Fraction p = -r * r;
+  Fraction change = 2 * r * r;
+  for (const auto& [origin, direction, centre] : coordinates) {
+    const Fraction step = Fraction(parameter) * Fraction(direction);
+    const Fraction q = Fraction(origin) + step - Fraction(centre);
+    p += q * q;
+    change += 2 * abs(q) * (abs(Fraction(origin)) + abs(Fraction(centre)) + abs(step));
+  }
+  if (p == 0) return 0;
+  return abs(p) / change * Fraction(0x1p53);
+}
+
+void expect_exact(const Ray& ray, const Sphere& sphere, double parameter) {
+  const double got = backward_error(ray, sphere, parameter).value;
+  const Fraction exact = exact_backward_error(ray, sphere, parameter);
+  const std::string what = spelled(ray) + spelled(sphere) + " at " + scene::hexfloat(parameter);
+  ASSERT_TRUE(std::isfinite(got)) << what;
+  EXPECT_GE(Fraction(got), exact) << what;
+  EXPECT_LE(Fraction(got), exact * Fraction(1 + kBackwardErrorWidth) + Fraction(kSmallest)) << what;
+  EXPECT_EQ(got == 0, exact == 0) << what;
+}
+
+const Ray kAlongX{{-5, 0, 0}, {1, 0, 0}};
+
+TEST(BackwardError, IsExactWhereItIsSpecial) {
+  struct Place {
+    const char* what;
+    Ray ray;
+    Sphere sphere;
+    double s;
+  };
+  const Ray at_zero{{0, 0, 0}, {1, 0, 0}}, touching{{-5, 1, 0}, {1, 0, 0}};
+  for (const auto& [what, ray, sphere, s] : std::vector<Place>{
+           {"a near root", kAlongX, kUnit, 4},
+           {"a far root", kAlongX, kUnit, 6},
+           {"behind the ray", {{5, 0, 0}, {1, 0, 0}}, kUnit, -4},
+           {"a double root", touching, kUnit, 5},
+           {"beside a double root", touching, kUnit, 5 + 0x1p-20},
+           {"next to a double root", touching, kUnit, 5 - 0x1p-50},
+           {"a point", kAlongX, {{3, 0, 0}, 0}, 8},
+           {"a far point", at_zero, {{0x1p1000, 0, 0}, 0}, 0x1p1000},
+           {"a subnormal point", {{0, 0, 0}, {kSmallest, 0, 0}}, {{kSmallest, 0, 0}, 0}, 1},
+           {"beside a root", kAlongX, kUnit, 4 + 0x1p-10},
+           {"the most", kAlongX, {{0, 0, 0}, 0x1p600}, 0},
+           {"the most, of a point", at_zero, {{7, 0, 0}, 0}, 0}}) {
+    SCOPED_TRACE(what);
+    expect_exact(ray, sphere, s);
+    EXPECT_LE(backward_error(ray, sphere, s).value, kMostBackwardError);
+  }
+}
+
+TEST(BackwardError, IsInfiniteOfWhatIsNotFiniteAndRefusesWhatIsNoProblem) {
+  for (const double s : {kInfinity, -kInfinity, kNaN}) {
+    EXPECT_EQ(backward_error(kAlongX, kUnit, s).value, kInfinity);
+  }
+  EXPECT_THROW(backward_error({{0, 0, 0}, {0, 0, 0}}, kUnit, 1), std::invalid_argument);
+  EXPECT_THROW(backward_error(kAlongX, {{0, 0, 0}, -1}, 1), std::invalid_argument);
+}
+
+TEST(BackwardError, IsExactOnRandomCases) {
+  for (const Sizes sizes : {Sizes::kOrdinary, Sizes::kAll}) {
+    Random random(1);
+    int hits = 0;
+    for (int k = 0; k < 3000; ++k) {
+      const Ray ray = random_ray(random, sizes);
+      const Sphere sphere = random_sphere(random, sizes);
+      if (sizes == Sizes::kAll) expect_exact(ray, sphere, any_double(random));
+      const ExactRay exact(ray);
+      const Intersection at = exact.intersect(sphere);
+      if (at.hit_class != HitClass::kHit) continue;
+      const double s = exact.rounded_parameter(sphere, at);
+      if (!std::isfinite(s)) continue;
+      ++hits;
+      if (sizes == Sizes::kAll) {
+        expect_exact(ray, sphere, s);
+        continue;
+      }
+      expect_exact(ray, sphere, nudged(s, random.integer(-4, 4)));
+      // A rounded s is the root of a ray whose direction was changed by as much, at most u.
+      EXPECT_LE(backward_error(ray, sphere, s).value, 1 + 0x1p-20)
+          << spelled(ray) << spelled(sphere);
+    }
+    EXPECT_GE(hits, 200);
+  }
+}
+
+/// Balls so narrow that what they leave open of an error does not count.
+constexpr int kBits = 400;
+
+/// Compares errors with those measured by balls alone; counts those that are neither 0 nor
+/// infinite.
+class Comparison {
+ public:
+  void expect_same(double error, double by_balls) {
+    // Wider than both enclosures: 70 bits where balls of ExactRay took over.
+    EXPECT_NEAR(error, by_balls, 0x1p-16 + by_balls * 0x1p-29);
+    if (error > 0 && std::isfinite(error)) ++measured_;
+  }
+  /// The bound is no smaller than the error itself.
+  void expect_bound(double error, double by_balls) {
+    if (!std::isfinite(by_balls)) {
+      EXPECT_EQ(error, by_balls);
+      return;
+    }
+    expect_same(error, by_balls);
+    EXPECT_GE(error, by_balls * (1 - 0x1p-52) - 0x1p-60);
+  }
+  int measured() const { return measured_; }
+
+ private:
+  int measured_ = 0;
+};
+
+template <class Triple>
+Triple nudged3(Random& random, const Triple& v) {
+  return {nudged(v.x, random.integer(-3, 3)), nudged(v.y, random.integer(-3, 3)),
+          nudged(v.z, random.integer(-3, 3))};
+}
+
+void compare_rays(Comparison& comparison, Random& random, const ExactRay& ray) {
+  if (ray.source().camera != nullptr) {
+    const scene::Point3 point = nudged3(random, ray.rounded_pixel_point());
+    comparison.expect_bound(pixel_point_error(ray, point).value,
+                            relative_error(point, ray.pixel_point(kBits)).value);
+  }
+  const scene::Point3 origin = nudged3(random, ray.rounded_origin());
+  comparison.expect_bound(origin_error(ray, origin).value,
+                          relative_error(origin, ray.origin(kBits)).value);
+  const scene::UnitVector3 direction = nudged3(random, ray.rounded_direction());
+  comparison.expect_bound(direction_error(ray, direction).value,
+                          angle_error(direction, ray.direction(kBits)).value);
+}
+
+void compare_hits(Comparison& comparison, Random& random, const ExactRay& ray,
+                  const scene::Sphere& sphere) {
+  const Intersection at = ray.intersect(sphere);
+  if (at.hit_class == HitClass::kMiss) return;
+  const double s = nudged(ray.rounded_parameter(sphere, at), random.integer(-3, 3));
+  comparison.expect_bound(parameter_error(ray, sphere, at, s).value,
+                          ulp_error(s, ray.parameter(sphere, at, kBits)).value);
+  const scene::Point3 point = nudged3(random, ray.rounded_point(sphere, at));
+  comparison.expect_bound(hit_point_error(ray, sphere, at, point).value,
+                          relative_error(point, ray.point(sphere, at, kBits)).value);
+  const Enclosure3 answer = enclose_exactly(point);
+  if (const auto residual = ray_residual(ray, point)) {
+    const Enclosure3 along = answer - ray.origin(kBits);
+    if (!norm(along).contains_zero()) {
+      comparison.expect_bound(
+          residual->value,
+          in_units_of_u(norm(cross(along, ray.direction(kBits))) / norm(along)).value);
+    }
+  }
+  const auto residual = sphere_residual(sphere, point);
+  ASSERT_EQ(residual.has_value(), sphere.radius != 0);
+  if (!residual) return;
+  const Enclosure radius(sphere.radius, kBits);
+  comparison.expect_bound(
+      residual->value,
+      in_units_of_u((norm(answer - enclose_exactly(sphere.centre)) - radius) / radius).value);
+}
+
+TEST(RayError, IsThatOfBalls) {
+  Random random(1);
+  Comparison of_cameras, of_given_rays;
+  for (int k = 0; k < 2000; ++k) {
+    const Sizes sizes = k % 2 == 0 ? Sizes::kOrdinary : Sizes::kSmallIntegers;
+    const scene::Sphere sphere = random_sphere(random, sizes);
+    const ExactRay given(random_ray(random, sizes));
+    compare_rays(of_given_rays, random, given);
+    compare_hits(of_given_rays, random, given, sphere);
+    if (k % 4 > 1) continue;
+    const scene::Camera camera = random_camera(random, sizes);
+    const ExactRay ray(ExactCamera(camera, random_conventions(random)),
+                       random_pixel(random, camera));
+    compare_rays(of_cameras, random, ray);
+    compare_hits(of_cameras, random, ray, sphere);
+  }
+  EXPECT_GE(of_cameras.measured(), 2000);
+  EXPECT_GE(of_given_rays.measured(), 2000);
+}
+
+TEST(RayError, LeavesToBallsWhatDoubleDoublesCannotHold) {
+  // Squares overflow, and the tangent's discriminant cancels to nothing.
+  const ExactRay huge(scene::Ray{{-0x1p600, 0x1p599, 0}, {1, 0, 0}});
+  const scene::Sphere sphere{{0, 0, 0}, 0x1p600};
+  const Intersection at = huge.intersect(sphere);
+  ASSERT_EQ(at.hit_class, HitClass::kHit);
+  const double s = huge.rounded_parameter(sphere, at);
+  EXPECT_LE(parameter_error(huge, sphere, at, s).value, 0.5);
+  EXPECT_GE(parameter_error(huge, sphere, at, nudged(s, 2)).value, 1.5);
+  const ExactRay grazing(Ray{{-5, nudged(1, -1), 0}, {1, 0, 0}});
+  const Intersection there = grazing.intersect(kUnit);
+  ASSERT_EQ(there.hit_class, HitClass::kHit);
+  EXPECT_LE(parameter_error(grazing, kUnit, there, grazing.rounded_parameter(kUnit, there)).value,
+            0.5);
+}
+
+TEST(RayError, OfTheExactValueIsZero) {
+  const ExactRay ray(kAlongX);
+  EXPECT_EQ(parameter_error(ray, kUnit, kSmallerHit, 4).value, 0);
+  EXPECT_EQ(parameter_error(ray, kUnit, kSmallerHit, nudged(4, -1)).value, 0.5);
+  EXPECT_EQ(hit_point_error(ray, kUnit, kSmallerHit, {-1, 0, 0}).value, 0);
+  EXPECT_EQ(sphere_residual(kUnit, {-1, 0, 0}).value().value, 0);
+  EXPECT_EQ(ray_residual(ray, {-1, 0, 0}).value().value, 0);
+  EXPECT_EQ(origin_error(ray, {-5, 0, 0}).value, 0);
+  EXPECT_EQ(direction_error(ray, {1, 0, 0}).value, 0);
+  EXPECT_FALSE(ray_residual(ray, {-5, 0, 0}).has_value());
+  EXPECT_FALSE(sphere_residual({{0, 0, 0}, 0}, {1, 0, 0}).has_value());
+}
+
+TEST(RayError, OfWhatIsNotFiniteIsInfinite) {
+  const ExactRay ray(scene::Ray{{-5, 0, 0}, {1, 0.5, 0}});
+  const scene::Sphere sphere{{0, 1, 0}, 2};
+  const Intersection at = ray.intersect(sphere);
+  for (const double bad : {kInfinity, -kInfinity, kNaN}) {
+    EXPECT_EQ(parameter_error(ray, sphere, at, bad).value, kInfinity);
+    EXPECT_EQ(hit_point_error(ray, sphere, at, {0, bad, 0}).value, kInfinity);
+    EXPECT_EQ(origin_error(ray, {bad, 0, 0}).value, kInfinity);
+    EXPECT_EQ(direction_error(ray, {0, 0, bad}).value, kInfinity);
+    EXPECT_FALSE(is_at_other_root(ray, sphere, at, bad));
+  }
+}
+
+TEST(RayError, TellsTheOtherRootFromAnError) {
+  const ExactRay ray(kAlongX);  // roots 4 and 6: nearer to 6 than 0.5
+  for (const double s : {5.6, 6.0, 6.4}) {
+    EXPECT_TRUE(is_at_other_root(ray, kUnit, kSmallerHit, s));
+    EXPECT_FALSE(is_at_other_root(ray, kUnit, kLargerHit, s));
+  }
+  for (const double s : {3.0, 4.0, 5.0, 5.4, 5.5, 6.5, 7.0}) {
+    EXPECT_FALSE(is_at_other_root(ray, kUnit, kSmallerHit, s));
+  }
+  EXPECT_TRUE(is_at_other_root(ray, kUnit, kLargerHit, 4.4));
+  EXPECT_FALSE(is_at_other_root(ray, kUnit, kTangent, 6));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 // Cameras, rays and spheres for the tests of reference/: small integers, ordinary sizes, all sizes.
 
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -41,14 +42,9 @@ inline double any_double(Random& random) {
 enum class Sizes { kSmallIntegers, kOrdinary, kAll };
 
 inline double number(Random& random, Sizes sizes, std::int64_t size = 9) {
-  switch (sizes) {
-    case Sizes::kSmallIntegers:
-      return random.small_integer(size);
-    case Sizes::kOrdinary:
-      return random.between(-static_cast<double>(size), static_cast<double>(size));
-    default:
-      return any_double(random);
-  }
+  if (sizes == Sizes::kSmallIntegers) return random.small_integer(size);
+  if (sizes == Sizes::kAll) return any_double(random);
+  return random.between(-static_cast<double>(size), static_cast<double>(size));
 }
 
 template <class Triple>
@@ -83,10 +79,9 @@ inline scene::Camera random_camera(Random& random, Sizes sizes) {
     camera.look_at = triple<scene::Point3>(random, sizes);
     camera.up = triple<scene::Vector3>(random, sizes);
     camera.near = -std::abs(number(random, sizes));
-    camera.left = number(random, sizes);
-    camera.right = number(random, sizes);
-    camera.bottom = number(random, sizes);
-    camera.top = number(random, sizes);
+    for (double* bound : {&camera.left, &camera.right, &camera.bottom, &camera.top}) {
+      *bound = number(random, sizes);
+    }
     camera.width = random.integer(2, 9);
     camera.height = random.integer(2, 9);
     if (scene::defects(camera).empty()) return camera;
@@ -115,6 +110,11 @@ inline std::vector<double*> inputs_of(scene::Camera& camera, std::vector<scene::
     for (double* x : {&centre.x, &centre.y, &centre.z, &radius}) result.push_back(x);
   }
   return result;
+}
+
+template <class Triple>
+std::array<double*, 3> numbers_of(Triple& v) {
+  return {&v.x, &v.y, &v.z};
 }
 
 /// `value` moved by `steps` doubles.

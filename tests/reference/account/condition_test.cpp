@@ -1,5 +1,6 @@
-// Condition numbers against differences of enclosures at changed inputs, intervals against balls,
-// and where they are known by hand.
+// Condition numbers: against differences of enclosures at changed inputs, intervals against balls,
+// closed forms of derivatives, those of the stages against the derivatives of each step, and known
+// by hand.
 
 #include "reference/account/condition.h"
 
@@ -8,16 +9,43 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <vector>
 
-#include "tests/reference/account/condition_cases.h"
+#include "tests/reference/big_float.h"
+#include "tests/reference/lecture_formulas.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
 namespace {
 
 using scene::Camera;
+using scene::Ray;
 using scene::Sphere;
+
+std::array<Big, 3> coordinates_of(const Big3& v) { return {v.x, v.y, v.z}; }
+
+/// Of two upper bounds, or a bound and the value itself: the stated width, and one for rounding.
+constexpr double kAgreement = 1.25 * kConditionWidth;
+
+/// Checks a condition number against its exact value.
+void expect_condition(double bound, const Big& exact, const std::string& what) {
+  if (exact > Big(kLargest)) {
+    EXPECT_EQ(bound, kInfinity) << what;
+    return;
+  }
+  EXPECT_TRUE(Big(bound) >= exact * (1 - power_of_two(-50)))
+      << what << ": " << bound << " below " << exact.convert_to<double>();
+  EXPECT_TRUE(Big(bound) <= exact * (1 + kAgreement) + kNegligibleCondition)
+      << what << ": " << bound << " above " << exact.convert_to<double>();
+}
+
+/// Checks two bounds of one condition number.
+void expect_same_condition(double one, double other, const std::string& what) {
+  if (one == other) return;
+  EXPECT_LE(std::abs(one - other), kAgreement * other + kNegligibleCondition)
+      << what << ": " << one << " and " << other;
+}
 
 /// A camera's ray and a sphere: what a condition number is asked of.
 struct CameraCase {
@@ -222,22 +250,22 @@ TEST(CameraCondition, OfTheFrameGrowsAsUpNearsTheViewDirection) {
 TEST(Condition, IsInfiniteAtATangent) {
   const ExactRay ray(scene::Ray{{-5, 1, 0}, {1, 0, 0}});
   const Sphere sphere{{0, 0, 0}, 1};
-  EXPECT_EQ(condition_of_parameter(ray, sphere, kTangent), kUnbounded);
-  EXPECT_EQ(condition_of_point(ray, sphere, kTangent), kUnbounded);
-  EXPECT_EQ(condition_of_half_chord_sq(ray, sphere), kUnbounded);
+  EXPECT_EQ(condition_of_parameter(ray, sphere, kTangent), kInfinity);
+  EXPECT_EQ(condition_of_point(ray, sphere, kTangent), kInfinity);
+  EXPECT_EQ(condition_of_half_chord_sq(ray, sphere), kInfinity);
   EXPECT_LT(condition_of_axial_distance(ray, sphere), 3);
 }
 
 TEST(Condition, IsInfiniteOfAValueThatSmallChangesMoveFromZero) {
   // v = T.D = 0, of terms that cancel.
   const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 1, 0}});
-  EXPECT_EQ(condition_of_axial_distance(ray, {{3, -3, 0}, 1}), kUnbounded);
+  EXPECT_EQ(condition_of_axial_distance(ray, {{3, -3, 0}, 1}), kInfinity);
   // Q = 0, the world's origin.
   const ExactRay to_origin(scene::Ray{{-1, 0, 0}, {1, 0, 0}});
-  EXPECT_EQ(condition_of_point(to_origin, {{2, 0, 0}, 2}, kSmallerHit), kUnbounded);
+  EXPECT_EQ(condition_of_point(to_origin, {{2, 0, 0}, 2}, kSmallerHit), kInfinity);
   // Beyond the doubles: s = 2^-1075 of numbers near 1.
   const ExactRay close(scene::Ray{{-1, 0x1p-537, 0}, {1, 0, 0}});
-  EXPECT_EQ(condition_of_parameter(close, {{0, 0, 0}, 1}, kSmallerHit), kUnbounded);
+  EXPECT_EQ(condition_of_parameter(close, {{0, 0, 0}, 1}, kSmallerHit), kInfinity);
 }
 
 TEST(Condition, IsZeroOfAZeroThatNoSmallChangeMoves) {
@@ -248,6 +276,227 @@ TEST(Condition, IsZeroOfAZeroThatNoSmallChangeMoves) {
   EXPECT_EQ(condition_of_half_chord_sq(ray, {{5, 0, 0}, 0}), 0);
   // The direction (1, 0, 0) keeps its sign and its axis.
   EXPECT_LE(condition_of_direction(ray), kNegligibleCondition);
+}
+
+Big3 axis(std::size_t k) { return {Big(k == 0 ? 1 : 0), Big(k == 1 ? 1 : 0), Big(k == 2 ? 1 : 0)}; }
+
+/// sum |dq/dx| |x| over |q|; infinite as condition numbers are.
+Big over(const Big& sum, const Big& size) {
+  if (size != 0) return sum / size;
+  return sum == 0 ? Big(0) : Big(kInfinity);
+}
+
+/// The values of a ray and a sphere, and their derivatives by hand.
+struct ByHand {
+  ByHand(const Ray& ray, const Sphere& sphere, const Intersection& at)
+      : L(big(ray.origin)), d(big(ray.direction)), C(big(sphere.centre)), r(sphere.radius) {
+    const Big3 t = C - L;
+    const Big length = norm(d);
+    const Big3 D = d / length;
+    v = dot(t, D);
+    const Big3 moment = cross(t, D);
+    half_chord_sq = r * r - dot(moment, moment);
+    const Big half_chord = half_chord_sq > 0 ? Big(sqrt(half_chord_sq)) : Big(0);
+    s = (at.root == WhichRoot::kSmaller ? Big(v - half_chord) : Big(v + half_chord)) / length;
+    // 0 exactly where the ray starts on the sphere.
+    if (dot(t, t) == r * r && (at.root == WhichRoot::kSmaller) == (dot(t, d) > 0)) s = 0;
+    q = L + s * d - C;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Big size_of_ends = abs(coordinates_of(L)[k]) + abs(coordinates_of(C)[k]);
+      const Big size_of_d = abs(coordinates_of(d)[k]);
+      const Big T_k = coordinates_of(t)[k];
+      const Big D_k = coordinates_of(D)[k];
+      const Big by_d = abs(T_k - v * D_k) / length;
+      axial_sum += abs(D_k) * size_of_ends + by_d * size_of_d;
+      half_sum += 2 * (abs(T_k - v * D_k) * size_of_ends + abs(v) * by_d * size_of_d);
+    }
+    half_sum += 2 * r * r;
+  }
+
+  /// From p(s) = |L + s d - C|^2 - r^2 = 0: ds/dx = -(dp/dx) / (dp/ds).
+  Big parameter_condition() const {
+    Big sum = 2 * r * r;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Big size =
+          abs(coordinates_of(L)[k]) + abs(coordinates_of(C)[k]) + abs(s * coordinates_of(d)[k]);
+      sum += 2 * abs(coordinates_of(q)[k]) * size;
+    }
+    return over(sum / abs(2 * dot(q, d)), abs(s));
+  }
+
+  /// dQ/dx = dL/dx + s dd/dx + d ds/dx.
+  Big point_condition() const {
+    const Big slope = 2 * dot(q, d);
+    Big sum = norm((2 * r * r / slope) * d);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Big by_start = -2 * coordinates_of(q)[k] / slope;
+      sum += norm(axis(k) + by_start * d) * abs(coordinates_of(L)[k]);
+      sum += norm(by_start * d) * abs(coordinates_of(C)[k]);
+      sum += norm(s * axis(k) + (s * by_start) * d) * abs(coordinates_of(d)[k]);
+    }
+    return over(sum, norm(q + C));
+  }
+
+  Big3 L, d, C;
+  Big r, v, half_chord_sq, s;
+  Big3 q;
+  Big axial_sum, half_sum;
+};
+
+int compare_with_closed_forms(Sizes sizes, std::uint64_t seed, int cases) {
+  Random random(seed);
+  int compared = 0;
+  for (int k = 0; k < cases; ++k) {
+    const Ray ray = random_ray(random, sizes);
+    const Sphere sphere = random_sphere(random, sizes);
+    const ExactRay exact(ray);
+    const Intersection at = exact.intersect(sphere);
+    if (at.hit_class == HitClass::kTangent) continue;
+    const ByHand by_hand(ray, sphere, at);
+    const std::string what = spelled(ray) + spelled(sphere);
+    // A v or d^2 that is 0 only up to the rounding of the closed form says nothing.
+    if (abs(by_hand.v) > by_hand.axial_sum * power_of_two(-5000)) {
+      expect_condition(condition_of_axial_distance(exact, sphere),
+                       by_hand.axial_sum / abs(by_hand.v), "v of " + what);
+    }
+    if (abs(by_hand.half_chord_sq) > by_hand.half_sum * power_of_two(-5000)) {
+      expect_condition(condition_of_half_chord_sq(exact, sphere),
+                       by_hand.half_sum / abs(by_hand.half_chord_sq), "d^2 of " + what);
+    }
+    if (at.hit_class != HitClass::kHit) continue;
+    expect_condition(condition_of_parameter(exact, sphere, at), by_hand.parameter_condition(),
+                     "s of " + what);
+    expect_condition(condition_of_point(exact, sphere, at), by_hand.point_condition(),
+                     "Q of " + what);
+    ++compared;
+  }
+  return compared;
+}
+
+TEST(Condition, IsThatOfTheClosedForms) {
+  EXPECT_GE(compare_with_closed_forms(Sizes::kOrdinary, 1, 2000), 200);
+  EXPECT_GE(compare_with_closed_forms(Sizes::kSmallIntegers, 2, 2000), 200);
+  EXPECT_GE(compare_with_closed_forms(Sizes::kAll, 3, 1000), 100);
+}
+
+TEST(Condition, GrowsLikeOneOverTheRootOfTheDistanceToATangent) {
+  // With y = 1 - e and q = sqrt(1 - y^2): (1/q + y^2/q + 5 + s)/s, s = 5 - q.
+  for (const double e : {0x1p-10, 0x1p-20, 0x1p-30, 0x1p-40, 0x1p-53}) {
+    const double y = 1 - e;
+    const Big q = sqrt(1 - Big(y) * y);
+    const ExactRay ray(Ray{{-5, y, 0}, {1, 0, 0}});
+    expect_condition(condition_of_parameter(ray, kUnit, kSmallerHit),
+                     (1 / q + Big(y) * y / q + 10 - q) / (5 - q), "s near a tangent");
+  }
+}
+
+TEST(Condition, OfTheParameterIsInfiniteOnTheSurface) {
+  const ExactRay ray(Ray{{-1, 0, 0}, {1, 0, 0}});
+  EXPECT_EQ(condition_of_parameter(ray, {{0, 0, 0}, 1}, kSmallerHit), kInfinity);
+  expect_condition(condition_of_parameter(ray, {{0, 0, 0}, 1}, kLargerHit), Big(2), "s");
+}
+
+Big sum_of_sizes(const Big3& v) { return abs(v.x) + abs(v.y) + abs(v.z); }
+
+void expect_ray_stages(const RayStageConditions& got, const LectureRay& ray, const Big3& E,
+                       const Big& n, const Big& alpha, const Big& beta, const std::string& what) {
+  const Big point = sum_of_sizes(E) + abs(n) + abs(alpha) + abs(beta) +
+                    abs(n) * sum_of_sizes(ray.W) + abs(alpha) * sum_of_sizes(ray.U) +
+                    abs(beta) * sum_of_sizes(ray.V);
+  ASSERT_TRUE(got.pixel_point.has_value());
+  if (norm(ray.P) != 0) expect_condition(*got.pixel_point, point / norm(ray.P), "P of " + what);
+  // dD/dP_k = (e_k - D_k D)/l, of size sqrt(1 - D_k^2)/l.
+  Big direction = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Big D_k = coordinates_of(ray.D)[k];
+    const Big rest = 1 - D_k * D_k;
+    if (rest <= 0) continue;
+    direction +=
+        sqrt(rest) / ray.length * (abs(coordinates_of(ray.P)[k]) + abs(coordinates_of(E)[k]));
+  }
+  expect_condition(got.direction, direction, "D of " + what);
+}
+
+void expect_sphere_stages(const SphereStageConditions& got, const Big3& L, const Big3& D,
+                          const Sphere& sphere, const Intersection& at, const std::string& what) {
+  const LectureHit hit = lecture_hit(L, D, sphere);
+  const Big3 T = big(sphere.centre) - L;
+  Big axial = 0;
+  Big half = 2 * Big(sphere.radius) * sphere.radius;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Big T_k = coordinates_of(T)[k];
+    const Big D_k = coordinates_of(D)[k];
+    const Big across = abs(T_k - hit.v * D_k);
+    axial += abs(D_k * T_k) + across * abs(D_k);
+    half += 2 * across * (abs(T_k) + abs(hit.v * D_k));
+  }
+  if (hit.v != 0) expect_condition(got.axial_distance, axial / abs(hit.v), "v of " + what);
+  if (hit.d_sq != 0) expect_condition(got.half_chord_sq, half / abs(hit.d_sq), "d^2 of " + what);
+  ASSERT_EQ(got.root.has_value(), at.hit_class != HitClass::kMiss);
+  ASSERT_EQ(got.point.has_value(), at.hit_class != HitClass::kMiss);
+  if (at.hit_class != HitClass::kHit) return;
+  const Big s = at.root == WhichRoot::kSmaller ? hit.smaller() : hit.larger();
+  const Big root_sum = abs(hit.v) + sqrt(hit.d_sq) / 2;
+  // Where the ray starts on the sphere the literal formula is 0 but for rounding.
+  if (abs(s) > root_sum * power_of_two(-3000)) {
+    expect_condition(*got.root, root_sum / abs(s), "s of " + what);
+  } else {
+    EXPECT_EQ(*got.root, kInfinity) << what;
+  }
+  const Big point = sum_of_sizes(L) + abs(s) + abs(s) * sum_of_sizes(D);
+  expect_condition(*got.point, point / norm(L + s * D), "Q of " + what);
+}
+
+TEST(StageCondition, IsThatOfTheStepsByHand) {
+  Random random(1);
+  int hits = 0;
+  for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kOrdinary}) {
+    for (int k = 0; k < 150; ++k) {
+      scene::Camera camera = random_camera(random, sizes);
+      const scene::Conventions conventions = random_conventions(random);
+      const scene::Pixel pixel = random_pixel(random, camera);
+      const Sphere sphere = random_sphere(random, sizes);
+      const ExactCamera exact_camera(camera, conventions);
+      const ExactRay exact(exact_camera, pixel);
+      const LectureRay ray = lecture_ray(camera, conventions, pixel);
+      const bool top_first = conventions.rows == scene::Rows::kTopFirst;
+      const Big alpha =
+          lecture_coordinate(camera.left, camera.right, pixel.i, camera.width, conventions.samples);
+      const Big beta = lecture_coordinate(camera.bottom, camera.top,
+                                          top_first ? camera.height - 1 - pixel.j : pixel.j,
+                                          camera.height, conventions.samples);
+      const std::string what = spelled(camera) + spelled(sphere);
+      // A P that is 0 but for rounding says nothing.
+      if (norm(ray.P) < power_of_two(-3000)) continue;
+      expect_ray_stages(stage_conditions(exact), ray, big(camera.eye), Big(camera.near), alpha,
+                        beta, what);
+      const Big3 L = conventions.origin == scene::Origin::kPixel ? ray.P : big(camera.eye);
+      const Intersection at = exact.intersect(sphere);
+      expect_sphere_stages(stage_conditions(exact, sphere, at), L, ray.D, sphere, at, what);
+      if (at.hit_class == HitClass::kHit) ++hits;
+      const scene::Ray given = random_ray(random, sizes);
+      const ExactRay of_given(given);
+      EXPECT_FALSE(stage_conditions(of_given).pixel_point.has_value());
+      const Intersection there = of_given.intersect(sphere);
+      const Big3 d = big(given.direction);
+      expect_sphere_stages(stage_conditions(of_given, sphere, there), big(given.origin),
+                           d / norm(d), sphere, there, spelled(given) + spelled(sphere));
+      if (there.hit_class == HitClass::kHit) ++hits;
+    }
+  }
+  EXPECT_GE(hits, 40);
+}
+
+TEST(StageCondition, OfATangentsRootIsThatOfV) {
+  const ExactRay ray(scene::Ray{{-5, 1, 0}, {1, 0, 0}});
+  const Sphere sphere{{0, 0, 0}, 1};
+  const Intersection at = ray.intersect(sphere);
+  ASSERT_EQ(at.hit_class, HitClass::kTangent);
+  const SphereStageConditions got = stage_conditions(ray, sphere, at);
+  expect_condition(got.root.value(), Big(1), "s");
+  EXPECT_EQ(got.half_chord_sq, kInfinity);
+  // (|L| + s + s |D|)/|Q|, Q = (0, 1, 0).
+  expect_condition(got.point.value(), Big(6 + 5 + 5), "Q");
 }
 
 }  // namespace

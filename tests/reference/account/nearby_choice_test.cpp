@@ -147,16 +147,11 @@ Sphere touched(Random& random, const ExactRay& ray) {
 }
 
 double slightly_changed(Random& random, double x) {
-  switch (random.integer(0, 3)) {
-    case 0:
-      return x;
-    case 1:
-      return nudged(x, random.integer(-3, 3));
-    case 2:
-      return nudged(x, random.integer(-60, 60));
-    default:
-      return x * (1 + random.sign() * std::pow(10, -static_cast<double>(random.integer(3, 16))));
-  }
+  const auto kind = random.integer(0, 3);
+  if (kind == 0) return x;
+  if (kind == 1) return nudged(x, random.integer(-3, 3));
+  if (kind == 2) return nudged(x, random.integer(-60, 60));
+  return x * (1 + random.sign() * std::pow(10, -static_cast<double>(random.integer(3, 16))));
 }
 
 /// Spheres that a ray meets nearly at once, nearly touches, or starts nearly on.
@@ -167,27 +162,12 @@ Spheres critical_spheres(Random& random, const Ray& ray) {
   const scene::Point3 met{o.x + s * d.x, o.y + s * d.y, o.z + s * d.z};
   const auto count = random.integer(2, 5);
   while (static_cast<std::int64_t>(spheres.size()) < count) {
-    Sphere sphere;
-    switch (random.integer(0, 5)) {
-      case 0:
-      case 1:
-        sphere = through(random, met);
-        break;
-      case 2:
-        sphere = touched(random, ExactRay(ray));
-        break;
-      case 3:
-        sphere = through(random, ray.origin);
-        break;
-      case 4:
-        if (!spheres.empty()) {
-          sphere = spheres.back();
-          break;
-        }
-        [[fallthrough]];
-      default:
-        sphere = random_sphere(random, Sizes::kOrdinary);
-    }
+    const auto kind = random.integer(0, 5);
+    Sphere sphere = kind <= 1                       ? through(random, met)
+                    : kind == 2                     ? touched(random, ExactRay(ray))
+                    : kind == 3                     ? through(random, ray.origin)
+                    : kind == 4 && !spheres.empty() ? spheres.back()
+                                                    : random_sphere(random, Sizes::kOrdinary);
     if (random.one_in(2)) sphere.radius = slightly_changed(random, sphere.radius);
     if (random.one_in(4)) sphere.centre.x = slightly_changed(random, sphere.centre.x);
     if (scene::defects(sphere).empty()) spheres.push_back(sphere);

@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
+
+#include "tests/numbers.h"
 
 namespace raycheck::reference {
 namespace {
@@ -33,8 +34,8 @@ TEST(Proof, WritesDoublesAsOddIntegersTimesPowersOfTwo) {
   expect_dyadic(dyadic(-0.75), "-3", -2);
   expect_dyadic(dyadic(48), "3", 4);
   expect_dyadic(dyadic(0.1), "3602879701896397", -55);
-  expect_dyadic(dyadic(std::numeric_limits<double>::denorm_min()), "1", -1074);
-  expect_dyadic(dyadic(std::numeric_limits<double>::max()), "9007199254740991", 971);
+  expect_dyadic(dyadic(kSmallest), "1", -1074);
+  expect_dyadic(dyadic(kLargest), "9007199254740991", 971);
 }
 
 TEST(Proof, StatesOnlyWhatDecides) {
@@ -77,17 +78,7 @@ TEST(Proof, StatesOnlyWhatDecides) {
 
 /// An eye at the origin; pixel (0, 0) is at 3 U along U, 4 in front of the eye and 5 away from it.
 Camera camera_345(const scene::Point3& look_at) {
-  Camera camera;
-  camera.look_at = look_at;
-  camera.up = {0, 1, 0};
-  camera.near = -4;
-  camera.left = 3;
-  camera.right = 6;
-  camera.bottom = 0;
-  camera.top = 1;
-  camera.width = 2;
-  camera.height = 2;
-  return camera;
+  return {{0, 0, 0}, look_at, {0, 1, 0}, -4, {}, 3, 6, 0, 1, 2, 2};
 }
 
 // The pixel point lies on the sphere about the eye of radius 5: of an oblique camera because
@@ -108,18 +99,16 @@ TEST(Proof, IsEmptyWhereOnlySquareRootsMakeATie) {
 
 TEST(Proof, ShowsTheOrderOfSpheres) {
   const Prover prover(Ray{{-5, 0, 0}, {3, 0, 0}}, Conventions{});
-  Proposition wanted;
-  wanted.order = true;
-  const std::vector<Sphere> equal = {{{0, 0, 0}, 1}, {{0, 0, 0}, 1}};
-  wanted.spheres = equal;
-  EXPECT_TRUE(prover.prove(wanted).has_value()) << "the same sphere twice";
-  const std::vector<Sphere> an_ulp_apart = {{{0, 0, 0}, 1}, {{0, 0, 0}, std::nextafter(1.0, 2.0)}};
-  wanted.spheres = an_ulp_apart;
-  EXPECT_TRUE(prover.prove(wanted).has_value());
+  const auto is_shown = [&](const std::vector<Sphere>& spheres) {
+    Proposition wanted;
+    wanted.order = true;
+    wanted.spheres = spheres;
+    return prover.prove(wanted).has_value();
+  };
+  EXPECT_TRUE(is_shown({{{0, 0, 0}, 1}, {{0, 0, 0}, 1}})) << "the same sphere twice";
+  EXPECT_TRUE(is_shown({{{0, 0, 0}, 1}, {{0, 0, 0}, std::nextafter(1.0, 2.0)}}));
   // Both at s = 4/3, which no dyadic bracket shows.
-  const std::vector<Sphere> touching = {{{0, 0, 0}, 1}, {{1, 0, 0}, 2}};
-  wanted.spheres = touching;
-  EXPECT_FALSE(prover.prove(wanted).has_value());
+  EXPECT_FALSE(is_shown({{{0, 0, 0}, 1}, {{1, 0, 0}, 2}}));
 }
 
 TEST(Proof, RefusesWhatIsNoProblem) {

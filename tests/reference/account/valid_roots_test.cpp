@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "reference/account/internal/vector_length.h"
@@ -20,7 +19,7 @@ using scene::Ends;
 using scene::Root;
 using scene::TUnit;
 
-constexpr double kNoEnd = kInfinity;
+constexpr double kNoEnd = kInfinity, kNearby = 16 * 0x1p-53;
 
 scene::Conventions conventions_of(const scene::ValidRoots& valid, Root root = Root::kNearest) {
   scene::Conventions conventions;
@@ -117,7 +116,7 @@ TEST(ValidRoots, OfLinesLieBehindTheOriginToo) {
 }
 
 Nearby nearby(const std::optional<double>& answer, const scene::ValidRoots& valid) {
-  return right_nearby(kRayAlongX, kFromTwoToFour, {.relative_change = 16 * 0x1p-53, .valid = valid},
+  return right_nearby(kRayAlongX, kFromTwoToFour, {.relative_change = kNearby, .valid = valid},
                       answer)
       .found;
 }
@@ -134,7 +133,7 @@ TEST(RefutedNearby, IsWhatNoInputsCloseByMakeRight) {
 TEST(RefutedNearby, LeavesTangentsFarFromAnyEndToTheSearchForWitnesses) {
   const scene::Sphere touched{{3, 1, 0}, 1};
   const auto missed = [&](const scene::ValidRoots& valid) {
-    return right_nearby(kRayAlongX, touched, {.relative_change = 16 * 0x1p-53, .valid = valid}, {})
+    return right_nearby(kRayAlongX, touched, {.relative_change = kNearby, .valid = valid}, {})
         .found;
   };
   for (const TUnit unit : {TUnit::kAbsolute, TUnit::kRadius, TUnit::kLength}) {
@@ -189,7 +188,7 @@ TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
 TEST(RefutedNearby, LeavesWhatIsMetFirstToTheSearchForWitnesses) {
   const std::vector<scene::Sphere> touched = {{{3, 1, 0}, 1}, {{-9, 0, 0}, 1}};
   const auto claim = [&](FirstMet::What what, double t_min) {
-    const Neighbourhood around{.relative_change = 16 * 0x1p-53,
+    const Neighbourhood around{.relative_change = kNearby,
                                .valid = {t_min, kNoEnd, Ends::kOpen, {}, {}}};
     return right_nearby(kRayAlongX, touched, around, FirstMet{what}).found;
   };
@@ -201,8 +200,7 @@ TEST(RefutedNearby, LeavesWhatIsMetFirstToTheSearchForWitnesses) {
 TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
   const std::vector<scene::Sphere> spheres = {kFromTwoToFour, {{13, 0, 0}, 1}};
   const auto claim = [&](FirstMet::What what, std::size_t sphere, double t_min) {
-    const Neighbourhood around{.relative_change = 16 * 0x1p-53,
-                               .valid = {t_min, kNoEnd, {}, {}, {}}};
+    const Neighbourhood around{.relative_change = kNearby, .valid = {t_min, kNoEnd, {}, {}, {}}};
     return right_nearby(kRayAlongX, spheres, around, FirstMet{what, sphere}).found;
   };
   EXPECT_EQ(claim(FirstMet::What::kSphere, 1, 1), Nearby::kRefuted);
@@ -217,7 +215,7 @@ TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
 TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
   const auto found = [](double height, const std::optional<double>& answer) {
     const ExactRay ray(scene::Ray{{-5, height, 0}, {1, 0, 0}});
-    return right_nearby(ray, kUnit, {.relative_change = 16 * 0x1p-53}, answer).found;
+    return right_nearby(ray, kUnit, {.relative_change = kNearby}, answer).found;
   };
   for (int k = 1; k <= 80; ++k) {
     if (k == 32) continue;  // 256 u^2 alone decides
