@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -8,6 +9,19 @@
 #include "properties/search/campaign.h"
 
 namespace raycheck {
+
+/// So many cases, of all sources or of some, of the hardest.
+inline properties::CampaignOptions options_of(
+    int cases, std::initializer_list<std::string_view> sources = {},
+    properties::Level level = properties::Level::kExtreme) {
+  properties::CampaignOptions options;
+  options.cases = cases;
+  options.level = level;
+  for (const std::string_view source : sources) {
+    options.sources.push_back(properties::chosen_source(source));
+  }
+  return options;
+}
 
 /// The campaigns of these laws as one pass: a case is made once, its truth worked out once, and the
 /// candidate asked once for all of them.

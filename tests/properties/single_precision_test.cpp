@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/case.h"
-#include "properties/laws/law.h"
-#include "properties/search/campaign.h"
 #include "scene/validate.h"
+#include "tests/campaigns.h"
+#include "tests/has.h"
+#include "tests/properties/one_ray.h"
 
 namespace raycheck::properties {
 namespace {
@@ -36,9 +34,7 @@ Candidate off_by(double s, double direction = 0) {
 
 TEST(SinglePrecision, HoldsErrorsAgainstFloats) {
   const auto is_broken = [](std::string_view law, const Candidate& candidate) {
-    CampaignOptions options;
-    options.cases = 300;
-    options.level = Level::kOrdinary;
+    const CampaignOptions options = options_of(300, {}, Level::kOrdinary);
     return run_campaign(*find_law(law), candidate, options).finding() == Finding::kBroken;
   };
   EXPECT_TRUE(is_broken("parameter", off_by(0x1p-15)));
@@ -48,17 +44,10 @@ TEST(SinglePrecision, HoldsErrorsAgainstFloats) {
 }
 
 TEST(SinglePrecision, ExcusesSixteenUOfFloat) {
-  // The line passes the unit sphere at `height`, and the answer is a miss.
   const auto excuse = [](double height) {
-    Case one;
-    one.scene.rays = {{{-5, height, 0}, {1, 0, 0}}};
-    one.scene.spheres = {{{0, 0, 0}, 1}};
-    Candidate candidate = judged_in(kSingle, Candidate{});
-    candidate.intersect = [](Candidate::Rays, Candidate::Spheres, const scene::Conventions&) {
-      return std::vector<SphereHits>(1);
-    };
-    Trial trial(one, candidate);
-    return apply(*find_law("class"), trial).worst(1).front().excuse.standing();
+    const Verdict of_a_miss =
+        judge("class", at_height(height), judged_in(kSingle, that_answers({})));
+    return of_a_miss.worst(1).front().excuse.standing();
   };
   EXPECT_EQ(excuse(1 - 0x1p-23), Standing::kExcused);
   EXPECT_EQ(excuse(1 - 0x1p-16), Standing::kDefect);
@@ -66,15 +55,9 @@ TEST(SinglePrecision, ExcusesSixteenUOfFloat) {
 
 TEST(SinglePrecision, TakesTheFloatNextToARootForThatRoot) {
   const auto is_right = [](double radius, double s) {
-    Case one;
-    one.scene.rays = {{{0, 0, 2}, {0, 0, 1}}};
-    one.scene.spheres = {{{0, 0, 1e8}, radius}};
-    Candidate candidate = judged_in(kSingle, Candidate{});
-    candidate.intersect = [s](Candidate::Rays, Candidate::Spheres, const scene::Conventions&) {
-      return std::vector<SphereHits>{{{0, {s, {0, 0, s + 2}}}}};
-    };
-    Trial trial(one, candidate);
-    return apply(*find_law("nearest-root"), trial).discrepancies() == 0;
+    const Case one = one_ray({{0, 0, 2}, {0, 0, 1}}, {{0, 0, 1e8}, radius});
+    const Candidate answers = that_answers(HitAnswer{s, {0, 0, s + 2}});
+    return judge("nearest-root", one, judged_in(kSingle, answers)).discrepancies() == 0;
   };
   // The roots are 99999996.125 and 99999999.875; floats there are 8 apart.
   EXPECT_TRUE(is_right(1.875, 1e8));
@@ -82,9 +65,7 @@ TEST(SinglePrecision, TakesTheFloatNextToARootForThatRoot) {
 }
 
 TEST(SinglePrecision, AsksFloatsOnly) {
-  Case one;
-  one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
-  one.scene.spheres = {{{3, 0, 0.1}, 1}};
+  const Case one = one_ray({{0, 0, 0}, {1, 0, 0}}, {{3, 0, 0.1}, 1});
   const Candidate candidate = off_by(0);
   EXPECT_THROW(Trial(one, candidate), std::invalid_argument);
   EXPECT_NO_THROW(Trial(*rounded_case(one, kSingle).the_case, candidate));
@@ -103,10 +84,7 @@ TEST(SinglePrecision, AsksFloatsOnly) {
       ++asked;
       return candidate.intersect(rays, spheres, by);
     };
-    CampaignOptions options;
-    options.cases = 60;
-    options.level = Level::kOrdinary;
-    run_campaign(law, watched, options);
+    run_campaign(law, watched, options_of(60, {}, Level::kOrdinary));
     if (law.name == "class" || law.name == "scaling" || law.name == "growing-radius") {
       EXPECT_GT(asked, 50u) << law.name;
     }
@@ -127,25 +105,15 @@ TEST(SinglePrecision, KeepsBoundsInOwnUnits) {
 
 TEST(SinglePrecision, CountsCasesThatFloatsCannotHold) {
   // Random scales of the whole range of doubles.
-  CampaignOptions options;
-  options.cases = 60;
-  options.sources = {chosen_source("scale@300")};
-  const CampaignResult result = run_campaign(*find_law("class"), off_by(0), options);
+  const CampaignResult result =
+      run_campaign(*find_law("class"), off_by(0), options_of(60, {"scale@300"}));
   EXPECT_EQ(result.counts.cases, 60);
   EXPECT_GT(result.counts.left_out, 50);
-  EXPECT_NE(result.counts.reason.find("leaves their range"), std::string::npos)
-      << result.counts.reason;
-}
-
-Case a_case(const scene::Ray& ray, const scene::Sphere& sphere) {
-  Case one;
-  one.scene.rays = {ray};
-  one.scene.spheres = {sphere};
-  return one;
+  EXPECT_TRUE(has(result.counts.reason, "leaves their range"));
 }
 
 TEST(RoundedCase, RoundsEveryNumberToTheNearestFloat) {
-  const Case given = a_case({{0.1, 0, 1}, {1, 1 + 0x1p-24, 0}}, {{1 + 0x1.8p-23, 2, 3}, 0.5});
+  const Case given = one_ray({{0.1, 0, 1}, {1, 1 + 0x1p-24, 0}}, {{1 + 0x1.8p-23, 2, 3}, 0.5});
   const RoundedCase rounded = rounded_case(given, kSingle);
   ASSERT_TRUE(rounded.the_case);
   EXPECT_EQ(rounded.changed, 3u);
@@ -167,7 +135,7 @@ TEST(RoundedCase, LeavesOutWhatBecomesNoProblemAndSaysWhy) {
   ASSERT_TRUE(scene::defects(one.scene).empty());
   const RoundedCase lost = rounded_case(one, kSingle);
   EXPECT_FALSE(lost.the_case);
-  EXPECT_NE(lost.reason.find("look_at"), std::string::npos) << lost.reason;
+  EXPECT_TRUE(has(lost.reason, "look_at"));
 }
 
 }  // namespace

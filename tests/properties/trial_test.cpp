@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "properties/candidates/fast_candidate.h"
-#include "properties/laws/law.h"
 #include "properties/sphere_choice.h"
 #include "reference/visibility/visibility.h"
+#include "tests/properties/one_ray.h"
 
 namespace raycheck::properties {
 namespace {
@@ -25,33 +25,6 @@ Case camera_case() {
   result.scene.spheres = {{{0, 0, -10}, 3}, {{0, 0, -20}, 3}};
   result.pixels = {{1, 1}, {0, 2}};
   return result;
-}
-
-Case ray_case(const scene::Ray& ray, const scene::Sphere& sphere) {
-  Case result;
-  result.scene.rays = {ray};
-  result.scene.spheres = {sphere};
-  return result;
-}
-
-/// A unit sphere at the origin and a ray along x at a height.
-Case at_height(double height) { return ray_case({{-5, height, 0}, {1, 0, 0}}, {{0, 0, 0}, 1}); }
-
-Candidate that_answers(std::optional<HitAnswer> answer) {
-  Candidate candidate;
-  candidate.intersect = [answer](Candidate::Rays rays, Candidate::Spheres spheres,
-                                 const Conventions&) {
-    SphereHits hits;
-    for (std::size_t k = 0; answer && k < rays.size(); ++k) hits.push_back({k, *answer});
-    return std::vector(spheres.size(), hits);
-  };
-  return candidate;
-}
-
-Verdict judge(std::string_view law, const Case& the_case, const Candidate& candidate,
-              std::optional<double> max_error = {}) {
-  Trial trial(the_case, candidate, {.max_error = max_error});
-  return apply(*find_law(law), trial);
 }
 
 TEST(Trial, AsksTheCandidateOnceForAllLaws) {
@@ -99,7 +72,7 @@ TEST(Trial, JudgesUnderTheDeclaredConventions) {
 /// The sphere reaches from 0 to 2 along the ray: whatever small change moves its near root to or
 /// off the origin, one of the roots stays ahead.
 TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
-  const Case surface = ray_case({{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
+  const Case surface = one_ray({{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
   const Verdict missed = judge("class", surface, that_answers({}));
   ASSERT_EQ(missed.discrepancies(), 1u);
   EXPECT_EQ(missed.worst(1).front().excuse, (Excuse{ExcuseKind::kNone, kExcusedChange}));
@@ -116,7 +89,7 @@ TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
 /// The smaller root lies behind the origin by a rounding: who answers it is wrong by a chord, which
 /// the law of roots judges, however its two answers differ.
 TEST(Trial, ComparesNoAnswersAtTheOtherRoot) {
-  const Case inside = ray_case({{-0x1.fffffffffffffp-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
+  const Case inside = one_ray({{-0x1.fffffffffffffp-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
   for (const bool is_at_other : {true, false}) {
     Candidate candidate;
     candidate.intersect = [&](Candidate::Rays rays, Candidate::Spheres, const Conventions&) {
@@ -148,12 +121,12 @@ TEST(Trial, HoldsAnErrorAgainstTheBoundAskedForOrTheCandidates) {
   Candidate candidate = that_answers(HitAnswer{4 + 0x1p-48, {-1, 0, 0}});  // 8 ulp of 4 off
   const Case the_case = at_height(0);
   EXPECT_TRUE(judge("parameter", the_case, candidate).holds());
-  EXPECT_FALSE(judge("parameter", the_case, candidate, 3.0).holds());
+  EXPECT_FALSE(judge("parameter", the_case, candidate, {.max_error = 3}).holds());
   candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)] = 3;
   const Verdict verdict = judge("parameter", the_case, candidate);
   EXPECT_FALSE(verdict.holds());
   EXPECT_EQ(verdict.worst(1).at(0).error, 4);
-  EXPECT_TRUE(judge("parameter", the_case, candidate, 5.0).holds());
+  EXPECT_TRUE(judge("parameter", the_case, candidate, {.max_error = 5}).holds());
 }
 
 TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
@@ -221,24 +194,16 @@ TEST(Trial, RefusesACaseThatIsNotAProblem) {
   EXPECT_THROW(Trial(the_case, direct_cross()), std::invalid_argument);
 }
 
-/// A ray through the middles of spheres 0, 1 and 2 (1 and 2 are one), one that touches sphere 0,
-/// and one that misses all.
-Case three_rays(scene::Tangent tangent) {
+/// The errors of a candidate that ranks spheres like this: of a ray through the middles of spheres
+/// 0, 1 and 2 (1 and 2 are one), one that touches sphere 0, and one that misses all.
+std::vector<NearestHitError> errors_of(const std::vector<std::optional<std::size_t>>& nearest,
+                                       scene::Tangent tangent = scene::Tangent::kHit) {
   Case the_case;
   the_case.scene.rays = {{{0, 0, 0}, {1, 0, 0}}, {{0, 2, 0}, {1, 0, 0}}, {{0, 9, 0}, {1, 0, 0}}};
   the_case.scene.spheres = {{{20, 0, 0}, 2}, {{10, 0, 0}, 1}, {{10, 0, 0}, 1}};
   the_case.scene.conventions.tangent = tangent;
-  return the_case;
-}
-
-/// The errors of a candidate that ranks spheres like this.
-std::vector<NearestHitError> errors_of(const std::vector<std::optional<std::size_t>>& nearest,
-                                       scene::Tangent tangent = scene::Tangent::kHit) {
-  const Case the_case = three_rays(tangent);
   Candidate candidate = fast_candidate(fast::kDirectRays, fast::kRobust);
-  candidate.nearest = [&](Candidate::Rays, Candidate::Spheres, const scene::Conventions&) {
-    return nearest;
-  };
+  candidate.nearest = [&](const auto&...) { return nearest; };
   Trial trial(the_case, candidate);
   const std::int32_t touched = tangent == scene::Tangent::kMiss ? reference::kNoSphere : 0;
   return nearest_hit_errors(trial, std::vector<std::int32_t>{1, touched, reference::kNoSphere});

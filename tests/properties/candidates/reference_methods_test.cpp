@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/search/campaign.h"

@@ -1,42 +1,39 @@
 // What the sources of cases make: a generator that never gives what it is for tests nothing. The
-// dials of families have tests of their own.
+// dials of families have tests of their own. How cases are shrunk, and scenes varied.
 
 #include "properties/cases/case_source.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "properties/cases/random.h"
+#include "properties/cases/shrink.h"
+#include "properties/cases/varied_scene.h"
+#include "properties/mistakes/shown_picture.h"
 #include "properties/trial.h"
+#include "reference/exact_ray.h"
+#include "scene/number.h"
 #include "scene/validate.h"
-#include "tests/properties/cases/dial.h"
+#include "tests/has.h"
+#include "tests/numbers.h"
 
 namespace raycheck::properties {
 namespace {
 
-/// Calls visit(source, severity) for every source, families at many severities.
-template <class Visit>
-void for_each_severity(Visit visit) {
-  for (const CaseSource& source : case_sources()) {
-    for (const int severity : severities(source.dial ? source.dial->highest : 0)) {
-      SCOPED_TRACE(std::string(source.name) + "@" + std::to_string(severity));
-      visit(source, severity);
-    }
-  }
-}
+using scene::Scene;
 
 /// How many pairs of a ray and a sphere there are, by their exact class.
 struct Mixture {
-  int pairs = 0;
-  int hits = 0;
-  int misses = 0;
-  int tangents = 0;
+  int pairs = 0, hits = 0, misses = 0, tangents = 0;
 };
 
 Mixture count(const CaseSource& source, int severity, std::uint64_t seeds) {
@@ -75,14 +72,20 @@ int count_ties(const CaseSource& source, std::uint64_t seeds) {
 }
 
 TEST(CaseSource, KeepsMakingBothHitsAndMisses) {
-  for_each_severity([](const CaseSource& source, int severity) {
-    const Mixture counts = count(source, severity, 120);
-    EXPECT_GE(counts.pairs, 120);
-    EXPECT_GT(20 * (counts.hits + counts.tangents), counts.pairs);
-    // Nothing but tangents is what tangent-ulps is for at its highest.
-    const bool only_tangents = source.name == "tangent-ulps" && severity == source.dial->highest;
-    EXPECT_GT(20 * (only_tangents ? counts.tangents : counts.misses), counts.pairs);
-  });
+  for (const CaseSource& source : case_sources()) {
+    const int highest = source.dial ? source.dial->highest : 0;
+    std::set<int> severities;
+    for (int k = 0; k <= 16; ++k) severities.insert(highest * k / 16);
+    for (const int severity : severities) {
+      SCOPED_TRACE(std::string(source.name) + "@" + std::to_string(severity));
+      const Mixture counts = count(source, severity, 120);
+      EXPECT_GE(counts.pairs, 120);
+      EXPECT_GT(20 * (counts.hits + counts.tangents), counts.pairs);
+      // Nothing but tangents is what tangent-ulps is for at its highest.
+      const bool only_tangents = source.name == "tangent-ulps" && severity == highest;
+      EXPECT_GT(20 * (only_tangents ? counts.tangents : counts.misses), counts.pairs);
+    }
+  }
 }
 
 TEST(CaseSource, OfTiesHasTangentsAndTies) {
@@ -122,15 +125,6 @@ TEST(AnyCase, HasEverySeverityAboutAsOften) {
   for (const int count : found) EXPECT_NEAR(count, 100, 40);
 }
 
-std::string error_of(std::string_view name) {
-  try {
-    chosen_source(name);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(ChosenSource, IsASourceOrOneOfItsSeverities) {
   for (const char* name : {"rays", "distance", "distance@0", "distance@15", "scale@1074"}) {
     EXPECT_EQ(chosen_source(name).name(), name);
@@ -140,12 +134,15 @@ TEST(ChosenSource, IsASourceOrOneOfItsSeverities) {
 }
 
 TEST(ChosenSource, NamesWhatIsWrong) {
+  const auto error_of = [](std::string_view name) {
+    return thrown_by([&] { chosen_source(name); });
+  };
   EXPECT_EQ(error_of("moon"), "no source of cases is called 'moon'");
   EXPECT_EQ(error_of("moon@3"), "no source of cases is called 'moon'");
   EXPECT_EQ(error_of("rays@3"), "'rays' has no severities to choose from");
-  for (const char* severity : {"", "-1", "16", "x", "3x", "+3", "99999999999"}) {
-    EXPECT_EQ(error_of("distance@" + std::string(severity)),
-              "severities of 'distance' are 0 to 15, not '" + std::string(severity) + "'");
+  for (const std::string severity : {"", "-1", "16", "x", "3x", "+3", "99999999999"}) {
+    EXPECT_EQ(error_of("distance@" + severity),
+              "severities of 'distance' are 0 to 15, not '" + severity + "'");
   }
 }
 
@@ -184,6 +181,217 @@ TEST(ChosenBy, StaysWhatItWasWhereASourceMoreIsNotChosen) {
     EXPECT_GT(taken_over, 0u) << all[added].name();
     EXPECT_LT(taken_over, kSeeds / 5) << all[added].name();
   }
+}
+
+const std::vector<double> kSamples = {
+    1,         -1,        2,           0.5,  1.0 / 3,  -10, 1e6, 1e300, kSmallestNormal,
+    kSmallest, -kLargest, 1 + 0x1p-52, M_PI, 12345.678};
+
+TEST(Shrink, OffersOnlySimplerFiniteDoubles) {
+  EXPECT_TRUE(simpler(0.0).empty());
+  for (const double value : kSamples) {
+    const auto offers = simpler(value);
+    EXPECT_FALSE(offers.empty()) << value;
+    for (const double offer : offers) {
+      EXPECT_LT(complexity(offer), complexity(value)) << value << " to " << offer;
+      EXPECT_TRUE(std::isfinite(offer)) << value;
+    }
+    EXPECT_EQ(offers.front(), 0) << value;
+  }
+}
+
+/// Follows the first offer that still satisfies `keeps`, to the end.
+double shrunk(double value, const std::function<bool(double)>& keeps) {
+  for (;;) {
+    const auto offers = simpler(value);
+    const auto next = std::find_if(offers.begin(), offers.end(), keeps);
+    if (next == offers.end()) return value;
+    value = *next;
+  }
+}
+
+TEST(Shrink, LeadsToSmallIntegersAndFewBits) {
+  for (const double value : kSamples) {
+    EXPECT_EQ(shrunk(value, [](double) { return true; }), 0);
+    EXPECT_EQ(std::abs(shrunk(value, [](double x) { return x != 0; })), 1) << value;
+  }
+  EXPECT_LE(complexity(shrunk(12345.678, [](double x) { return x > 1000; })), 12);
+  EXPECT_EQ(shrunk(-7.25, [](double x) { return x < 0; }), -1);
+  EXPECT_EQ(shrunk(M_PI, [](double x) { return x > 2.5 && x < 3.5; }), 3);
+}
+
+TEST(Shrink, FindsTheSmallestImageByHalving) {
+  const CaseSource& source = *find_case_source("image-size");
+  Case the_case = source.make(source.dial->highest, 1);
+  ASSERT_EQ(the_case.scene.camera->width, scene::kMostPixelsAcross);
+  const auto is_wide = [](const Case& c) { return c.scene.camera->width > 46340; };
+  the_case = smallest(the_case, 10000, is_wide);
+  EXPECT_EQ(the_case.scene.camera->width, 46341);
+}
+
+TEST(Shrink, EndsAtAPlainCaseByValidOnes) {
+  for (const CaseSource& source : case_sources()) {
+    SCOPED_TRACE(source.name);
+    Case the_case = ChosenSource{&source}.make(7);
+    int steps = 0;
+    for (auto offers = simpler(the_case); !offers.empty(); offers = simpler(the_case)) {
+      for (const Case& offer : offers) {
+        ASSERT_TRUE(scene::defects(offer.scene).empty());
+        ASSERT_EQ(offer.scene.camera.has_value(), the_case.scene.camera.has_value());
+        for (const auto& pixel : offer.pixels) {
+          ASSERT_TRUE(pixel.i < offer.scene.camera->width && pixel.j < offer.scene.camera->height);
+        }
+      }
+      the_case = offers.front();
+      ASSERT_LT(++steps, 20000);
+    }
+    EXPECT_TRUE(the_case.scene.spheres.empty());
+    EXPECT_EQ(the_case.scene.conventions, scene::Conventions{});
+    if (the_case.scene.camera) {
+      EXPECT_EQ(the_case.pixels, (std::vector<scene::Pixel>{{0, 0}}));
+      EXPECT_EQ(the_case.scene.camera->width, 2);
+      EXPECT_EQ(the_case.scene.camera->eye, scene::Point3{});
+    } else {
+      ASSERT_EQ(the_case.scene.rays.size(), 1u);
+      EXPECT_EQ(the_case.scene.rays.front().origin, scene::Point3{});
+    }
+  }
+}
+
+constexpr std::uint64_t kSeeds = 200;
+constexpr std::array kAll = {Variation::kScale, Variation::kSize, Variation::kSpheres};
+
+/// The eye is off the origin; four spheres that are mirror images, two above and below, one that
+/// hides one behind it.
+Scene mirrored() {
+  Scene result;
+  result.camera = scene::Camera{{1, 2, 3}, {1, 2, 2}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 21, 21};
+  for (const double x : {-2.0, 2.0}) {
+    for (const double y : {-2.0, 2.0}) result.spheres.push_back({{1 + x, 2 + y, -2}, 0.75});
+  }
+  for (const double y : {-2.0, 2.0}) result.spheres.push_back({{1, 2 + y, -1}, 0.5});
+  result.spheres.push_back({{1, 2, -2}, 0.5});
+  result.spheres.push_back({{1, 2, -7}, 0.5});
+  return result;
+}
+
+/// Four spheres in the corners, one in the middle of the left border, two more on it, two on the
+/// top.
+Scene bordered() {
+  Scene result;
+  result.camera = scene::Camera{{}, {0, 0, -1}, {0, 1, 0}, -1, {}, -1.75, 1.25, -1, 1.5, 13, 13};
+  for (const double x : {-17.5, 12.5}) {
+    for (const double y : {-10.0, 15.0}) result.spheres.push_back({{x, y, -10}, 0.75});
+  }
+  result.spheres.push_back({{-17.5, 2.5, -10}, 0.75});
+  for (const double y : {-3.75, 8.75}) result.spheres.push_back({{-17.5, y, -10}, 0.75});
+  for (const double x : {-7.0, 2.0}) result.spheres.push_back({{x, 15, -10}, 0.75});
+  return result;
+}
+
+TEST(VariedScene, FollowsFromItsSeedAndIsValid) {
+  std::set<double> radii;
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Scene one = varied_scene(mirrored(), kAll, seed);
+    EXPECT_EQ(one, varied_scene(mirrored(), kAll, seed));
+    EXPECT_TRUE(scene::defects(one).empty());
+    radii.insert(one.spheres[0].radius / one.camera->near);
+  }
+  EXPECT_GE(radii.size(), kSeeds - 5);
+}
+
+TEST(VariedScene, IsAsItWasWhereNothingVaries) {
+  EXPECT_EQ(varied_scene(bordered(), {}, 7), bordered());
+}
+
+TEST(VariedScene, KeepsMirrorImagesDepthsAndEqualSizes) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Scene one = varied_scene(mirrored(), kAll, seed);
+    const scene::Camera& c = *one.camera;
+    EXPECT_EQ(c.width, c.height);
+    EXPECT_EQ((c.width - 21) % 2, 0);
+    EXPECT_GE(c.width, 21);
+    EXPECT_LE(c.width, 21 + kMostVariedPixels);
+    const double scale = -c.near;
+    const auto at = [&](std::size_t k) {
+      const scene::Vector3 T = one.spheres[k].centre - c.eye;
+      return scene::Vector3{T.x / scale, T.y / scale, T.z / scale};
+    };
+    for (std::size_t k = 0; k < 4; ++k) {
+      EXPECT_NEAR(std::abs(at(k).x), std::abs(at(0).x), 1e-5);
+      EXPECT_NEAR(std::abs(at(k).y), std::abs(at(0).y), 1e-5);
+      EXPECT_EQ(at(k).x < 0, k < 2);
+      EXPECT_EQ(at(k).y < 0, k % 2 == 0);
+      EXPECT_EQ(one.spheres[k].radius, one.spheres[0].radius);
+    }
+    EXPECT_NEAR(at(4).y, -at(5).y, 1e-5);
+    for (std::size_t k = 4; k < 8; ++k) EXPECT_NEAR(at(k).x, 0, 1e-12);
+    const Scene was = mirrored();
+    for (std::size_t k = 0; k < 8; ++k) {
+      EXPECT_NEAR(at(k).z, was.spheres[k].centre.z - 3, 1e-5);
+      const double factor = one.spheres[k].radius / scale / was.spheres[k].radius;
+      EXPECT_GE(factor, kLeastVariedFactor * (1 - 1e-5));
+      EXPECT_LE(factor, kMostVariedFactor * (1 + 1e-5));
+    }
+  }
+}
+
+TEST(VariedScene, ShowsTheSameSpheresAndNoRayNearAnEdge) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Scene one = varied_scene(mirrored(), kAll, seed);
+    std::set<std::size_t> seen;
+    for (const auto& sphere : exact_image(one, one.conventions)) {
+      if (sphere) seen.insert(*sphere);
+    }
+    for (const std::int64_t j : {0, 10, 20}) {
+      for (std::int64_t i = 0; i < one.camera->width; ++i) {
+        const reference::ExactRay ray(reference::ExactCamera(*one.camera, one.conventions), {i, j});
+        for (const scene::Sphere& sphere : one.spheres) {
+          const double half_chord_sq = ray.enclose(64).half_chord_sq(sphere).upper();
+          EXPECT_GE(std::abs(half_chord_sq) / (sphere.radius * sphere.radius),
+                    0.99 * kClearOfEdges);
+        }
+      }
+    }
+    EXPECT_EQ(seen, (std::set<std::size_t>{0, 1, 2, 3, 4, 5, 6})) << "the last is hidden";
+  }
+}
+
+TEST(VariedScene, HasNumbersOfFewDigits) {
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    for (const auto& [centre, radius] :
+         varied_scene(mirrored(), std::array{Variation::kSpheres}, seed).spheres) {
+      for (const double x : {centre.x, centre.y, centre.z, radius}) {
+        EXPECT_LE(scene::shortest(x).size(), std::size_t{kVariedDigits + 3}) << x;
+      }
+    }
+  }
+}
+
+TEST(VariedScene, MovesSpheresAlongTheBorderToRaysOfItsPixels) {
+  std::set<double> left, top;
+  constexpr std::array kBorder = {Variation::kSize, Variation::kBorder};
+  for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+    const Scene one = varied_scene(bordered(), kBorder, seed);
+    for (std::size_t k = 0; k < 5; ++k) EXPECT_EQ(one.spheres[k], bordered().spheres[k]);
+    const auto gaps = static_cast<double>(one.camera->width - 1);
+    const auto& at = one.spheres;
+    EXPECT_EQ(at[5].centre.x, -17.5);
+    EXPECT_EQ(at[7].centre.y, 15);
+    EXPECT_NEAR(at[5].centre.y + at[6].centre.y, 5, 1e-4) << "mirror images";
+    EXPECT_NEAR(at[7].centre.x + at[8].centre.x, -5, 1e-4) << "mirror images";
+    const double row = (at[5].centre.y + 10) / 25 * gaps;
+    const double column = (at[7].centre.x + 17.5) / 30 * gaps;
+    for (const double pixel : {row, column}) {
+      EXPECT_NEAR(pixel, std::round(pixel), 1e-4);
+      EXPECT_GE(pixel, 0.9);
+      EXPECT_LE(pixel, gaps / 2 + 0.1);
+    }
+    left.insert(row / gaps);
+    top.insert(column / gaps);
+  }
+  EXPECT_GE(left.size(), 20u);
+  EXPECT_GE(top.size(), 20u);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "fast/visible.h"
 #include "properties/candidates/fast_candidate.h"
 #include "scene/plan/plan.h"

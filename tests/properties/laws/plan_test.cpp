@@ -12,7 +12,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
@@ -40,8 +39,6 @@ std::uint64_t cases_of(const CaseSource& source) {
   return std::max(cases, static_cast<std::uint64_t>(severities));
 }
 
-double length(const scene::Vector3& v) { return std::hypot(v.x, v.y, v.z); }
-
 /// A camera whose middle pixel looks along a given ray, at its spheres: some fill the image, some
 /// are a pixel wide. Empty where the eye and what it looks at are too far apart in size for
 /// doubles.
@@ -55,7 +52,8 @@ std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
   camera.look_at = {ray.origin.x + ray.direction.x, ray.origin.y + ray.direction.y,
                     ray.origin.z + ray.direction.z};
   camera.up = random.direction();
-  const double size = length(ray.direction);
+  const auto& [x, y, z] = ray.direction;
+  const double size = std::hypot(x, y, z);
   camera.near = -size * random.power_of_ten(-2, 0);
   const double half = camera.near * random.power_of_ten(-6, 1);
   camera.left = camera.bottom = half;
@@ -69,21 +67,15 @@ std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
   return result;
 }
 
-/// A case with a camera, whatever the source.
-std::optional<Case> seen_case(const CaseSource& source, int severity, std::uint64_t seed) {
-  Case the_case = source.make(severity, seed);
-  if (source.has_camera) return the_case;
-  return through_a_camera(the_case, seed);
-}
-
-/// So many cases of the source, its severities each as often as the other.
+/// So many cases of the source, each with a camera, its severities each as often as the other.
 template <class Body>
 void for_each_case(const CaseSource& source, std::uint64_t cases, Body body) {
   const int severities = source.dial ? source.dial->highest + 1 : 1;
   const auto each = static_cast<std::uint64_t>(severities);
   for (std::uint64_t seed = 0; seed < cases; ++seed) {
     const std::uint64_t severity = cases < each ? seed * each / cases : seed % each;
-    const auto the_case = seen_case(source, static_cast<int>(severity), seed);
+    std::optional<Case> the_case = source.make(static_cast<int>(severity), seed);
+    if (!source.has_camera) the_case = through_a_camera(*the_case, seed);
     if (the_case) body(*the_case);
   }
 }

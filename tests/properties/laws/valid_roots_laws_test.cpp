@@ -5,11 +5,12 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
-#include "properties/laws/law.h"
 #include "properties/search/campaign.h"
+#include "tests/has.h"
+#include "tests/numbers.h"
+#include "tests/properties/one_ray.h"
 
 namespace raycheck::properties {
 namespace {
@@ -50,12 +51,10 @@ Case a_case(const scene::ValidRoots& valid) {
 }
 
 Verdict verdict(std::string_view law, const Candidate& candidate, const scene::ValidRoots& valid) {
-  const Case the_case = a_case(valid);
-  Trial trial(the_case, candidate);
-  return apply(*find_law(law), trial);
+  return judge(law, a_case(valid), candidate);
 }
 
-constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+constexpr double kNoEnd = kInfinity;
 
 TEST(ValidRootsLaws, HoldWhereTheyAreFollowed) {
   for (const auto ends :
@@ -137,18 +136,12 @@ TEST(ValidRootsLaws, CallDefectsWhatTheirOwnIntervalExcludes) {
 
 /// s is 1/3, above the double nearest to it, which is the best answer.
 TEST(ValidRootsLaws, LetTheExactRootBeRoundedToAnOpenEnd) {
-  Case one;
-  one.scene.rays = {{{0, 0, 0}, {3, 0, 0}}};
-  one.scene.spheres = {{{2, 0, 0}, 1}};
+  Case one = one_ray({{0, 0, 0}, {3, 0, 0}}, {{2, 0, 0}, 1});
   one.scene.conventions.valid = {1.0 / 3, kNoEnd, scene::Ends::kOpen, {}, {}};
   const auto defects = [&](double s) {
-    Candidate candidate = follower();
-    candidate.intersect = [s](auto, auto, const auto&) {
-      return std::vector<SphereHits>{{{0, {s, {3 * s, 0, 0}}}}};
-    };
-    Trial trial(one, candidate);
-    EXPECT_EQ(apply(*find_law("class"), trial).discrepancies(), 0u);
-    return apply(*find_law("nearest-root"), trial).count(Standing::kDefect);
+    const Candidate candidate = that_answers(HitAnswer{s, {3 * s, 0, 0}});
+    EXPECT_EQ(judge("class", one, candidate).discrepancies(), 0u);
+    return judge("nearest-root", one, candidate).count(Standing::kDefect);
   };
   EXPECT_EQ(defects(1.0 / 3), 0u);
   EXPECT_EQ(defects(std::nextafter(1.0 / 3, 0)), 1u);
@@ -166,10 +159,10 @@ TEST(ValidRootsLaws, ScaleAbsoluteEndsWithTheScene) {
   own.declared.valid = absolute;
   const Verdict left_out = verdict("scaling", own, {});
   EXPECT_EQ(left_out.compared(), 0u);
-  EXPECT_NE(left_out.reason_left_out().find("does not scale"), std::string::npos);
+  EXPECT_TRUE(has(left_out.reason_left_out(), "does not scale"));
   const Verdict grown = verdict("growing-radius", follower(), {1, kNoEnd, {}, {}, {}});
   EXPECT_EQ(grown.compared(), 0u);
-  EXPECT_NE(grown.reason_left_out().find("t_min"), std::string::npos);
+  EXPECT_TRUE(has(grown.reason_left_out(), "t_min"));
 }
 
 TEST(ValidRootsLaws, HoldOnRandomCasesWithAnEpsilon) {

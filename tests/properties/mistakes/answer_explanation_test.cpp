@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -17,6 +16,7 @@
 #include "properties/mistakes/causes.h"
 #include "properties/mistakes/mistakes.h"
 #include "properties/search/campaign.h"
+#include "tests/numbers.h"
 
 namespace raycheck::properties {
 namespace {
@@ -176,10 +176,9 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceIsNone) {
   EXPECT_EQ(sentences_for(candidate), Sentences());
   candidate = candidate_of("rows are upside down");
   for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
-    *make = [base = *make](scene::Camera camera, const scene::Conventions& conventions,
-                           Candidate::Pixels pixels) {
+    *make = [base = *make](scene::Camera camera, const auto&... asked) {
       camera.top = camera.right;
-      return base(camera, conventions, pixels);
+      return base(camera, asked...);
     };
   }
   candidate.frame = nullptr;
@@ -222,18 +221,15 @@ TEST(AnswerExplanation, ContradictsFewAnswers) {
 }
 
 TEST(AnswerExplanation, OfWhatIsNoNumberIsThatOfAMistakeThatMakesNone) {
-  const double none = std::numeric_limits<double>::quiet_NaN();
-  const auto all_none = [none](const scene::Camera&, const scene::Conventions&,
-                               Candidate::Pixels pixels) {
-    return std::vector<scene::Ray>(pixels.size(), {{none, none, none}, {none, none, none}});
-  };
+  constexpr const char* kLost = "the axes are lost: all are zero";
   Candidate candidate;
-  candidate.pixel_rays = all_none;
-  candidate.focal_rays = all_none;
+  candidate.pixel_rays = candidate.focal_rays = [](const auto&, const auto&, auto pixels) {
+    return std::vector<scene::Ray>(pixels.size(), {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}});
+  };
   EXPECT_EQ(sentences_for(candidate), Sentences());
-  candidate.pixel_rays = candidate_of("the axes are lost: all are zero").pixel_rays;
-  candidate.focal_rays = candidate_of("the axes are lost: all are zero").focal_rays;
-  EXPECT_EQ(sentences_for(candidate), Sentences{"the axes are lost: all are zero"});
+  candidate.pixel_rays = candidate_of(kLost).pixel_rays;
+  candidate.focal_rays = candidate_of(kLost).focal_rays;
+  EXPECT_EQ(sentences_for(candidate), Sentences{kLost});
 }
 
 TEST(AnswerExplanation, PassesOverCasesThatTheCandidateFailsOn) {
@@ -267,31 +263,34 @@ TEST(AnswerExplanation, OfACandidateInSinglePrecisionIsFound) {
   }
 }
 
-/// Roundings of d^2 move s, not Q beside the ray.
-TEST(AnswerExplanation, OfAWrongPointIsNotRoundings) {
+/// direct/cross, with every hit changed.
+template <class Change>
+Candidate with_hits(const Change& change) {
   Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
-  answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
-                                                  const scene::Conventions& conventions) {
-    std::vector<Hit> hits = ask(rays, sphere, conventions);
+  answer_by(candidate, [ask = hits_of(candidate), change](
+                           Candidate::Rays rays, const scene::Sphere& sphere, const auto& asked) {
+    std::vector<Hit> hits = ask(rays, sphere, asked);
     for (std::size_t k = 0; k < hits.size(); ++k) {
-      if (hits[k]) hits[k]->point = hit_at(rays[k], sphere.radius).point;
+      if (hits[k]) change(rays[k], sphere, hits[k]);
     }
     return hits;
+  });
+  return candidate;
+}
+
+/// Roundings of d^2 move s, not Q beside the ray.
+TEST(AnswerExplanation, OfAWrongPointIsNotRoundings) {
+  const Candidate candidate = with_hits([](const auto& ray, const auto& sphere, Hit& hit) {
+    hit->point = hit_at(ray, sphere.radius).point;
   });
   EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 
 /// Whoever misses what is far, and hits the rest, does not miss everything, and has no sign wrong.
 TEST(AnswerExplanation, OfWhatIsMissedFarAwayIsNotWhatWouldBeMissedElsewhere) {
-  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
-  answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
-                                                  const scene::Conventions& conventions) {
-    std::vector<Hit> hits = ask(rays, sphere, conventions);
-    for (std::size_t k = 0; k < hits.size(); ++k) {
-      const scene::Vector3 T = sphere.centre - rays[k].origin;
-      if (std::hypot(T.x, T.y, T.z) > 100 * sphere.radius) hits[k].reset();
-    }
-    return hits;
+  const Candidate candidate = with_hits([](const auto& ray, const auto& sphere, Hit& hit) {
+    const scene::Vector3 T = sphere.centre - ray.origin;
+    if (std::hypot(T.x, T.y, T.z) > 100 * sphere.radius) hit.reset();
   });
   const CampaignResult result = run_campaign(*find_law("class"), candidate, {});
   ASSERT_EQ(result.finding(), Finding::kBroken);

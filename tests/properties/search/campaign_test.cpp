@@ -11,6 +11,9 @@
 #include <vector>
 
 #include "properties/candidates/fast_candidate.h"
+#include "tests/campaigns.h"
+#include "tests/has.h"
+#include "tests/properties/one_ray.h"
 
 namespace raycheck::properties {
 namespace {
@@ -18,24 +21,13 @@ namespace {
 const Candidate kGood = fast_candidate(fast::kDirectRays, fast::kCross);
 const Candidate kBad = fast_candidate(fast::kDirectRays, fast::kQuadratic);
 
-CampaignOptions options(int cases, std::uint64_t seed = 1) {
-  CampaignOptions result;
-  result.cases = cases;
-  result.seed = seed;
-  result.level = Level::kExtreme;
-  return result;
-}
-
 /// Answers that are wrong alike agree; no hit of them is right, whether there are misses or not.
 TEST(Campaign, SaysOfAnswersThatAreWrongAlikeThatTooFewAreRight) {
   Candidate misses = kGood;
-  misses.intersect = [](Candidate::Rays, Candidate::Spheres spheres, const scene::Conventions&) {
-    return std::vector<SphereHits>(spheres.size());
-  };
+  misses.intersect = that_answers({}).intersect;
   for (const char* law : {"scaling", "axes"}) {
     for (const char* source : {"rays", "inside@16"}) {
-      CampaignOptions some = options(100);
-      some.sources = {chosen_source(source)};
+      const CampaignOptions some = options_of(100, {source});
       const CampaignResult result = run_campaign(*find_law(law), misses, some);
       EXPECT_EQ(result.finding(), Finding::kTooFewJudged) << law << ", " << source;
       const std::pair hits(Quantity::kClass, Expected::kHit);
@@ -58,10 +50,8 @@ void expect_same(const CampaignPart& a, const CampaignPart& b) {
 }
 
 TEST(Campaign, TakesAPartAsItIsWhateverOthersThereAre) {
-  CampaignOptions some = options(120);
-  some.sources = {chosen_source("rays"), chosen_source("distance"), chosen_source("horizon@2")};
-  CampaignOptions alone = options(40);
-  alone.sources = {chosen_source("distance")};
+  CampaignOptions some = options_of(120, {"rays", "distance", "horizon@2"});
+  CampaignOptions alone = options_of(40, {"distance"});
   const auto all = run_campaign(*find_law("class"), kBad, some).parts;
   const auto of_distance = run_campaign(*find_law("class"), kBad, alone).parts;
   ASSERT_EQ(of_distance.size(), 16u);
@@ -74,8 +64,7 @@ TEST(Campaign, TakesAPartAsItIsWhateverOthersThereAre) {
 
 /// In one pass, by units in any order, each candidate asked once for all laws.
 TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
-  CampaignOptions some = options(5 * kUnitCases);
-  some.sources = {chosen_source("rays"), chosen_source("tangency@9")};
+  CampaignOptions some = options_of(5 * kUnitCases, {"rays", "tangency@9"});
   std::vector<const Law*> laws;
   for (const char* name : {"class", "nearest-root", "parameter", "hit-point"}) {
     laws.push_back(find_law(name));
@@ -115,8 +104,7 @@ TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
 /// Units that are kept depend on nothing that was run before; others end where a law is known to be
 /// broken.
 TEST(Campaign, KeepsUnitsThatDependOnThemselvesAlone) {
-  CampaignOptions some = options(3 * kUnitCases);
-  some.sources = {chosen_source("distance@12")};
+  CampaignOptions some = options_of(3 * kUnitCases, {"distance@12"});
   for (const bool are_kept : {true, false}) {
     Campaigns after({{{find_law("class")}, some}}, are_kept),
         alone({{{find_law("class")}, some}}, are_kept);
@@ -130,8 +118,7 @@ TEST(Campaign, KeepsUnitsThatDependOnThemselvesAlone) {
 /// A case of a source depends on its number alone, however many there are: so units of a large
 /// campaign are larger, and there are never many more than kMostUnits.
 TEST(Campaign, HasUnitsOfMoreCasesWhereItIsLarger) {
-  CampaignOptions few = options(200), many = options(1'000'000'000);
-  few.sources = many.sources = {chosen_source("rays")};
+  const auto few = options_of(200, {"rays"}), many = options_of(1'000'000'000, {"rays"});
   Campaigns small({{{find_law("class")}, few}});
   const Campaigns large({{{find_law("class")}, many}});
   EXPECT_EQ(small.unit_count(), 4u);
@@ -161,9 +148,7 @@ TEST(Campaign, HasUnitsOfMoreCasesWhereItIsLarger) {
 
 /// Each of another source or kind; all cases are judged.
 TEST(Campaign, KeepsGoingUntilSoManyFailuresDiffer) {
-  CampaignOptions some = options(2000);
-  some.sources = {chosen_source("distance"), chosen_source("tangency"),
-                  chosen_source("tangent-ulps")};
+  CampaignOptions some = options_of(2000, {"distance", "tangency", "tangent-ulps"});
   const CampaignResult first = run_campaign(*find_law("class"), kBad, some);
   some.keep_going = 2;
   const CampaignResult two = run_campaign(*find_law("class"), kBad, some);
@@ -188,7 +173,7 @@ TEST(Campaign, KeepsGoingUntilSoManyFailuresDiffer) {
 
 /// Whoever only fails is asked no more after some units; who answers in one of these is.
 TEST(Campaign, AsksWhoAnswersNothingNoMore) {
-  CampaignOptions some = options(500);
+  CampaignOptions some = options_of(500);
   for (const std::size_t answered_in : {std::size_t{1}, kUnitsToFail}) {
     Campaigns campaigns({{{find_law("class"), find_law("scaling")}, some}});
     std::size_t unit = 0, asked = 0;
@@ -209,8 +194,7 @@ TEST(Campaign, AsksWhoAnswersNothingNoMore) {
 }
 
 TEST(Campaign, GoesOnAfterABreak) {
-  CampaignOptions far = options(1600);
-  far.sources = {chosen_source("distance")};
+  CampaignOptions far = options_of(1600, {"distance"});
   const CampaignResult result = run_campaign(*find_law("class"), kBad, far);
   ASSERT_EQ(result.parts.size(), 16u);
   int broken = 0, whole = 0;
@@ -248,8 +232,7 @@ std::map<std::string, std::int64_t> cases_of(const CampaignOptions& asked) {
 TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
   std::map<std::string, std::int64_t> before;
   for (const Level level : {Level::kOrdinary, Level::kDemanding, Level::kExtreme}) {
-    CampaignOptions asked = options(2400);
-    asked.level = level;
+    const CampaignOptions asked = options_of(2400, {}, level);
     std::map<std::string_view, std::int64_t> of_source;
     const auto parts = cases_of(asked);
     for (const auto& [source_name, cases] : parts) {
@@ -292,8 +275,7 @@ TEST(Campaign, OfALevelBreaksWhatTheOneBeforeItBreaks) {
     }
     return all;
   };
-  CampaignOptions asked = options(500);
-  asked.level = Level::kOrdinary;
+  CampaignOptions asked = options_of(500, {}, Level::kOrdinary);
   ASSERT_TRUE(run_campaign(*find_law("class"), rare, asked).failure);
   for (const Level level : {Level::kDemanding, Level::kExtreme}) {
     asked.level = level;
@@ -302,8 +284,7 @@ TEST(Campaign, OfALevelBreaksWhatTheOneBeforeItBreaks) {
 }
 
 TEST(Campaign, AsksEverySourceAtItsHighestSeverityAtLeastOnce) {
-  CampaignOptions one = options(1);
-  one.level = Level::kDemanding;
+  const CampaignOptions one = options_of(1, {}, Level::kDemanding);
   const auto cases = cases_of(one);
   for (const auto& [source_name, count] : cases) EXPECT_EQ(count, 1) << source_name;
   for (const CaseSource& source : case_sources()) {
@@ -316,8 +297,7 @@ TEST(Campaign, AsksEverySourceAtItsHighestSeverityAtLeastOnce) {
 TEST(Campaign, JudgesNothingOutsideTheStatedDomain) {
   Candidate small = kGood;
   small.largest_length = 0x1p-20;
-  CampaignOptions asked = options(200);
-  asked.sources = {chosen_source("rays")};
+  CampaignOptions asked = options_of(200, {"rays"});
   const CampaignResult none = run_campaign(*find_law("parameter"), small, asked);
   EXPECT_EQ(none.counts.not_judged, 200);
   EXPECT_EQ(none.verdict.compared(), 0u);
@@ -331,8 +311,7 @@ TEST(Campaign, JudgesNothingOutsideTheStatedDomain) {
 TEST(Campaign, AsksNothingThatIsNoProblemUnderTheDeclaredConventions) {
   Candidate edges = kGood;
   edges.declared.samples = scene::Samples::kEdges;
-  CampaignOptions asked = options(200);
-  asked.sources = {chosen_source("image-size@0")};  // one pixel across, or down
+  CampaignOptions asked = options_of(200, {"image-size@0"});  // one pixel across, or down
   const CampaignResult result = run_campaign(*find_law("direction"), edges, asked);
   EXPECT_GT(result.counts.not_judged, 0);
   EXPECT_FALSE(result.failure);
@@ -340,9 +319,8 @@ TEST(Campaign, AsksNothingThatIsNoProblemUnderTheDeclaredConventions) {
 
 TEST(Campaign, DoesNotHoldBeforeEnoughWasRight) {
   const Law& law = *find_law("class");
-  EXPECT_EQ(run_campaign(law, kGood, options(200)).finding(), Finding::kHolds);
-  CampaignOptions few = options(6);
-  few.sources = {chosen_source("rays")};
+  EXPECT_EQ(run_campaign(law, kGood, options_of(200)).finding(), Finding::kHolds);
+  CampaignOptions few = options_of(6, {"rays"});
   const CampaignResult result = run_campaign(law, kGood, few);
   EXPECT_EQ(result.finding(), Finding::kTooFewJudged);
   EXPECT_TRUE(result.too_few_right());
@@ -350,8 +328,7 @@ TEST(Campaign, DoesNotHoldBeforeEnoughWasRight) {
 }
 
 TEST(Campaign, HoldsExcusesAgainstACandidateWhenItIsStrict) {
-  CampaignOptions asked = options(400);
-  asked.sources = {chosen_source("tangency@16")};
+  CampaignOptions asked = options_of(400, {"tangency@16"});
   const CampaignResult mild = run_campaign(*find_law("class"), kGood, asked);
   ASSERT_GT(mild.verdict.count(Standing::kExcused), 0u);
   EXPECT_NE(mild.finding(), Finding::kBroken);
@@ -367,44 +344,34 @@ TEST(Campaign, HoldsExcusesAgainstACandidateWhenItIsStrict) {
 TEST(Campaign, EndsWhenItIsInterrupted) {
   int answered = 0;
   Candidate counting = kGood;
-  counting.intersect = [&](Candidate::Rays rays, Candidate::Spheres spheres,
-                           const scene::Conventions& conventions) {
+  counting.intersect = [&](auto... of) {
     ++answered;
-    return kGood.intersect(rays, spheres, conventions);
+    return kGood.intersect(of...);
   };
   RunControl until_ten;
   until_ten.interrupted = [&] { return answered >= 10; };
   const CampaignResult result =
-      run_campaign(*find_law("class"), counting, options(1000), until_ten);
+      run_campaign(*find_law("class"), counting, options_of(1000), until_ten);
   // That of which the law is not done with is not counted.
   EXPECT_GE(result.counts.cases, 9);
   EXPECT_LE(result.counts.cases, 10);
   EXPECT_EQ(answered, 10);
 }
 
-std::string error_of_replay(std::string_view replay) {
-  try {
-    parse_replay(replay);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 TEST(Replay, NamesThePartThatIsWrong) {
   EXPECT_EQ(parse_replay("class:a/b:distance:00ff").seed, 255u);
   EXPECT_EQ(parse_replay("class:a/b:distance@3:1").source.severity, 3);
-  EXPECT_NE(error_of_replay("").find("LAW:CANDIDATE:SOURCE:SEED"), std::string::npos);
-  EXPECT_NE(error_of_replay("class:a/b:distance").find("'class:a/b:distance'"), std::string::npos);
   EXPECT_EQ(parse_replay("class:source:a.cpp:distance:1").candidate, "source:a.cpp");
-  EXPECT_NE(error_of_replay("clas:a/b:distance:1").find("law is called 'clas'"), std::string::npos);
-  EXPECT_NE(error_of_replay("class:a/b:distance@16:1").find("are 0 to 15"), std::string::npos);
-  EXPECT_NE(error_of_replay("class:a/b:dist:1").find("source of cases is called 'dist'"),
-            std::string::npos);
-  for (const char* seed : {"", "x1", "1x", "-1", "0x1", "10000000000000000"}) {
-    EXPECT_NE(error_of_replay("class:a/b:distance:" + std::string(seed)).find("hexadecimal seed"),
-              std::string::npos)
-        << seed;
+  const auto error_of = [](const std::string& replay) {
+    return thrown_by([&] { parse_replay(replay); });
+  };
+  EXPECT_TRUE(has(error_of(""), "LAW:CANDIDATE:SOURCE:SEED"));
+  EXPECT_TRUE(has(error_of("class:a/b:distance"), "'class:a/b:distance'"));
+  EXPECT_TRUE(has(error_of("clas:a/b:distance:1"), "law is called 'clas'"));
+  EXPECT_TRUE(has(error_of("class:a/b:distance@16:1"), "are 0 to 15"));
+  EXPECT_TRUE(has(error_of("class:a/b:dist:1"), "source of cases is called 'dist'"));
+  for (const std::string seed : {"", "x1", "1x", "-1", "0x1", "10000000000000000"}) {
+    EXPECT_TRUE(has(error_of("class:a/b:distance:" + seed), "hexadecimal seed")) << seed;
   }
 }
 

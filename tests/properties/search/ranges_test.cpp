@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -14,11 +13,12 @@
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/random.h"
 #include "properties/laws/certificate.h"
-#include "properties/search/campaign.h"
 #include "reference/exact_ray.h"
 #include "scene/fields.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
+#include "tests/campaigns.h"
+#include "tests/properties/one_ray.h"
 
 namespace raycheck::properties {
 namespace {
@@ -39,13 +39,6 @@ Candidate that_misses(bool (*misses)(const scene::Sphere&)) {
     return answers;
   };
   return candidate;
-}
-
-Case one_ray(const scene::Ray& ray, const scene::Sphere& sphere) {
-  Case the_case;
-  the_case.scene.rays = {ray};
-  the_case.scene.spheres = {sphere};
-  return the_case;
 }
 
 const Case kInFront = one_ray({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 0.25});
@@ -276,11 +269,8 @@ int count_right(const Candidate& candidate, const fast::IntersectMethod& method,
 
 /// Far spheres that the lecture's differences of squares get wrong.
 std::optional<Case> far_failure(const Candidate& candidate, std::uint64_t seed) {
-  CampaignOptions options;
-  options.level = Level::kExtreme;
+  CampaignOptions options = options_of(120, {"distance@11"});
   options.seed = seed;
-  options.cases = 120;
-  options.sources = {chosen_source("distance@11")};
   const auto failure = run_campaign(kClassLaw, candidate, options).failure;
   if (!failure || failure->shrunk.scene.camera) return {};
   return failure->shrunk;

@@ -5,44 +5,25 @@
 #include <cmath>
 
 #include "properties/candidates/fast_candidate.h"
-#include "properties/laws/law.h"
 #include "properties/search/stress.h"
 #include "properties/search/worst_case.h"
-#include "properties/verdict.h"
 #include "tests/numbers.h"
+#include "tests/properties/one_ray.h"
 
 namespace raycheck::properties {
 namespace {
 
-/// A ray along x that passes the unit sphere at a height.
-Case at_height_of_unit_sphere(double height) {
-  Case result;
-  result.scene.rays = {{{-5, height, 0}, {1, 0, 0}}};
-  result.scene.spheres = {{{0, 0, 0}, 1}};
-  return result;
-}
-
-Candidate that_answers_parameter(std::optional<double> parameter) {
-  Candidate candidate;
-  candidate.name = "constant";
-  candidate.intersect = [parameter](Candidate::Rays rays, Candidate::Spheres spheres,
-                                    const scene::Conventions&) {
-    SphereHits hits;
-    for (std::size_t k = 0; parameter && k < rays.size(); ++k)
-      hits.push_back({k, {*parameter, {}}});
-    return std::vector(spheres.size(), hits);
-  };
-  return candidate;
+Candidate that_answers_parameter(double parameter) {
+  return that_answers(HitAnswer{parameter, {}});
 }
 
 Verdict weigh(std::string_view law, const Case& the_case, const Candidate& candidate) {
-  Trial trial(the_case, candidate, {.conditioning = true});
-  return apply(*find_law(law), trial);
+  return judge(law, the_case, candidate, {.conditioning = true});
 }
 
 /// The outcome of the parameter of a ray at a height; exactly one answer is weighed.
 Outcome outcome(double height, const Candidate& candidate) {
-  const Verdict verdict = weigh("parameter", at_height_of_unit_sphere(height), candidate);
+  const Verdict verdict = weigh("parameter", at_height(height), candidate);
   const Tally& tally = verdict.tallies().at(Quantity::kParameter);
   EXPECT_EQ(tally.cases, 1u);
   for (std::size_t k = 0; k < kOutcomeCount; ++k) {
@@ -69,7 +50,7 @@ TEST(Stability, BlamesTheProblemWhereItsConditionNumberIsLarge) {
   const double parameter = 5 - std::sqrt((1 - height) * (1 + height));
   const Candidate off = that_answers_parameter(parameter + 1e5 * kGap);
   EXPECT_EQ(outcome(height, off), Outcome::kIllConditioned);
-  const Verdict verdict = weigh("parameter", at_height_of_unit_sphere(height), off);
+  const Verdict verdict = weigh("parameter", at_height(height), off);
   EXPECT_GT(verdict.tallies().at(Quantity::kParameter).worst_condition.value(), 0x1p16);
   EXPECT_LT(verdict.tallies().at(Quantity::kParameter).worst_ratio, kStableRatio);
 }
@@ -78,8 +59,7 @@ TEST(Stability, UsesTheBackwardErrorAtATangent) {
   // s off by e makes Q off the sphere by e^2 only: a backward error of about 2^-60 is no fault.
   EXPECT_EQ(outcome(1, that_answers_parameter(5 - 0x1p-30)), Outcome::kIllConditioned);
   EXPECT_EQ(outcome(1, that_answers_parameter(5 - 0x1p-10)), Outcome::kUnstable);
-  const Verdict verdict =
-      weigh("parameter", at_height_of_unit_sphere(1), that_answers_parameter(5 - 0x1p-30));
+  const Verdict verdict = weigh("parameter", at_height(1), that_answers_parameter(5 - 0x1p-30));
   EXPECT_TRUE(std::isinf(verdict.tallies().at(Quantity::kParameter).worst_condition.value()));
 }
 
@@ -87,16 +67,13 @@ TEST(Stability, TellsDefectsFromExcusedDecisionsFromThoseOutsideTheDomain) {
   const auto count = [](const Verdict& verdict, Outcome outcome) {
     return verdict.tallies().at(Quantity::kClass).count(outcome);
   };
-  const Candidate misses = that_answers_parameter(std::nullopt);
-  EXPECT_EQ(count(weigh("class", at_height_of_unit_sphere(0.5), misses), Outcome::kWrongDecision),
-            1u);
-  EXPECT_EQ(count(weigh("class", at_height_of_unit_sphere(1), misses), Outcome::kExcusedDecision),
-            1u);
-  EXPECT_EQ(count(weigh("class", at_height_of_unit_sphere(2), misses), Outcome::kExact), 1u);
+  const Candidate misses = that_answers({});
+  EXPECT_EQ(count(weigh("class", at_height(0.5), misses), Outcome::kWrongDecision), 1u);
+  EXPECT_EQ(count(weigh("class", at_height(1), misses), Outcome::kExcusedDecision), 1u);
+  EXPECT_EQ(count(weigh("class", at_height(2), misses), Outcome::kExact), 1u);
   Candidate narrow = misses;
   narrow.largest_length = 2;
-  EXPECT_EQ(count(weigh("class", at_height_of_unit_sphere(0.5), narrow), Outcome::kOutsideDomain),
-            1u);
+  EXPECT_EQ(count(weigh("class", at_height(0.5), narrow), Outcome::kOutsideDomain), 1u);
 }
 
 TEST(Stress, JudgesIntersectionsAloneOnTheRaysOfACamera) {
