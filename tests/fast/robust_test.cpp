@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 #include <string>
 
 #include "fast/intersect.h"
@@ -26,6 +25,7 @@ namespace {
 
 using properties::Random;
 using reference::HitClass;
+using reference::numbers_of;
 using scene::HitRule;
 using scene::Ray;
 using scene::Root;
@@ -34,12 +34,7 @@ using scene::Tangent;
 
 /// What was compared, so that no test passes for want of cases.
 struct RobustAudit {
-  int pairs = 0;
-  int hits = 0;
-  int tangents = 0;
-  int subnormal = 0;
-  int overflows = 0;
-  int wrong_classes = 0;
+  int pairs = 0, hits = 0, tangents = 0, subnormal = 0, overflows = 0, wrong_classes = 0;
   double worst_s = 0;
   std::string worst;  ///< Where worst_s or the last wrong class was.
 };
@@ -61,7 +56,7 @@ void compare(Answer answer, const Ray& ray, const Sphere& sphere, HitRule rule,
   if (!hit || at.hit_class == HitClass::kMiss) return;
   ++audit.hits;
   const double rounded = exact.rounded_parameter(sphere, at);
-  audit.subnormal += rounded != 0 && rounded < std::numeric_limits<double>::min() ? 1 : 0;
+  audit.subnormal += rounded != 0 && rounded < kSmallestNormal ? 1 : 0;
   double error = 0;
   if (!std::isfinite(rounded)) {
     ++audit.overflows;
@@ -94,13 +89,10 @@ void scale_anywhere(Random& random, Ray& ray, Sphere& sphere) {
     return random.one_in(2) ? 0 : static_cast<int>(random.integer(-1074, 1015));
   };
   const int lengths = factor(), direction = factor();
-  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &sphere.centre.x, &sphere.centre.y,
-                    &sphere.centre.z, &sphere.radius}) {
-    *x = std::ldexp(*x, lengths);
-  }
-  for (double* x : {&ray.direction.x, &ray.direction.y, &ray.direction.z}) {
-    *x = std::ldexp(*x, direction);
-  }
+  for (double* x : numbers_of(ray.origin)) *x = std::ldexp(*x, lengths);
+  for (double* x : numbers_of(sphere.centre)) *x = std::ldexp(*x, lengths);
+  sphere.radius = std::ldexp(sphere.radius, lengths);
+  for (double* x : numbers_of(ray.direction)) *x = std::ldexp(*x, direction);
 }
 
 /// Cases of each source: 20,000, or what RAYCHECK_ROBUST_CASES says (a million, every night).
@@ -133,10 +125,9 @@ TEST(Robust, IsRightOnEverySourceOfGivenRays) {
 
 /// Small integers: tangents, origins on the surface and at the centre, points for spheres.
 void small_integers(Random& random, Ray& ray, Sphere& sphere) {
-  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
-                    &ray.direction.z, &sphere.centre.x, &sphere.centre.y, &sphere.centre.z}) {
-    *x = random.small_integer(4);
-  }
+  for (double* x : numbers_of(ray.origin)) *x = random.small_integer(4);
+  for (double* x : numbers_of(ray.direction)) *x = random.small_integer(4);
+  for (double* x : numbers_of(sphere.centre)) *x = random.small_integer(4);
   sphere.radius = static_cast<double>(random.integer(0, 5));
 }
 
@@ -202,13 +193,9 @@ TEST(Robust, IsRightOnComponentsOfAnyExponents) {
     const std::int64_t direction_middle = random.one_in(2) ? 0 : random.integer(-1000, 950);
     Ray ray;
     Sphere sphere;
-    for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &sphere.centre.x,
-                      &sphere.centre.y, &sphere.centre.z}) {
-      *x = any_double(random, middle, spread);
-    }
-    for (double* x : {&ray.direction.x, &ray.direction.y, &ray.direction.z}) {
-      *x = any_double(random, direction_middle, spread);
-    }
+    for (double* x : numbers_of(ray.origin)) *x = any_double(random, middle, spread);
+    for (double* x : numbers_of(sphere.centre)) *x = any_double(random, middle, spread);
+    for (double* x : numbers_of(ray.direction)) *x = any_double(random, direction_middle, spread);
     sphere.radius = random.one_in(8) ? 0 : std::abs(any_double(random, middle + 2, spread));
     if (random.one_in(8)) ray.origin = sphere.centre;
     compare_all(kRobust.intersect_one, ray, sphere, audit);
@@ -315,11 +302,9 @@ TEST(Robust, IsRightNearItsMarginsOnEveryTarget) {
 }
 
 TEST(Robust, AnswersWhatIsNoProblemWithAMiss) {
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Sphere unit = {{0, 0, 0}, 1};
-  for (const Ray& ray : {Ray{{nan, 0, 0}, {1, 0, 0}}, Ray{{0, 0, 0}, {0, 0, 0}},
+  for (const Ray& ray : {Ray{{kNaN, 0, 0}, {1, 0, 0}}, Ray{{0, 0, 0}, {0, 0, 0}},
                          Ray{{0, 0, 0}, {kInfinity, 0, 0}}, Ray{{kInfinity, 0, 0}, {1, 0, 0}}}) {
-    EXPECT_FALSE(kRobust.intersect_one(ray, unit, {}));
+    EXPECT_FALSE(kRobust.intersect_one(ray, reference::kUnit, {}));
   }
 }
 
