@@ -1,6 +1,5 @@
 #include "tests/caught/first_severity.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <string>
 

@@ -14,8 +14,188 @@ namespace {
 using properties::Candidate;
 using properties::Case;
 using properties::CaseSource;
+using properties::FrameAnswer;
+using properties::HitAnswer;
 using properties::Law;
+using properties::SphereHits;
 using properties::Trial;
+using scene::Camera;
+using scene::Point3;
+using scene::Ray;
+using scene::UnitVector3;
+using scene::Vector3;
+
+template <class Triple>
+Triple times(double factor, const Triple& v) {
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
+
+template <class A, class B>
+A sum(const A& a, const B& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+/// A unit vector across a vector that is no zero vector.
+Vector3 across(const Vector3& v) {
+  const Vector3 any = std::abs(v.x) < std::abs(v.y) ? Vector3{0, v.z, -v.y} : Vector3{-v.z, 0, v.x};
+  return times(1 / std::hypot(any.x, any.y, any.z), any);
+}
+
+Candidate with_hits(const ExactParts& exact, const std::function<void(HitAnswer&)>& change) {
+  Candidate candidate = exact.candidate;
+  candidate.intersect = [ask = candidate.intersect, change](const auto&... asked) {
+    std::vector<SphereHits> answers = ask(asked...);
+    for (SphereHits& hits : answers) {
+      for (auto& [ray, hit] : hits) change(hit);
+    }
+    return answers;
+  };
+  return candidate;
+}
+
+Candidate with_rays(const ExactParts& exact, const std::function<void(Ray&)>& change) {
+  Candidate candidate = exact.candidate;
+  for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
+    *make = [ask = *make, change](const auto&... asked) {
+      std::vector<Ray> rays = ask(asked...);
+      for (Ray& ray : rays) change(ray);
+      return rays;
+    };
+  }
+  return candidate;
+}
+
+Candidate with_points(const ExactParts& exact,
+                      const std::function<Point3(const Camera&, const Point3&)>& change) {
+  Candidate candidate = exact.candidate;
+  candidate.pixel_points = [ask = candidate.pixel_points, change](const Camera& camera,
+                                                                  const auto&... asked) {
+    std::vector<Point3> points = ask(camera, asked...);
+    for (Point3& point : points) point = change(camera, point);
+    return points;
+  };
+  return candidate;
+}
+
+Candidate with_frame(const ExactParts& exact, const std::function<void(FrameAnswer&)>& change) {
+  Candidate candidate = exact.candidate;
+  candidate.frame = [ask = candidate.frame, change](const Camera& camera) {
+    FrameAnswer frame = ask(camera);
+    change(frame);
+    return frame;
+  };
+  return candidate;
+}
+
+Candidate scaled_s(const ExactParts& exact, double size) {
+  return with_hits(exact, [size](HitAnswer& hit) { hit.parameter *= 1 + size; });
+}
+
+Candidate shifted_Q(const ExactParts& exact, double size) {
+  return with_hits(exact, [size](HitAnswer& hit) { hit.point = times(1 + size, hit.point); });
+}
+
+Candidate tilted_D(const ExactParts& exact, double size) {
+  return with_rays(exact, [size](Ray& ray) {
+    const Vector3 tilted = sum(ray.direction, times(size, across(ray.direction)));
+    ray.direction = times(1 / std::sqrt(1 + size * size), tilted);
+  });
+}
+
+Candidate longer_D(const ExactParts& exact, double size) {
+  return with_rays(exact, [size](Ray& ray) { ray.direction = times(1 + size, ray.direction); });
+}
+
+Candidate shifted_L(const ExactParts& exact, double size) {
+  return with_rays(exact, [size](Ray& ray) { ray.origin = times(1 + size, ray.origin); });
+}
+
+Candidate shifted_P(const ExactParts& exact, double size) {
+  return with_points(exact, [size](const Camera&, const Point3& P) { return times(1 + size, P); });
+}
+
+/// The plane is turned about the camera's `up` through the eye.
+Candidate turned_P(const ExactParts& exact, double size) {
+  return with_points(exact, [size](const Camera& camera, const Point3& P) {
+    const Vector3 up = times(size / std::hypot(camera.up.x, camera.up.y, camera.up.z), camera.up);
+    const Vector3 g = P - camera.eye;
+    return sum(P,
+               Vector3{up.y * g.z - up.z * g.y, up.z * g.x - up.x * g.z, up.x * g.y - up.y * g.x});
+  });
+}
+
+Candidate turned_axes(const ExactParts& exact, double size) {
+  return with_frame(exact, [size](FrameAnswer& frame) {
+    const FrameAnswer right = frame;
+    frame.U = sum(right.U, times(size, right.V));
+    frame.V = sum(right.V, times(-size, right.U));
+  });
+}
+
+Candidate skewed_axes(const ExactParts& exact, double size) {
+  return with_frame(exact,
+                    [size](FrameAnswer& frame) { frame.U = sum(frame.U, times(size, frame.W)); });
+}
+
+// Wrong decisions, in all that is decided: hits, nearest spheres, pixels.
+
+void rank(Sight& sight) {
+  const auto is_hit = [&](std::size_t k) { return sight.spheres[k].hit.has_value(); };
+  // Where doubles tie, the exact order stays.
+  if (sight.nearest && !is_hit(*sight.nearest)) sight.nearest.reset();
+  for (std::size_t k = 0; k < sight.spheres.size(); ++k) {
+    if (!is_hit(k)) continue;
+    if (!sight.nearest ||
+        sight.spheres[k].hit->parameter < sight.spheres[*sight.nearest].hit->parameter) {
+      sight.nearest = k;
+    }
+  }
+}
+
+Candidate with_sights(const ExactParts& exact, const ChangeSight& change) {
+  Candidate candidate = exact.candidate;
+  answer_by_sights(candidate, exact.sights, exact.looked_at, change);
+  return candidate;
+}
+
+/// Hit and miss exchanged where |b - r| < size r, b the impact parameter.
+Candidate flipped_band(const ExactParts& exact, double size) {
+  return with_sights(exact, [size](Sight& sight) {
+    for (Sighting& sphere : sight.spheres) {
+      if (!(sphere.to_tangency < size)) continue;
+      if (sphere.hit) {
+        sphere.hit.reset();
+      } else if (sphere.middle >= 0) {
+        sphere.hit = HitAnswer{sphere.middle, {}};
+      }
+    }
+    rank(sight);
+  });
+}
+
+Candidate epsilon_in_s(const ExactParts& exact, double size) {
+  return with_sights(exact, [size](Sight& sight) {
+    for (Sighting& sphere : sight.spheres) {
+      if (sphere.hit && sphere.hit->parameter < size) sphere.hit.reset();
+    }
+    rank(sight);
+  });
+}
+
+/// Of spheres whose s differ by less than size s the farthest is taken for the nearest.
+Candidate farther_sphere(const ExactParts& exact, double size) {
+  return with_sights(exact, [size](Sight& sight) {
+    if (!sight.nearest) return;
+    const double least = sight.spheres[*sight.nearest].hit->parameter;
+    double most = least;
+    for (std::size_t k = 0; k < sight.spheres.size(); ++k) {
+      const auto& hit = sight.spheres[k].hit;
+      if (!hit || !(hit->parameter > most) || hit->parameter > least * (1 + size)) continue;
+      most = hit->parameter;
+      sight.nearest = k;
+    }
+  });
+}
 
 /// The candidates of one kind of error, the largest first.
 std::vector<Candidate> injected(const ErrorKind& kind, const ExactParts& exact) {
@@ -44,6 +224,56 @@ void descend(const Law& law, const Case& the_case, const std::vector<Candidate>&
 }
 
 }  // namespace
+
+std::span<const ErrorKind> error_kinds() {
+  static const std::vector<ErrorKind> kKinds = {
+      {"s",
+       "s times 1 + 2^-k",
+       {"parameter", "backward-error", "nearest-root", "focal-and-pixel"},
+       scaled_s},
+      {"Q",
+       "Q moved by 2^-k of its distance from the world's origin",
+       {"hit-point", "focal-and-pixel"},
+       shifted_Q},
+      {"band",
+       "hit and miss exchanged where |b - r| < 2^-k r, b the impact parameter",
+       {"class", "growing-radius", "nearest-sphere", "visible-sphere", "image"},
+       flipped_band},
+      {"epsilon",
+       "hits with s < 10^-k dropped",
+       {"class", "scaling", "growing-radius", "nearest-sphere", "visible-sphere", "image"},
+       epsilon_in_s,
+       false,
+       10,
+       300},
+      {"order",
+       "the farther of two spheres whose s differ by less than 2^-k s",
+       {"nearest-sphere", "visible-sphere", "image"},
+       farther_sphere},
+      {"D",
+       "D turned by 2^-k",
+       {"direction", "parameter", "hit-point", "class", "scaling", "axes"},
+       tilted_D,
+       true},
+      {"length", "D times 1 + 2^-k", {"unit-direction", "direction", "parameter"}, longer_D, true},
+      {"L",
+       "the ray's origin moved by 2^-k of its distance from the world's",
+       {"ray-origin", "parameter", "hit-point"},
+       shifted_L,
+       true},
+      {"P",
+       "pixel points moved by 2^-k of their distance from the world's origin",
+       {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero", "square-pixels"},
+       shifted_P},
+      {"plane",
+       "pixel points turned by 2^-k about `up` through the eye",
+       {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero", "square-pixels"},
+       turned_P},
+      {"axes", "U and V turned by 2^-k about W", {"frame"}, turned_axes},
+      {"skew", "U leaning by 2^-k towards W", {"frame"}, skewed_axes},
+  };
+  return kKinds;
+}
 
 std::vector<Resolution> resolutions(const CaseSource& source, int cases,
                                     std::span<const ErrorKind* const> kinds,

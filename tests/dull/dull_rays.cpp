@@ -1,7 +1,6 @@
 // What says dull things of cameras: axes, pixel points, rays.
 
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>

@@ -1,7 +1,6 @@
 // What says dull things of whole scenes: which sphere is seen, which pixels a sphere may be in,
 // what is no scene at all.
 
-#include <algorithm>
 #include <functional>
 #include <stdexcept>
 #include <string>

@@ -44,10 +44,9 @@ Candidate with_guarded_W() {
 Candidate with_inputs(std::string name, std::function<void(Camera&, Conventions&)> change) {
   Candidate candidate = named(std::move(name));
   const auto wrap = [&change](auto& function) {
-    function = [base = function, change](Camera camera, Conventions conventions,
-                                         Candidate::Pixels pixels) {
-      change(camera, conventions);
-      return base(camera, conventions, pixels);
+    function = [base = function, change](Camera camera, Conventions by, Candidate::Pixels pixels) {
+      change(camera, by);
+      return base(camera, by, pixels);
     };
   };
   wrap(candidate.pixel_points);
@@ -60,29 +59,26 @@ Candidate with_inputs(std::string name, std::function<void(Camera&, Conventions&
 Candidate with_directions(
     std::string name, std::function<Vector3(const Camera&, const Point3&, const Vector3&)> change) {
   Candidate candidate = named(std::move(name));
-  const auto wrap = [&](auto& function) {
-    function = [base = function, points = candidate.pixel_points, change](
-                   const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
-      std::vector<Ray> rays = base(camera, conventions, pixels);
-      const std::vector<Point3> P = points(camera, conventions, pixels);
+  for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
+    *make = [base = *make, points = candidate.pixel_points, change](const Camera& camera,
+                                                                    const auto&... asked) {
+      std::vector<Ray> rays = base(camera, asked...);
+      const std::vector<Point3> P = points(camera, asked...);
       for (std::size_t k = 0; k < rays.size(); ++k) {
         rays[k].direction = change(camera, P[k], rays[k].direction);
       }
       return rays;
     };
-  };
-  wrap(candidate.pixel_rays);
-  wrap(candidate.focal_rays);
+  }
   return candidate;
 }
 
 Candidate points_on_a_sphere() {
   Candidate candidate = named("curved-plane");
   candidate.pixel_points = [rays = candidate.focal_rays](const Camera& camera,
-                                                         const Conventions& conventions,
-                                                         Candidate::Pixels pixels) {
+                                                         const auto&... asked) {
     std::vector<Point3> points;
-    for (const Ray& ray : rays(camera, conventions, pixels)) {
+    for (const Ray& ray : rays(camera, asked...)) {
       const Vector3 step = scaled(std::abs(camera.near), ray.direction);
       points.push_back({camera.eye.x + step.x, camera.eye.y + step.y, camera.eye.z + step.z});
     }
@@ -188,10 +184,7 @@ std::vector<Mutant> ray_mutants() {
 }  // namespace
 
 std::vector<Mutant> camera_mutants() {
-  std::vector<Mutant> all = frame_mutants();
-  for (auto& more : {plane_mutants(), ray_mutants()})
-    all.insert(all.end(), more.begin(), more.end());
-  return all;
+  return joined({frame_mutants(), plane_mutants(), ray_mutants()});
 }
 
 }  // namespace raycheck::mutants

@@ -36,8 +36,8 @@ AskSphere unmutated_hits() { return hits_of(unmutated()); }
 Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> change) {
   Candidate candidate = intersecting(std::move(name));
   answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
-                                                         const Conventions& conventions) {
-    return base(rays, change(sphere), conventions);
+                                                         const Conventions& by) {
+    return base(rays, change(sphere), by);
   });
   return candidate;
 }
@@ -196,20 +196,19 @@ Candidate naive_discriminant() {
 }  // namespace
 
 std::vector<Mutant> intersect_mutants() {
-  std::vector<Mutant> all = {
-      {"the textbook's b^2 - 4ac",
-       {"class", "parameter", "backward-error", "nearest-sphere"},
-       naive_discriminant(),
-       properties::Level::kDemanding},
-      {"the stable quadratic formula with the sign of its square root the wrong way round",
-       {"class", "parameter", "backward-error"},
-       with_hits("cancelling-roots", hit_by_cancelling_roots),
-       properties::Level::kExtreme},
-      from_mistake("first-wins", "the first sphere in the file wins", {"nearest-sphere"}),
-      from_mistake("last-wins", "the last sphere in the file wins", {"nearest-sphere"})};
-  for (auto& more : {choice_mutants(), value_mutants()})
-    all.insert(all.end(), more.begin(), more.end());
-  return all;
+  return joined<Mutant>(
+      {{{"the textbook's b^2 - 4ac",
+         {"class", "parameter", "backward-error", "nearest-sphere"},
+         naive_discriminant(),
+         properties::Level::kDemanding},
+        {"the stable quadratic formula with the sign of its square root the wrong way round",
+         {"class", "parameter", "backward-error"},
+         with_hits("cancelling-roots", hit_by_cancelling_roots),
+         properties::Level::kExtreme},
+        from_mistake("first-wins", "the first sphere in the file wins", {"nearest-sphere"}),
+        from_mistake("last-wins", "the last sphere in the file wins", {"nearest-sphere"})},
+       choice_mutants(),
+       value_mutants()});
 }
 
 }  // namespace raycheck::mutants

@@ -1,13 +1,71 @@
 #include "tests/mutants/mutants.h"
 
-#include <iterator>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
+#include "fast/intersect.h"
+#include "properties/mistakes/altered_hits.h"
 #include "properties/mistakes/mistakes.h"
 #include "tests/properties/cases/drawing.h"
 
 namespace raycheck::mutants {
+namespace {
+
+using properties::Candidate;
+using properties::Hit;
+using scene::Conventions;
+using scene::Ray;
+using scene::Sphere;
+using scene::Vector3;
+
+Vector3 turned(const Vector3& D, double angle) {
+  const Vector3 any = std::abs(D.x) < std::abs(D.y) ? Vector3{0, D.z, -D.y} : Vector3{-D.z, 0, D.x};
+  const double share = angle / std::hypot(any.x, any.y, any.z);
+  return {D.x + share * any.x, D.y + share * any.y, D.z + share * any.z};
+}
+
+/// Whether the line passes within `band` radii of the sphere's edge.
+bool is_in_band(const fast::Roots& roots, const Sphere& sphere, double band) {
+  return std::abs(roots.half_chord_sq) < 2 * band * sphere.radius * sphere.radius;
+}
+
+Hit changed(const Ray& ray, const Sphere& sphere, const Fault& fault, Hit hit) {
+  const fast::Roots roots = fast::kCross.roots(ray, sphere);
+  if (is_in_band(roots, sphere, fault.band)) {
+    const Vector3& d = ray.direction;
+    const double middle = roots.axial_distance / std::hypot(d.x, d.y, d.z);
+    hit = hit || !(middle >= 0) ? Hit() : properties::hit_at(ray, middle);
+  }
+  if (!hit || hit->parameter < fault.epsilon) return {};
+  hit->parameter *= 1 + fault.s;
+  for (double* x : {&hit->point.x, &hit->point.y, &hit->point.z}) *x *= 1 + fault.Q;
+  return hit;
+}
+
+}  // namespace
+
+Candidate careful_candidate(std::string name, const Fault& fault) {
+  Candidate candidate = unmutated();
+  candidate.name = std::move(name);
+  for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
+    *make = [base = *make, fault](const auto&... asked) {
+      std::vector<Ray> rays = base(asked...);
+      for (Ray& ray : rays) ray.direction = turned(ray.direction, fault.D);
+      return rays;
+    };
+  }
+  properties::answer_by(candidate,
+                        [base = properties::hits_of(unmutated()), fault](
+                            Candidate::Rays rays, const Sphere& sphere, const Conventions& asked) {
+                          std::vector<Hit> hits = base(rays, sphere, asked);
+                          for (std::size_t k = 0; k < hits.size(); ++k) {
+                            hits[k] = changed(rays[k], sphere, fault, hits[k]);
+                          }
+                          return hits;
+                        });
+  return candidate;
+}
 
 properties::Candidate unmutated() { return properties::drawing_candidate(); }
 
@@ -29,11 +87,7 @@ Mutant from_mistake(std::string name, std::string_view sentence,
 }
 
 std::vector<Mutant> all_mutants() {
-  std::vector<Mutant> all = camera_mutants();
-  for (std::vector<Mutant> more : {intersect_mutants(), plan_mutants()}) {
-    std::move(more.begin(), more.end(), std::back_inserter(all));
-  }
-  return all;
+  return joined({camera_mutants(), intersect_mutants(), plan_mutants()});
 }
 
 }  // namespace raycheck::mutants

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,14 @@ properties::Candidate careful_candidate(std::string name, const Fault& fault);
 
 /// Every mutant; the names of their candidates differ.
 std::vector<Mutant> all_mutants();
+
+/// Lists, one after the other.
+template <class One>
+std::vector<One> joined(std::initializer_list<std::vector<One>> lists) {
+  std::vector<One> all;
+  for (const std::vector<One>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
 
 // The same by stage, each in the file of its name.
 std::vector<Mutant> camera_mutants();

@@ -333,10 +333,8 @@ std::vector<Mutant> visible_mutants() {
 }  // namespace
 
 std::vector<Mutant> plan_mutants() {
-  std::vector<Mutant> all = rectangle_mutants();
-  for (auto& more : {left_out_mutants(), root_mutants(), visible_mutants(), image_mutants()})
-    all.insert(all.end(), more.begin(), more.end());
-  return all;
+  return joined({rectangle_mutants(), left_out_mutants(), root_mutants(), visible_mutants(),
+                 image_mutants()});
 }
 
 }  // namespace raycheck::mutants
