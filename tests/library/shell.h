@@ -1,6 +1,12 @@
 #pragma once
 
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "tests/has.h"
@@ -13,13 +19,33 @@ struct Ended {
 };
 
 /// Runs a command by the shell.
-Ended shell(const std::string& command);
+inline Ended shell(const std::string& command) {
+  FILE* const pipe = popen(("( " + command + " ) 2>&1").c_str(), "r");
+  Ended ended;
+  std::array<char, 4096> buffer{};
+  for (std::size_t count; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    ended.text.append(buffer.data(), count);
+  }
+  const int status = pclose(pipe);
+  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return ended;
+}
 
 /// The text of a file; empty where there is none.
-std::string text_of(const std::filesystem::path& path);
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
 
 /// Builds an example of an installed tree in a folder, as its CMakeLists.txt says.
-Ended build_example(const std::filesystem::path& prefix, const std::string& name,
-                    const std::filesystem::path& to, const std::string& options = "");
+inline Ended build_example(const std::filesystem::path& prefix, const std::string& name,
+                           const std::filesystem::path& to, const std::string& options = "") {
+  std::filesystem::remove_all(to);
+  return shell("cmake -S " + (prefix / "share/raycheck/examples" / name).string() + " -B " +
+               to.string() + " -DCMAKE_PREFIX_PATH=" + prefix.string() + " " + options +
+               " && cmake --build " + to.string());
+}
 
 }  // namespace raycheck::tests

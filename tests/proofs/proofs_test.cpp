@@ -1,26 +1,31 @@
 // The bounds that decisions stand on, proved by Gappa of the formulas themselves: each script is
-// what a formula writes down when it is called.
+// what a formula writes down when it is called. And the identities that formulas and proofs rest
+// on, by a solver of real arithmetic.
 
-#include "proofs/bounds.h"
-
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 
+#include "proofs/bounds.h"
+#include "reference/visibility/visibility_bound.h"
 #include "tests/library/shell.h"
 
 namespace raycheck::proofs {
 namespace {
 
+using namespace tests;
 namespace fs = std::filesystem;
 
 const fs::path kScripts = fs::path(RAYCHECK_SOURCE_DIR) / "proofs";
 
-bool has_gappa() { return tests::shell("command -v gappa").code == 0; }
+bool has_gappa() { return shell("command -v gappa").code == 0; }
 
 /// A place of this process: tests run side by side.
 fs::path own_path(const std::string& name) {
@@ -31,7 +36,7 @@ fs::path own_path(const std::string& name) {
 std::string complaint(const std::string& script, const std::string& options = "") {
   const fs::path file = own_path(".gappa");
   std::ofstream(file) << script;
-  const tests::Ended ended = tests::shell("gappa " + options + " '" + file.string() + "'");
+  const Ended ended = shell("gappa " + options + " '" + file.string() + "'");
   fs::remove(file);
   return ended.code == 0 ? ended.text : ended.text + "not proved";
 }
@@ -48,7 +53,7 @@ TEST(Bounds, AreProvedOfTheFormulasAsTheyAre) {
     const fs::path file = kScripts / (std::string(bound.name) + ".gappa");
     names.insert(file.filename());
     const std::string script = commented(bound);
-    EXPECT_EQ(tests::text_of(file), script) << bound.name;
+    EXPECT_EQ(text_of(file), script) << bound.name;
     if (has_gappa()) {
       EXPECT_EQ(complaint(script), "") << bound.name;
     }
@@ -101,7 +106,7 @@ TEST(Bounds, AreNotIdle) {
 /// Coq checks the proofs that Gappa writes for it. Its library has rounding to doubles, and not
 /// Gappa's relative operators, nor its rule for negated doubles.
 TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
-  if (!has_gappa() || tests::shell("command -v coqc").code != 0) {
+  if (!has_gappa() || shell("command -v coqc").code != 0) {
     GTEST_SKIP() << "there is no gappa, or no coq, to check proofs by";
   }
   const fs::path folder = own_path("_coq");
@@ -110,8 +115,8 @@ TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
   for (const std::string name :
        {"double-double-product", "double-double-quotient", "double-double-root"}) {
     const std::string script = (kScripts / (name + ".gappa")).string();
-    const tests::Ended ended =
-        tests::shell(folder_first + "gappa -Bcoq '" + script + "' > proof.v && coqc -q proof.v");
+    const Ended ended =
+        shell(folder_first + "gappa -Bcoq '" + script + "' > proof.v && coqc -q proof.v");
     EXPECT_EQ(ended.code, 0) << ended.text;
     EXPECT_TRUE(fs::exists(folder / "proof.vo")) << name;
     fs::remove(folder / "proof.vo");
@@ -123,6 +128,75 @@ TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
 TEST(Bounds, DISABLED_WriteTheirScripts) {
   for (const Bound& bound : bounds()) {
     std::ofstream(kScripts / (std::string(bound.name) + ".gappa")) << commented(bound);
+  }
+}
+
+const fs::path kIdentities = fs::path(RAYCHECK_SOURCE_DIR) / "proofs/identities";
+
+/// A sign or comparison of each file, and the wrong one, with which there is a counterexample.
+const std::map<std::string, std::pair<std::string, std::string>> kMistakes = {
+    {"filter_by_moment", {"(* 4 S e1)", "(* 3 S e1)"}},
+    {"filter_by_roots", {"(* 2.2 B Eb)", "(* 1.1 B Eb)"}},
+    {"filter_miss", {"(/ S 8)", "S"}},
+    {"filter_root", {"(* 0.51 x)) (>", "(* 0.5 x)) (>"}},
+    {"hit_point", {"(- (dot Tx Ty Tz Tx Ty Tz) (* v v))", "(+ (dot Tx Ty Tz Tx Ty Tz) (* v v))"}},
+    {"lagrange", {"(- (* a r r) (dot mx", "(+ (* a r r) (dot mx"}},
+    {"newton_slope", {"(* 4 (- (* b b)", "(* 4 (+ (* b b)"}},
+    {"newton_step", {"(- (* a (- s0 s)", "(+ (* a (- s0 s)"}},
+    {"pixel_distance", {"(- (dot Ux Uy Uz Ux Uy Uz) 1)", "(+ (dot Ux Uy Uz Ux Uy Uz) 1)"}},
+    {"roots_by_q", {"(* a smaller) (- b h)) (= (+", "(* a smaller) (+ b h)) (= (+"}},
+    {"second_axis", {"(- (* px Wy) (* py Wx))", "(+ (* px Wy) (* py Wx))"}},
+    {"signs_of_roots", {"(< b 0)) (< larger 0)", "(< b 0)) (> larger 0)"}},
+    {"third_axis", {"(- (* Wy Uz) (* Wz Uy))", "(+ (* Wy Uz) (* Wz Uy))"}},
+};
+
+/// The command of a solver, which gives up after so many steps, on any machine the same; empty
+/// where there is none.
+std::string solver() {
+  if (shell("command -v z3").code == 0) return "z3 rlimit=100000000 ";
+  if (shell("command -v cvc5").code == 0) return "cvc5 --rlimit-per=10000000 ";
+  return {};
+}
+
+TEST(Identities, HoldForAllReals) {
+  if (solver().empty()) GTEST_SKIP() << "neither z3 nor cvc5 is there to check identities";
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(kIdentities)) {
+    EXPECT_EQ(shell(solver() + "'" + entry.path().string() + "'").text, "unsat\n") << entry.path();
+    names.insert(entry.path().stem());
+  }
+  for (const auto& [name, mistake] : kMistakes) EXPECT_TRUE(names.contains(name)) << name;
+  EXPECT_EQ(names.size(), kMistakes.size());
+  // The constants of the code's, as the identities have them.
+  using namespace reference;
+  const std::string by_roots = text_of(kIdentities / "filter_by_roots.smt2"),
+                    root = text_of(kIdentities / "filter_root.smt2"),
+                    miss = text_of(kIdentities / "filter_miss.smt2");
+  EXPECT_TRUE(has(by_roots, fmt::format("(* {} B Eb)", kSquareShare)));
+  EXPECT_TRUE(has(by_roots, fmt::format("(* {0} (size ch) Ea) (* {0} rc A)", kProductShare)));
+  EXPECT_TRUE(has(root, fmt::format("(* {} x x)", kDecidedBeyond)));
+  EXPECT_TRUE(has(root, fmt::format("(- qh q) (* {0} x)) (> (- q qh) (* {0} x))", kRootShare)));
+  EXPECT_TRUE(has(miss, fmt::format("(/ S {})", kLeastMoment)));
+}
+
+TEST(Identities, AreNotFoundOfWrongSigns) {
+  if (solver().empty()) GTEST_SKIP() << "neither z3 nor cvc5 is there to check identities";
+  const fs::path changed = own_path(".smt2");
+  int counterexamples = 0;
+  for (const auto& [name, mistake] : kMistakes) {
+    const auto& [right, wrong] = mistake;
+    std::string text = text_of(kIdentities / (name + ".smt2"));
+    const std::size_t at = text.find(right);
+    ASSERT_NE(at, std::string::npos) << name;
+    ASSERT_EQ(text.find(right, at + 1), std::string::npos) << name;
+    std::ofstream(changed) << text.replace(at, right.size(), wrong);
+    const std::string found = shell(solver() + "'" + changed.string() + "'").text;
+    EXPECT_TRUE(found == "sat\n" || found == "unknown\n") << name << ": " << found;
+    counterexamples += found == "sat\n" ? 1 : 0;
+  }
+  fs::remove(changed);
+  if (solver().starts_with("z3")) {
+    EXPECT_EQ(counterexamples, static_cast<int>(kMistakes.size()));
   }
 }
 

@@ -1,7 +1,10 @@
+// What the library says is what the reference says, and its own ways of writing a number agree.
 // Candidates that are linked in, in doubles and in floats: what is right passes, what is dull or
 // wrong does not.
 
 #include <gtest/gtest.h>
+#include <raycheck/cases.h>
+#include <raycheck/exact.h>
 #include <raycheck/judge.h>
 #include <raycheck/law_tests.h>
 
@@ -10,13 +13,165 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "examples/tracer.h"
 #include "tests/has.h"
+#include "tests/numbers.h"
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
 namespace raycheck::tests {
 namespace {
+
+/// From shared lecture answers: eye (0, 0, 0), sphere ((0, 0, 5), 1).
+TEST(Exact, MeetsTheSphereAhead) {
+  const exact::Intersection met = exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
+  EXPECT_EQ(met.hit_class, exact::HitClass::hit);
+  EXPECT_EQ(met.root, exact::WhichRoot::smaller);
+  EXPECT_TRUE(met.is_hit);
+  ASSERT_TRUE(met.parameter && met.point);
+  EXPECT_EQ(met.parameter->rounded(), 4);
+  EXPECT_EQ(met.parameter->closed_form(), "4");
+  EXPECT_EQ(met.parameter->ulp_error(std::nextafter(4.0, 5.0)), 1);
+  EXPECT_EQ(met.point->rounded().z, 4);
+}
+
+#if defined(__SSE2__)
+/// As a program has it that is linked with -ffast-math.
+TEST(Exact, KeepsSubnormalsWhereTheProgramFlushesThem) {
+  constexpr unsigned kFlush = 0x8040;
+  constexpr double kUnit = 0x1p-1000;
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | kFlush);
+  const exact::Intersection met =
+      exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, kUnit / 2, 5 * kUnit}, kUnit});
+  const double s = met.parameter ? met.parameter->rounded() : 0;
+  const unsigned after = _mm_getcsr();
+  _mm_setcsr(before);
+  EXPECT_EQ(after & kFlush, kFlush);
+  EXPECT_EQ(met.hit_class, exact::HitClass::hit);
+  EXPECT_EQ(s / kUnit, exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0.5, 5}, 1}).parameter->rounded());
+}
+#endif
+
+TEST(Exact, WritesARootInEveryWay) {
+  // |s (1, 2, 0) - (3, 1, 0)| = 3: 5 s^2 - 10 s + 1 = 0, s = 1 - sqrt(20)/5.
+  const exact::Intersection met = exact::hit({{0, 0, 0}, {1, 2, 0}}, {{3, 1, 0}, 3});
+  ASSERT_TRUE(met.parameter);
+  const exact::Number& s = *met.parameter;
+  const long double value = 1 - std::sqrt(20.0L) / 5;
+  EXPECT_EQ(s.rounded(), static_cast<double>(value));
+  EXPECT_EQ(s.closed_form(), "-2/5*sqrt(5) + 1");
+  EXPECT_LE(s.interval().lower, s.rounded());
+  EXPECT_GE(s.interval().upper, s.rounded());
+  EXPECT_LE(s.interval().upper, std::nextafter(std::nextafter(s.interval().lower, 1.0), 1.0));
+  EXPECT_EQ(s.enclosure(60).substr(0, 20), "[0.10557280900008412");
+  EXPECT_LT(s.ulp_error(s.rounded()), 0.5);
+  EXPECT_GT(s.condition(), 1);
+  EXPECT_EQ(s.ulp_error(kInfinity), kInfinity);
+  EXPECT_THROW(s.enclosure(1), std::invalid_argument);
+  EXPECT_THROW(s.enclosure(1 << 20), std::invalid_argument);
+}
+
+TEST(Exact, FollowsTheConventions) {
+  const Ray touching{{0, 1, 0}, {1, 0, 0}};
+  const Sphere sphere{{5, 0, 0}, 1};
+  Conventions asked;
+  EXPECT_EQ(exact::hit(touching, sphere).hit_class, exact::HitClass::tangent);
+  EXPECT_TRUE(exact::hit(touching, sphere).is_hit);
+  asked.tangent = Tangent::miss;
+  EXPECT_FALSE(exact::hit(touching, sphere, asked).is_hit);
+  const Ray inside{{0, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(exact::hit(inside, {{0, 0, 0}, 2}).parameter->rounded(), 2);
+  asked.root = Root::smaller;
+  EXPECT_FALSE(exact::hit(inside, {{0, 0, 0}, 2}, asked).is_hit);
+}
+
+TEST(Exact, FindsTheNearestAndItsTies) {
+  const Ray ray{{0, 0, 0}, {0, 0, 1}};
+  const auto found = exact::nearest(ray, {{{0, 0, 9}, 1}, {{0, 0, 5}, 1}, {{0, 0, 6}, 2}});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->index, 1u);
+  EXPECT_EQ(found->ties, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(found->intersection.parameter->rounded(), 4);
+  EXPECT_FALSE(exact::nearest(ray, {{{0, 0, -9}, 1}}));
+}
+
+Camera square_camera() { return {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, -2, -1, 1, -1, 1, 3, 3}; }
+
+TEST(Exact, KnowsACamera) {
+  const exact::Camera camera(square_camera());
+  EXPECT_EQ(camera.axes().w.rounded().z, 1);
+  EXPECT_EQ(camera.axes().u.rounded().x, 1);
+  const Vector corner = camera.pixel_point({0, 2}).rounded();
+  EXPECT_EQ(corner.x, -1);
+  EXPECT_EQ(corner.y, 1);
+  EXPECT_EQ(corner.z, 8);
+  EXPECT_EQ(camera.ray({0, 2}).direction().z.closed_form(), "-1/3*sqrt(6)");
+  EXPECT_EQ(camera.ray({0, 2}).origin().rounded().z, 8);
+  Conventions focal;
+  focal.origin = Origin::focal;
+  EXPECT_EQ(exact::Camera(square_camera(), focal).ray({0, 2}).origin().rounded().z, 10);
+  EXPECT_THROW((void)camera.ray({3, 0}), std::invalid_argument);
+}
+
+TEST(Exact, RefusesWhatIsNoProblem) {
+  const Ray none{{0, 0, 0}, {0, 0, 0}};
+  EXPECT_THROW(exact::hit(none, {{0, 0, 5}, 1}), std::invalid_argument);
+  EXPECT_THROW(exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, -1}), std::invalid_argument);
+  EXPECT_THROW(exact::Camera{Camera{}}, std::invalid_argument);
+  std::vector<Conventions> wrong(5);
+  wrong[0].valid.t_min = std::nan("");
+  wrong[1].valid.t_min = -1;
+  wrong[2].valid = {7, 3};
+  wrong[3].valid.ends = static_cast<Ends>(9);
+  wrong[4].root = static_cast<Root>(9);
+  for (const Conventions& one : wrong) {
+    EXPECT_THROW(exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1}, one), std::invalid_argument);
+  }
+}
+
+TEST(Cases, AreTheSameByTheirSeed) {
+  for (const Source& source : sources()) {
+    const Case one = make_case(source.name, 7, 3, source.highest);
+    EXPECT_EQ(scene_text(one), scene_text(make_case(source.name, 7, 3, source.highest)));
+    EXPECT_NE(scene_text(one), scene_text(make_case(source.name, 7, 4, source.highest)))
+        << source.name;
+    EXPECT_EQ(one.scene.camera.has_value(), source.has_camera);
+    EXPECT_THROW(make_case(source.name, 7, 3, source.highest + 1), std::invalid_argument);
+  }
+  EXPECT_THROW(make_case("nowhere", 1), std::invalid_argument);
+}
+
+/// Every double has a spelling of its own, -0 and subnormal ones, too.
+TEST(Cases, ReadBackAsTheyAreWritten) {
+  int subnormal = 0;
+  for (const Source& source : sources()) {
+    for (std::uint64_t number = 0; number < 400; ++number) {
+      const auto severity = static_cast<int>(number) % (source.highest + 1);
+      const Case one = make_case(source.name, 7, number, number < 20 ? source.highest : severity);
+      const std::string text = scene_text(one);
+      ASSERT_EQ(scene_text({read_scene(text), one.pixels}), text);
+      subnormal += has(text, "e-31") ? 1 : 0;
+    }
+  }
+  EXPECT_GT(subnormal, 20);
+  EXPECT_FALSE(simpler(make_case("rays", 1)).empty());
+}
+
+TEST(Cases, AreMadeOfAnyBytes) {
+  std::string bytes;
+  int made = 0;
+  for (int k = 0; k < 500; ++k) {
+    bytes.push_back(static_cast<char>(k * k * 37 + k));
+    const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    if (case_of_bytes(data, bytes.size() % 40)) ++made;
+  }
+  EXPECT_GT(made, 50);
+}
 
 TEST(Judge, LetsAGoodTracerPassEveryLaw) {
   const LawTests tests(tracer());
@@ -32,11 +187,9 @@ TEST(Judge, LetsAGoodTracerPassEveryLaw) {
 
 TEST(Judge, BreaksWhatIsDull) {
   Candidate misses("misses");
-  misses.intersect = [](const Ray&, const Sphere&, const Conventions&) {
-    return std::optional<Hit>();
-  };
+  misses.intersect = [](const auto&...) { return std::optional<Hit>(); };
   Candidate at_zero("at-zero");
-  at_zero.intersect = [](const Ray& ray, const Sphere&, const Conventions&) {
+  at_zero.intersect = [](const Ray& ray, const auto&...) {
     return std::optional<Hit>({0, ray.origin});
   };
   for (const Candidate& dull : {misses, at_zero}) {
@@ -59,7 +212,7 @@ TEST(Judge, BreaksWhatItsOwnIntervalExcludes) {
     candidate.roots = Roots::declared;
     candidate.declares.valid = {.t_min = 2, .ends = Ends::open};
     candidate.precision = precision;
-    candidate.intersect = [least](const Ray&, const Sphere&, const Conventions&) {
+    candidate.intersect = [least](const auto&...) {
       return std::optional<Hit>({least, {least, 0, 0}});
     };
     return judge_case(candidate, "nearest-root", one);
@@ -122,7 +275,7 @@ TEST(Judge, SaysWhereAndWhyALawIsBroken) {
 
 TEST(Judge, CountsWhatIsThrownAsNoAnswer) {
   Candidate throws("throws");
-  throws.intersect = [](const Ray&, const Sphere&, const Conventions&) -> std::optional<Hit> {
+  throws.intersect = [](const auto&...) -> std::optional<Hit> {
     throw std::runtime_error("no idea");
   };
   const Verdict verdict = judge(throws, "class", "rays");
@@ -140,9 +293,7 @@ TEST(Judge, AsksOnlyAboutWhatThereIs) {
   EXPECT_THROW(checks(Candidate("nothing")), std::invalid_argument);
   const auto refused = [](auto change) {
     Candidate candidate("mine");
-    candidate.intersect = [](const Ray&, const Sphere&, const Conventions&) {
-      return std::optional<Hit>();
-    };
+    candidate.intersect = [](const auto&...) { return std::optional<Hit>(); };
     change(candidate);
     const LawTests tests(candidate);
     if (tests.checks().size() != 1) return false;
