@@ -3,17 +3,11 @@ import unittest
 
 import access_test
 import pages
-from pages import PageTest, ROOT, page_of, temporary
+from pages import PageTest, candidate, page_of
 
 METHODS = "quadratic,cross,cross2,robust"
 HOSTILE = "<img src=x onerror=alert(1)>"
-CANDIDATE = """
-import sys
-sys.path.insert(0, {adapters!r})
-import raycheck_candidate as rc
-
-rc.run("-", intersect=lambda ray, sphere, asked: None)
-"""
+MISSES = "intersect = lambda ray, sphere, asked: None"
 
 
 def chart_of(*arguments):
@@ -83,7 +77,7 @@ class Charts(PageTest):
             self.assertEqual(self.run_script("return document.querySelectorAll('#chart-drawing .faded text').length"), 3)
 
     def test_a_method_without_a_run_time_is_told_of(self):
-        path = temporary("kept.py", CANDIDATE.format(adapters=str(ROOT / "tools/external/adapters")))
+        path = candidate("kept.py", MISSES)
         self.open(chart_of("tradeoff", "--family", "distance", "--method", "cross", "--cases", "20", "--candidate", f"command:python3 {path}"))
         self.assertEqual(self.names(), ["cross"])
         self.assertRegex(self.text("#chart-absent"), r"^Not drawn: command:python3 .*kept\.py \(not timed: it is kept in a sandbox")
@@ -105,7 +99,7 @@ class Charts(PageTest):
         self.assertTrue(all(len(row) == 12 for row in rows))
 
     def test_a_hostile_name_is_text(self):
-        path = temporary("named.py", CANDIDATE.format(adapters=str(ROOT / "tools/external/adapters")))
+        path = candidate("named.py", MISSES)
         self.open(chart_of("stress", "--family", "distance", "--severity", "0..1", "--cases", "5", "--method", "cross",
                            "--candidate", f'command:env "A={HOSTILE}" python3 {path}'))
         self.assertIn(HOSTILE, self.text("#chart-methods"))

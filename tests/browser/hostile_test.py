@@ -3,7 +3,7 @@ import shutil
 import subprocess
 
 import pages
-from pages import PageTest, ROOT, Shared, temporary
+from pages import PageTest, ROOT, Shared, candidate, temporary
 
 ALERT = "<img src=x onerror=alert(1)>"
 NAME = f"</script>{ALERT}.toml"  # a folder "<", and in it a file
@@ -17,16 +17,7 @@ FOREIGN = """const own = new Set(document.querySelectorAll("svg, svg *, math, ma
       && !one.closest("head") && !one.closest("#picture-view")).length,
     document.scripts.length, document.querySelectorAll("[onerror], [onclick], [onload], [style*=expression]").length,
     document.querySelectorAll("head > *").length];"""
-CANDIDATE = """
-import sys
-sys.path.insert(0, {adapters!r})
-import raycheck_candidate as rc
-
-def intersect(ray, sphere, asked):
-    raise ValueError({spoken!r})
-
-rc.run({name!r}, intersect=intersect)
-"""
+SAYS = "def intersect(ray, sphere, asked):\n    raise ValueError({!r})\n"
 
 
 class HostileText(PageTest):
@@ -74,15 +65,15 @@ class HostileText(PageTest):
                     self.assertEqual(shown, name.rsplit("/", 1)[-1])
 
     def test_what_a_candidate_says_is_text(self):
-        path = temporary(f"<b>&amp;{BIDI}.py", CANDIDATE.format(adapters=str(ROOT / "tools/external/adapters"), name=SPOKEN.replace(" ", ""), spoken=SPOKEN))
+        path = candidate(f"<b>&amp;{BIDI}.py", SAYS.format(SPOKEN), SPOKEN.replace(" ", ""))
         self.check_candidate(f'command:python3 {path.name} "{NAME}"', "<b>", ALERT)
 
     def test_what_a_candidate_says_at_length_is_text(self):
-        path = temporary("long.py", CANDIDATE.format(adapters=str(ROOT / "tools/external/adapters"), name="long", spoken=LONG))
+        path = candidate("long.py", SAYS.format(LONG), "long")
         self.check_candidate(f'command:python3 {path.name} "{LONG}"', "<b><b>", LONG)
 
-    def check_candidate(self, candidate, in_short, at_length):
-        self.open(self.page(self.scene_named("plain.toml"), "--candidate", candidate))
+    def check_candidate(self, command, in_short, at_length):
+        self.open(self.page(self.scene_named("plain.toml"), "--candidate", command))
         self.everything_seen()
         self.check_plain(self.plain)
         self.assertIn(in_short, self.text("#verdicts"))

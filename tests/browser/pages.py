@@ -48,6 +48,16 @@ def temporary(name, text=None):
     return path
 
 
+def candidate(file, intersect, name="-"):
+    """A path in the folder of this run: a candidate in Python, whose lines these are before it is asked."""
+    return temporary(file, f"""import sys
+sys.path.insert(0, {str(ROOT / "tools/external/adapters")!r})
+import raycheck_candidate as rc
+{intersect}
+rc.run({name!r}, intersect=intersect)
+""")
+
+
 def page_of(*arguments, option="--out"):
     """The page that `raycheck view ARGUMENTS` writes, or another command with its `--view`; the same arguments are asked once."""
     if arguments not in Shared.pages:
