@@ -119,18 +119,10 @@ TEST(Validate, NamesWhatIsDegenerate) {
   for (const auto& [change, field, value] :
        std::vector<std::tuple<Change, const char*, const char*>>{
            {[](Camera& c) { c.look_at = c.eye; }, "camera.look_at", "[8, 8, 100]"},
-           {[](Camera& c) {
-              c.eye = {0, 0, 0}, c.look_at = {-0.0, 0, 0};
-            },
-            "camera.look_at", "[-0, 0, 0]"},
-           {[](Camera& c) {
-              c.up = {0, 0, -0.0};
-            },
-            "camera.up", "[0, 0, -0]"},
-           {[](Camera& c) {
-              c.up = {0, 0, -3};
-            },
-            "camera.up", "[0, 0, -3]"},
+           {[](Camera& c) { c.eye = c.look_at = Point3(), c.look_at.x = -0.0; }, "camera.look_at",
+            "[-0, 0, 0]"},
+           {[](Camera& c) { c.up.y = 0, c.up.z = -0.0; }, "camera.up", "[0, 0, -0]"},
+           {[](Camera& c) { c.up.y = 0, c.up.z = -3; }, "camera.up", "[0, 0, -3]"},
            {[](Camera& c) { c.near = -0.0; }, "camera.near", "-0"},
            {[](Camera& c) { c.left = c.right = 0.1; }, "camera.right", "0.1"},
            {[](Camera& c) { c.bottom = c.top = 7; }, "camera.top", "7"},
