@@ -1,11 +1,13 @@
 #pragma once
 
-// One ray and one sphere as a case, and candidates that answer every question alike.
+// One ray and one sphere as a case, candidates that answer every question alike, or never meet
+// some spheres.
 
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
 #include "properties/trial.h"
 
@@ -25,11 +27,25 @@ inline Case at_height(double height) {
 
 inline Candidate that_answers(std::optional<HitAnswer> answer) {
   Candidate candidate;
-  candidate.intersect = [answer](Candidate::Rays rays, Candidate::Spheres spheres,
-                                 const scene::Conventions&) {
+  candidate.intersect = [answer](Candidate::Rays rays, Candidate::Spheres spheres, const auto&) {
     SphereHits hits;
     for (std::size_t k = 0; answer && k < rays.size(); ++k) hits.push_back({k, *answer});
     return std::vector(spheres.size(), hits);
+  };
+  return candidate;
+}
+
+/// direct/cross, but for spheres of which `misses` is true, which it never meets.
+inline Candidate that_misses(bool (*misses)(const scene::Sphere&)) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  candidate.classes_in = {};
+  candidate.intersect = [misses, ask = candidate.intersect](
+                            Candidate::Rays rays, Candidate::Spheres spheres, const auto& by) {
+    auto answers = ask(rays, spheres, by);
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+      if (misses(spheres[k])) answers[k].clear();
+    }
+    return answers;
   };
   return candidate;
 }

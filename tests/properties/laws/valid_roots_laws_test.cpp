@@ -23,8 +23,7 @@ Candidate follower(const Change& mistake = [](scene::Conventions&) {}) {
   candidate.name = "follower";
   candidate.refuses = false;
   candidate.intersect = [mistake](Candidate::Rays rays, Candidate::Spheres spheres,
-                                  const scene::Conventions& asked) {
-    scene::Conventions by = asked;
+                                  scene::Conventions by) {
     mistake(by);
     std::vector<SphereHits> all(spheres.size());
     for (std::size_t k = 0; k < spheres.size(); ++k) {

@@ -211,8 +211,7 @@ TEST(AnswerExplanation, IsOfEachPart) {
 /// The last sphere in the file, met or not: so it wins where it is met, but not only there.
 TEST(AnswerExplanation, ContradictsFewAnswers) {
   Candidate candidate;
-  candidate.nearest = [](Candidate::Rays rays, Candidate::Spheres spheres,
-                         const scene::Conventions&) {
+  candidate.nearest = [](Candidate::Rays rays, Candidate::Spheres spheres, const auto&) {
     const std::optional<std::size_t> last =
         spheres.empty() ? std::nullopt : std::optional(spheres.size() - 1);
     return std::vector(rays.size(), last);

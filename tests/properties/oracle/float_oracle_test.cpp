@@ -222,8 +222,7 @@ properties::Candidate that_answers(
   candidate.precision = precision;
   candidate.unit_roundoff = scene::unit_roundoff(precision);
   candidate.smallest_length = candidate.largest_length = HUGE_VAL;
-  candidate.intersect = [&by_sphere](properties::Candidate::Rays, properties::Candidate::Spheres,
-                                     const scene::Conventions&) {
+  candidate.intersect = [&by_sphere](const auto&...) {
     std::vector<properties::SphereHits> all;
     for (const auto& answers : by_sphere) {
       properties::SphereHits& hits = all.emplace_back();

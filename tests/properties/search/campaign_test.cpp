@@ -23,8 +23,7 @@ const Candidate kBad = fast_candidate(fast::kDirectRays, fast::kQuadratic);
 
 /// Answers that are wrong alike agree; no hit of them is right, whether there are misses or not.
 TEST(Campaign, SaysOfAnswersThatAreWrongAlikeThatTooFewAreRight) {
-  Candidate misses = kGood;
-  misses.intersect = that_answers({}).intersect;
+  const Candidate misses = that_misses([](const auto&) { return true; });
   for (const char* law : {"scaling", "axes"}) {
     for (const char* source : {"rays", "inside@16"}) {
       const CampaignOptions some = options_of(100, {source});
@@ -128,11 +127,10 @@ TEST(Campaign, HasUnitsOfMoreCasesWhereItIsLarger) {
   std::vector<scene::Scene> asked[2];
   for (const bool is_large : {false, true}) {
     Candidate seen = kGood;
-    seen.intersect = [&](Candidate::Rays rays, Candidate::Spheres spheres,
-                         const scene::Conventions& conventions) {
+    seen.intersect = [&](Candidate::Rays rays, Candidate::Spheres spheres, const auto& by) {
       asked[is_large ? 1 : 0].push_back(
-          {{}, {rays.begin(), rays.end()}, {spheres.begin(), spheres.end()}, conventions});
-      return kGood.intersect(rays, spheres, conventions);
+          {{}, {rays.begin(), rays.end()}, {spheres.begin(), spheres.end()}, by});
+      return kGood.intersect(rays, spheres, by);
     };
     if (is_large) {
       large.run(0, {&seen, 1}, {.interrupted = [&] { return asked[1].size() >= 250; }});
@@ -264,17 +262,9 @@ TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
 
 /// Breaks a law where ordinary cases are broken, whatever harder ones there are.
 TEST(Campaign, OfALevelBreaksWhatTheOneBeforeItBreaks) {
-  Candidate rare = kGood;
   // Wrong on few cases, whatever their severity.
-  rare.intersect = [](Candidate::Rays rays, Candidate::Spheres spheres,
-                      const scene::Conventions& asked) {
-    auto all = kGood.intersect(rays, spheres, asked);
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      const double radius = spheres[k].radius;
-      if (radius > 0.5 && radius < 0.6) all[k].clear();
-    }
-    return all;
-  };
+  const Candidate rare =
+      that_misses([](const auto& sphere) { return sphere.radius > 0.5 && sphere.radius < 0.6; });
   CampaignOptions asked = options_of(500, {}, Level::kOrdinary);
   ASSERT_TRUE(run_campaign(*find_law("class"), rare, asked).failure);
   for (const Level level : {Level::kDemanding, Level::kExtreme}) {

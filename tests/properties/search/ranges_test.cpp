@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "properties/candidates/fast_candidate.h"
 #include "properties/cases/random.h"
 #include "properties/laws/certificate.h"
 #include "reference/exact_ray.h"
@@ -25,21 +24,6 @@ namespace {
 
 const Law& kClassLaw = *find_law("class");
 const Candidate kByCross = fast_candidate(fast::kDirectRays, fast::kCross);
-
-/// `cross`, but for spheres of which `misses` is true, which it never meets.
-Candidate that_misses(bool (*misses)(const scene::Sphere&)) {
-  Candidate candidate = kByCross;
-  candidate.classes_in = {};
-  candidate.intersect = [misses](Candidate::Rays rays, Candidate::Spheres spheres,
-                                 const scene::Conventions& conventions) {
-    auto answers = kByCross.intersect(rays, spheres, conventions);
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      if (misses(spheres[k])) answers[k].clear();
-    }
-    return answers;
-  };
-  return candidate;
-}
 
 const Case kInFront = one_ray({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 0.25});
 
@@ -146,9 +130,8 @@ TEST(Ranges, SayWhatMayBeAnythingAndWhatMattersExactly) {
 /// Whose answers are all wrong breaks the law everywhere: by false hits, then by misses.
 TEST(Ranges, KeepTheKindOfDefect) {
   Candidate opposite = that_misses([](const auto&) { return false; });
-  opposite.intersect = [](Candidate::Rays rays, Candidate::Spheres spheres,
-                          const scene::Conventions& conventions) {
-    auto answers = kByCross.intersect(rays, spheres, conventions);
+  opposite.intersect = [](const auto&... asked) {
+    auto answers = kByCross.intersect(asked...);
     for (SphereHits& hits : answers) {
       hits = hits.empty() ? SphereHits{{0, {1, {0, 0, 1}}}} : SphereHits{};
     }
