@@ -26,11 +26,7 @@ namespace {
 using namespace properties;
 
 /// As many cases as the first report that a user sees has.
-CampaignOptions at(Level level) {
-  CampaignOptions options;
-  options.level = level;
-  return options;
-}
+CampaignOptions at(Level level) { return options_of(CampaignOptions().cases, {}, level); }
 
 const std::vector<Mutant>& all() {
   static const std::vector<Mutant> kAll = all_mutants();
@@ -200,9 +196,7 @@ TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
   }
   std::vector<Verdict> verdicts(names.size());
   for (int seed = 1; seed <= seeds(); ++seed) {
-    CampaignOptions options;
-    options.cases = kCasesOfSeed;
-    options.level = GetParam().level;
+    CampaignOptions options = options_of(kCasesOfSeed, {}, GetParam().level);
     options.seed = static_cast<std::uint64_t>(seed);
     auto results = run_campaigns(laws_named(names), candidate, options);
     for (std::size_t law = 0; law < names.size(); ++law) {
