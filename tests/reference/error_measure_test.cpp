@@ -122,9 +122,9 @@ TEST(AngleError, IsBlindToLengthAndInfiniteFromARightAngleOn) {
   EXPECT_EQ(angle_error({1, 0x1p-53, 0}, along_x).value, 1);
   EXPECT_EQ(angle_error({2, 0x1p-52, 0}, along_x).value, 1);
   EXPECT_LT(angle_error({1, 1000, 0}, along_x).value, 1001 * 0x1p53);
-  for (const scene::Vector3& given :
-       {scene::Vector3{0, 1, 0}, {-1, 0, 0}, {0, 0, 0}, {kNaN, 0, 0}}) {
-    EXPECT_EQ(angle_error({given.x, given.y, given.z}, along_x).value, kInfinity);
+  for (const scene::UnitVector3& given :
+       {scene::UnitVector3{0, 1, 0}, {-1, 0, 0}, {0, 0, 0}, {kNaN, 0, 0}}) {
+    EXPECT_EQ(angle_error(given, along_x).value, kInfinity) << given.x;
   }
 }
 
@@ -215,7 +215,7 @@ TEST(BackwardError, IsExactWhereItIsSpecial) {
 
 TEST(BackwardError, IsInfiniteOfWhatIsNotFiniteAndRefusesWhatIsNoProblem) {
   for (const double s : {kInfinity, -kInfinity, kNaN}) {
-    EXPECT_EQ(backward_error(kAlongX, kUnit, s).value, kInfinity);
+    EXPECT_EQ(backward_error(kAlongX, kUnit, s).value, kInfinity) << s;
   }
   EXPECT_THROW(backward_error({{0, 0, 0}, {0, 0, 0}}, kUnit, 1), std::invalid_argument);
   EXPECT_THROW(backward_error(kAlongX, {{0, 0, 0}, -1}, 1), std::invalid_argument);

@@ -9,10 +9,10 @@
 
 namespace raycheck::reference {
 
-/// U, V, W; P and D of one pixel; l.
+/// U, V, W; P and D of one pixel; l, alpha and beta.
 struct LectureRay {
   Big3 U, V, W, P, D;
-  Big length;
+  Big length, alpha, beta;
 };
 
 inline Big lecture_coordinate(double low, double high, std::int64_t index, std::int64_t count,
@@ -32,11 +32,10 @@ inline LectureRay lecture_ray(const scene::Camera& camera, const scene::Conventi
   ray.V = cross(ray.W, ray.U);
   const std::int64_t row =
       conventions.rows == scene::Rows::kBottomFirst ? pixel.j : camera.height - 1 - pixel.j;
-  const Big alpha =
+  ray.alpha =
       lecture_coordinate(camera.left, camera.right, pixel.i, camera.width, conventions.samples);
-  const Big beta =
-      lecture_coordinate(camera.bottom, camera.top, row, camera.height, conventions.samples);
-  ray.P = E + Big(camera.near) * ray.W + alpha * ray.U + beta * ray.V;
+  ray.beta = lecture_coordinate(camera.bottom, camera.top, row, camera.height, conventions.samples);
+  ray.P = E + Big(camera.near) * ray.W + ray.alpha * ray.U + ray.beta * ray.V;
   ray.length = norm(ray.P - E);
   ray.D = (ray.P - E) / ray.length;
   return ray;

@@ -392,17 +392,17 @@ TEST(Condition, GrowsLikeOneOverTheRootOfTheDistanceToATangent) {
 
 TEST(Condition, OfTheParameterIsInfiniteOnTheSurface) {
   const ExactRay ray(Ray{{-1, 0, 0}, {1, 0, 0}});
-  EXPECT_EQ(condition_of_parameter(ray, {{0, 0, 0}, 1}, kSmallerHit), kInfinity);
-  expect_condition(condition_of_parameter(ray, {{0, 0, 0}, 1}, kLargerHit), Big(2), "s");
+  EXPECT_EQ(condition_of_parameter(ray, kUnit, kSmallerHit), kInfinity);
+  expect_condition(condition_of_parameter(ray, kUnit, kLargerHit), Big(2), "s");
 }
 
 Big sum_of_sizes(const Big3& v) { return abs(v.x) + abs(v.y) + abs(v.z); }
 
 void expect_ray_stages(const RayStageConditions& got, const LectureRay& ray, const Big3& E,
-                       const Big& n, const Big& alpha, const Big& beta, const std::string& what) {
-  const Big point = sum_of_sizes(E) + abs(n) + abs(alpha) + abs(beta) +
-                    abs(n) * sum_of_sizes(ray.W) + abs(alpha) * sum_of_sizes(ray.U) +
-                    abs(beta) * sum_of_sizes(ray.V);
+                       const Big& n, const std::string& what) {
+  const Big point = sum_of_sizes(E) + abs(n) * (1 + sum_of_sizes(ray.W)) +
+                    abs(ray.alpha) * (1 + sum_of_sizes(ray.U)) +
+                    abs(ray.beta) * (1 + sum_of_sizes(ray.V));
   ASSERT_TRUE(got.pixel_point.has_value());
   if (norm(ray.P) != 0) expect_condition(*got.pixel_point, point / norm(ray.P), "P of " + what);
   // dD/dP_k = (e_k - D_k D)/l, of size sqrt(1 - D_k^2)/l.
@@ -456,20 +456,12 @@ TEST(StageCondition, IsThatOfTheStepsByHand) {
       const scene::Conventions conventions = random_conventions(random);
       const scene::Pixel pixel = random_pixel(random, camera);
       const Sphere sphere = random_sphere(random, sizes);
-      const ExactCamera exact_camera(camera, conventions);
-      const ExactRay exact(exact_camera, pixel);
+      const ExactRay exact(ExactCamera(camera, conventions), pixel);
       const LectureRay ray = lecture_ray(camera, conventions, pixel);
-      const bool top_first = conventions.rows == scene::Rows::kTopFirst;
-      const Big alpha =
-          lecture_coordinate(camera.left, camera.right, pixel.i, camera.width, conventions.samples);
-      const Big beta = lecture_coordinate(camera.bottom, camera.top,
-                                          top_first ? camera.height - 1 - pixel.j : pixel.j,
-                                          camera.height, conventions.samples);
       const std::string what = spelled(camera) + spelled(sphere);
       // A P that is 0 but for rounding says nothing.
       if (norm(ray.P) < power_of_two(-3000)) continue;
-      expect_ray_stages(stage_conditions(exact), ray, big(camera.eye), Big(camera.near), alpha,
-                        beta, what);
+      expect_ray_stages(stage_conditions(exact), ray, big(camera.eye), Big(camera.near), what);
       const Big3 L = conventions.origin == scene::Origin::kPixel ? ray.P : big(camera.eye);
       const Intersection at = exact.intersect(sphere);
       expect_sphere_stages(stage_conditions(exact, sphere, at), L, ray.D, sphere, at, what);
@@ -489,10 +481,7 @@ TEST(StageCondition, IsThatOfTheStepsByHand) {
 
 TEST(StageCondition, OfATangentsRootIsThatOfV) {
   const ExactRay ray(scene::Ray{{-5, 1, 0}, {1, 0, 0}});
-  const Sphere sphere{{0, 0, 0}, 1};
-  const Intersection at = ray.intersect(sphere);
-  ASSERT_EQ(at.hit_class, HitClass::kTangent);
-  const SphereStageConditions got = stage_conditions(ray, sphere, at);
+  const SphereStageConditions got = stage_conditions(ray, kUnit, kTangent);
   expect_condition(got.root.value(), Big(1), "s");
   EXPECT_EQ(got.half_chord_sq, kInfinity);
   // (|L| + s + s |D|)/|Q|, Q = (0, 1, 0).
