@@ -1,7 +1,6 @@
 // What says dull things of rays and spheres.
 
 #include <functional>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -21,8 +20,6 @@ using reference::ExactRay;
 using scene::Conventions;
 using scene::Ray;
 using scene::Sphere;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Answer = std::function<Hit(const Ray&, const Sphere&, const Conventions&)>;
 

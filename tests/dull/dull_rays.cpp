@@ -145,29 +145,27 @@ Candidate with_rays(const Candidate& right, std::string name, const MakeRay& mak
 Candidate with_previous_rays(const Candidate& right) {
   Candidate candidate = right;
   candidate.name = "previous-rays";
-  const auto put_off = [](auto& function) {
-    using Rays = std::vector<Ray>;
-    function = [ask = function, before = std::make_shared<BeforeRays<Camera, Rays>>()](
-                   const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
+  using Rays = std::vector<Ray>;
+  for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
+    *make = [ask = *make, before = std::make_shared<BeforeRays<Camera, Rays>>()](
+                const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
       const Rays& old = before->answer(camera, ask(camera, conventions, pixels));
       Rays rays;
       for (std::size_t k = 0; k < pixels.size(); ++k) rays.push_back(old[k % old.size()]);
       return rays;
     };
-  };
-  put_off(candidate.pixel_rays);
-  put_off(candidate.focal_rays);
+  }
   return candidate;
 }
 
 std::vector<Dull> dull_ray_makers(const Candidate& right) {
+  const auto always = [&](std::string name, const Ray& ray) {
+    return with_rays(right, std::move(name), [ray](const Camera&, const Pixel&) { return ray; });
+  };
   return {
       {"every pixel's ray starts at the world's origin, along x",
        {"direction", "ray-origin", "axes"},
-       with_rays(right, "constant-rays",
-                 [](const Camera&, const Pixel&) {
-                   return Ray{{}, {1, 0, 0}};
-                 })},
+       always("constant-rays", {{}, {1, 0, 0}})},
       {"every pixel's ray is the camera's view, from the eye to where it looks",
        {"direction", "unit-direction"},
        with_rays(right, "view-rays",
@@ -176,13 +174,10 @@ std::vector<Dull> dull_ray_makers(const Candidate& right) {
                  })},
       {"rays without a direction",
        {"direction", "unit-direction", "ray-origin"},
-       with_rays(right, "zero-rays", [](const Camera&, const Pixel&) { return Ray{}; })},
+       always("zero-rays", {})},
       {"rays that are no numbers",
        {"direction", "unit-direction", "ray-origin"},
-       with_rays(right, "NaN-rays",
-                 [](const Camera&, const Pixel&) {
-                   return Ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
-                 })},
+       always("NaN-rays", {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}})},
       {"the rays of the camera before", {"direction", "ray-origin"}, with_previous_rays(right)},
       {"unit rays from anywhere to anywhere, the same for the same camera and pixel",
        {"direction", "ray-origin", "axes", "scaling"},
