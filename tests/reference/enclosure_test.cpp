@@ -25,8 +25,7 @@ Enclosure exactly(const Big& x) {
 
 TEST(EnclosureRounding, AgreesWithMpfrEverywhere) {
   Random random(1);
-  int subnormal = 0;
-  int ties = 0;
+  int subnormal = 0, ties = 0;
   for (int k = 0; k < 20000; ++k) {
     const double value = any_double(random);
     const Big tie = halfway(value, kInfinity);
@@ -58,13 +57,9 @@ TEST(EnclosureArithmetic, ContainsTheTruth) {
   Random random(2);
   for (const Sizes sizes : {Sizes::kOrdinary, Sizes::kAll}) {
     for (int k = 0; k < 3000; ++k) {
-      const double a = number(random, sizes);
-      const double b = number(random, sizes);
-      const double c = number(random, sizes);
+      const auto [a, b, c] = triple<scene::Vector3>(random, sizes);
       const int bits = static_cast<int>(random.integer(2, 200));
-      const Enclosure x(a, bits);
-      const Enclosure y(b, bits);
-      const Enclosure z(c, bits);
+      const Enclosure x(a, bits), y(b, bits), z(c, bits);
       const Enclosure sum = x * y + z;
       const Big truth = Big(a) * Big(b) + Big(c);
       ASSERT_TRUE(contains(sum, truth));
@@ -219,8 +214,7 @@ TEST(DoubleDouble, HoldsTheExactResultOfExpressions) {
 }
 
 TEST(DoubleDouble, KeepsExactZeros) {
-  const DoubleDouble zero(0);
-  const DoubleDouble one(1);
+  const DoubleDouble zero(0), one(1);
   for (const DoubleDouble& result :
        {zero + zero, zero * one, zero / one, sqrt(zero), one - one, -zero}) {
     EXPECT_TRUE(result.is_exact_zero());
@@ -234,8 +228,7 @@ TEST(DoubleDouble, KeepsExactZeros) {
 }
 
 TEST(DoubleDouble, KeepsExactResultsExact) {
-  const DoubleDouble one(1);
-  const DoubleDouble tiny(0x1p-60);
+  const DoubleDouble one(1), tiny(0x1p-60);
   for (const DoubleDouble& result :
        {one + tiny, (one + tiny) - one, DoubleDouble(0.1) * DoubleDouble(0.3),
         one / DoubleDouble(8), DoubleDouble(21) / DoubleDouble(7), sqrt(DoubleDouble(2.25)),
@@ -250,9 +243,7 @@ TEST(DoubleDouble, KeepsExactResultsExact) {
 }
 
 TEST(DoubleDouble, SaysWhereItKnowsNothing) {
-  const DoubleDouble zero(0);
-  const DoubleDouble one(1);
-  const DoubleDouble large(kLargest);
+  const DoubleDouble zero(0), one(1), large(kLargest);
   const DoubleDouble root = sqrt(DoubleDouble(2));
   const DoubleDouble around_zero = root * root - DoubleDouble(2);
   const DoubleDouble huge = large * large;

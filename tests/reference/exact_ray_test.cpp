@@ -70,8 +70,7 @@ TEST(Engines, AgreeWhenUpIsParallelButForTheLastOf800Bits) {
   const Camera camera{{1e200, 1e200, 0}, {1e-100, 0, 0}, {1, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 3};
   const ExactCamera exact(camera, {});
   EXPECT_EQ(exact.rounded_frame().U, (scene::UnitVector3{0, 0, 1}));
-  int hits = 0;
-  int pairs = 0;
+  int hits = 0, pairs = 0;
   for (std::int64_t i = 0; i < 3; ++i) {
     for (std::int64_t j = 0; j < 3; ++j) {
       const ExactRay ray(exact, {i, j});
