@@ -250,48 +250,57 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
 HWY_AFTER_NAMESPACE();
 
 // A method by its formula, a `template <class N> struct Formula` with roots() as FromRoots asks it.
+// Names have the formula's, for several methods may be compiled in one unit.
 //
-// In the target's namespace: batch(), by lanes.
+// In the target's namespace: the batch, by lanes.
 #define RAYCHECK_BATCH_OF(Formula)                                                        \
   namespace {                                                                             \
-  bool batch(const BatchInput& input, const HitArrays& answers) {                         \
+  bool batch_of_##Formula(const BatchInput& input, const HitArrays& answers) {            \
     return answer_batch(answer_whole_vectors<FromRoots<Formula<Lanes>>>, input, answers); \
   }                                                                                       \
   }
-// Where HWY_ONCE is set, in raycheck::fast: intersect(), by the best target's batch, and One, which
-// answers one ray;
-#define RAYCHECK_INTERSECT_BY(Formula)                                                             \
-  namespace {                                                                                      \
-  HWY_EXPORT(batch);                                                                               \
-  void intersect(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule, Hits& hits) { \
-    intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, rule, hits);                           \
-  }                                                                                                \
-  using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula<double>>;                            \
+// Where HWY_ONCE is set, in raycheck::fast: intersect(), by the best target's batch;
+#define RAYCHECK_INTERSECT_BY(Formula)                                                            \
+  namespace {                                                                                     \
+  HWY_EXPORT(batch_of_##Formula);                                                                 \
+  void intersect_by_##Formula(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule, \
+                              Hits& hits) {                                                       \
+    intersect_by(HWY_DYNAMIC_DISPATCH(batch_of_##Formula), rays, sphere, rule, hits);             \
+  }                                                                                               \
   }
 // and the functions of its IntersectMethod.
-#define RAYCHECK_FUNCTIONS                                                    \
-  .intersect = intersect, .intersect_one = HWY_NAMESPACE::intersect_one<One>, \
-  .roots = HWY_NAMESPACE::roots_of<One>
+#define RAYCHECK_FUNCTIONS(Formula)                                                           \
+  .intersect = intersect_by_##Formula,                                                        \
+  .intersect_one =                                                                            \
+      HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula<double>>>, \
+  .roots = HWY_NAMESPACE::roots_of<HWY_NAMESPACE::Formula<double>>
 //
 // A formula that uses errors of products answers one ray, too, by the best target's: fused
 // operations are instructions there, and else calls or many operations. In the target's namespace,
 // and where HWY_ONCE is set:
-#define RAYCHECK_ONE_OF(Formula)                                             \
-  namespace {                                                                \
-  std::optional<Hit> one(const scene::Ray& ray, const scene::Sphere& sphere, \
-                         scene::HitRule rule) {                              \
-    return intersect_one<FromRoots<Formula<double>>>(ray, sphere, rule);     \
-  }                                                                          \
+#define RAYCHECK_ONE_OF(Formula)                                                          \
+  namespace {                                                                             \
+  std::optional<Hit> one_of_##Formula(const scene::Ray& ray, const scene::Sphere& sphere, \
+                                      scene::HitRule rule) {                              \
+    return intersect_one<FromRoots<Formula<double>>>(ray, sphere, rule);                  \
+  }                                                                                       \
   }
-#define RAYCHECK_ONE_BY_BEST                                                         \
-  namespace {                                                                        \
-  HWY_EXPORT(one);                                                                   \
-  std::optional<Hit> one_by_best(const scene::Ray& ray, const scene::Sphere& sphere, \
-                                 scene::HitRule rule) {                              \
-    return HWY_DYNAMIC_DISPATCH(one)(ray, sphere, rule);                             \
-  }                                                                                  \
+#define RAYCHECK_ONE_BY_BEST(Formula)                                                     \
+  namespace {                                                                             \
+  HWY_EXPORT(one_of_##Formula);                                                           \
+  std::optional<Hit> one_by_##Formula(const scene::Ray& ray, const scene::Sphere& sphere, \
+                                      scene::HitRule rule) {                              \
+    return HWY_DYNAMIC_DISPATCH(one_of_##Formula)(ray, sphere, rule);                     \
+  }                                                                                       \
   }
-#define RAYCHECK_FUNCTIONS_BY_BEST \
-  .intersect = intersect, .intersect_one = one_by_best, .roots = HWY_NAMESPACE::roots_of<One>
+#define RAYCHECK_FUNCTIONS_BY_BEST(Formula)                               \
+  .intersect = intersect_by_##Formula, .intersect_one = one_by_##Formula, \
+  .roots = HWY_NAMESPACE::roots_of<HWY_NAMESPACE::Formula<double>>
+//
+// Of a formula with its number type, ray by ray.
+#define RAYCHECK_FUNCTIONS_RAY_BY_RAY(Formula)                                                     \
+  .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula>>,   \
+  .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula>>, \
+  .roots = HWY_NAMESPACE::roots_of<HWY_NAMESPACE::Formula>
 
 #endif  // RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_

@@ -32,13 +32,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace raycheck::fast {
 RAYCHECK_INTERSECT_BY(Cross)
-RAYCHECK_ONE_BY_BEST
+RAYCHECK_ONE_BY_BEST(Cross)
 
 /// disc = |d|^2 r^2 - |T x d|^2 with Kahan's products; roots by q.
 const IntersectMethod kCross = {
     .name = "cross",
     .sentence = "disc = a r^2 - |T x d|^2 with Kahan's products, roots by q",
-    RAYCHECK_FUNCTIONS_BY_BEST,
+    RAYCHECK_FUNCTIONS_BY_BEST(Cross),
     .max_ulp = 88,
     .max_point_ulp = 104,
 };

@@ -57,13 +57,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace raycheck::fast {
 RAYCHECK_INTERSECT_BY(Cross2)
-RAYCHECK_ONE_BY_BEST
+RAYCHECK_ONE_BY_BEST(Cross2)
 
 /// `cross` with T as an exact pair and c = |T|^2 - r^2 compensated.
 const IntersectMethod kCross2 = {
     .name = "cross2",
     .sentence = "cross, with C - o as an exact pair and a compensated c",
-    RAYCHECK_FUNCTIONS_BY_BEST,
+    RAYCHECK_FUNCTIONS_BY_BEST(Cross2),
     .max_ulp = 88,
     .max_point_ulp = 104,
 };

@@ -2,19 +2,12 @@
 #include "fast/internal/intersect_formulas.h"
 
 namespace raycheck::fast {
-namespace {
-
-using Formula = HWY_NAMESPACE::Lagrange<DoubleDouble>;
-
-}  // namespace
 
 /// disc = |d|^2 r^2 - |T x d|^2 and roots by q, in pairs of doubles (about 106 bits).
 const IntersectMethod kDoubleDouble = {
     .name = "double-double",
     .sentence = "disc = a r^2 - |T x d|^2 and roots by q, throughout in pairs of doubles",
-    .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
-    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
-    .roots = HWY_NAMESPACE::roots_of<Formula>,
+    RAYCHECK_FUNCTIONS_RAY_BY_RAY(Lagrange<DoubleDouble>),
     .max_ulp = 1,
     .max_point_ulp = 1.5,
 };

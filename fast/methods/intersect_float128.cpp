@@ -18,19 +18,12 @@ Float128 scene::square_root(const Float128& x) {
 }
 
 namespace fast {
-namespace {
-
-using Formula = HWY_NAMESPACE::Lagrange<Float128>;
-
-}  // namespace
 
 /// `double-double` in 113 bits by software; lengths are in kWideDomain.
 const IntersectMethod kFloat128 = {
     .name = "float128",
     .sentence = "disc = a r^2 - |T x d|^2 and roots by q, in 113 bits (software)",
-    .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
-    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
-    .roots = HWY_NAMESPACE::roots_of<Formula>,
+    RAYCHECK_FUNCTIONS_RAY_BY_RAY(Lagrange<Float128>),
     .max_ulp = 1,
     .max_point_ulp = 1.5,
     .domain = kWideDomain,

@@ -30,13 +30,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace raycheck::fast {
 RAYCHECK_INTERSECT_BY(Kahan)
-RAYCHECK_ONE_BY_BEST
+RAYCHECK_ONE_BY_BEST(Kahan)
 
 /// The coefficients of `quadratic`, the discriminant by Kahan's difference of products.
 const IntersectMethod kKahan = {
     .name = "kahan",
     .sentence = "the textbook's a, b, c; disc = b^2 - ac by Kahan's products, roots by q",
-    RAYCHECK_FUNCTIONS_BY_BEST,
+    RAYCHECK_FUNCTIONS_BY_BEST(Kahan),
     .max_ulp = 128,
     .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",

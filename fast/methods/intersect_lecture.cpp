@@ -18,7 +18,7 @@ RAYCHECK_INTERSECT_BY(LectureFormula)
 const IntersectMethod kLecture = {
     .name = "lecture",
     .sentence = "v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d",
-    RAYCHECK_FUNCTIONS,
+    RAYCHECK_FUNCTIONS(LectureFormula),
     .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::LectureFormula>,
     .max_ulp = 128,
     .max_point_ulp = 160,

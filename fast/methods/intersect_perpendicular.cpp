@@ -35,7 +35,7 @@ RAYCHECK_INTERSECT_BY(Perpendicular)
 const IntersectMethod kPerpendicular = {
     .name = "perpendicular",
     .sentence = "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
-    RAYCHECK_FUNCTIONS,
+    RAYCHECK_FUNCTIONS(Perpendicular),
     .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::Perpendicular>,
     .max_ulp = 96,
     .max_point_ulp = 112,

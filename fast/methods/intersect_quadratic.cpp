@@ -18,7 +18,7 @@ RAYCHECK_INTERSECT_BY(Textbook)
 const IntersectMethod kQuadratic = {
     .name = "quadratic",
     .sentence = "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
-    RAYCHECK_FUNCTIONS,
+    RAYCHECK_FUNCTIONS(Textbook),
     .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::Textbook>,
     .max_ulp = 128,
     .max_point_ulp = 160,

@@ -168,13 +168,14 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
   return true;
 }
 
-bool batch(const BatchInput& input, const HitArrays& answers) {
+bool robust_batch(const BatchInput& input, const HitArrays& answers) {
   return answer_batch(answer_whole, input, answers);
 }
 
 /// The first step's answer to one ray; empty where it is not certain.
-[[gnu::flatten]] std::optional<Chosen> one(const scene::Ray& ray, const scene::Sphere& sphere,
-                                           scene::HitRule rule) {
+[[gnu::flatten]] std::optional<Chosen> robust_one(const scene::Ray& ray,
+                                                  const scene::Sphere& sphere,
+                                                  scene::HitRule rule) {
   const auto asked = ray_of<double>(ray);
   const Target<double> ball(sphere_of<double>(sphere));
   const Guess<double> found = guess(asked, ball, rule.root);
@@ -190,16 +191,17 @@ HWY_AFTER_NAMESPACE();
 namespace raycheck::fast {
 namespace {
 
-HWY_EXPORT(batch);
-HWY_EXPORT(one);
+HWY_EXPORT(robust_batch);
+HWY_EXPORT(robust_one);
 
 Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::HitRule rule) {
   if (const auto proven = answer_by_pairs(ray, sphere, rule.root)) return *proven;
   return answer_by_integers(ray, sphere, rule);
 }
 
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, rule, hits);
+void intersect_by_robust(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rule,
+                         Hits& hits) {
+  intersect_by(HWY_DYNAMIC_DISPATCH(robust_batch), rays, sphere, rule, hits);
   std::uint8_t* const first = hits.hit.data();
   std::uint8_t* const last = first + hits.size();
   for (std::uint8_t* open = first; open != last; ++open) {
@@ -215,9 +217,9 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::HitRule rul
   }
 }
 
-std::optional<Hit> intersect_one(const scene::Ray& ray, const scene::Sphere& sphere,
+std::optional<Hit> one_by_robust(const scene::Ray& ray, const scene::Sphere& sphere,
                                  scene::HitRule rule) {
-  const std::optional<Chosen> first = HWY_DYNAMIC_DISPATCH(one)(ray, sphere, rule);
+  const std::optional<Chosen> first = HWY_DYNAMIC_DISPATCH(robust_one)(ray, sphere, rule);
   return (first ? *first : answer_carefully(ray, sphere, rule)).if_hit();
 }
 
@@ -228,8 +230,8 @@ std::optional<Hit> intersect_one(const scene::Ray& ray, const scene::Sphere& sph
 const IntersectMethod kRobust = {
     .name = "robust",
     .sentence = "a root corrected once by a residual in parts where proven; else pairs, integers",
-    .intersect = intersect,
-    .intersect_one = intersect_one,
+    .intersect = intersect_by_robust,
+    .intersect_one = one_by_robust,
     .max_ulp = 1,
     .max_point_ulp = 1.5,
     .domain = kWideDomain,

@@ -1,19 +1,12 @@
 #include "fast/internal/intersect_formulas.h"
 
 namespace raycheck::fast {
-namespace {
-
-using Formula = HWY_NAMESPACE::LectureFormula<float>;
-
-}  // namespace
 
 /// `lecture` in single precision; lengths are in kSingleDomain.
 const IntersectMethod kSingleLecture = {
     .name = "single-lecture",
     .sentence = "lecture, everything in single precision",
-    .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
-    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
-    .roots = HWY_NAMESPACE::roots_of<Formula>,
+    RAYCHECK_FUNCTIONS_RAY_BY_RAY(LectureFormula<float>),
     .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::LectureFormula, float>,
     .max_ulp = 128 * 0x1p29,
     .max_point_ulp = 160 * 0x1p29,

@@ -31,7 +31,7 @@ RAYCHECK_INTERSECT_BY(StableQuadratic)
 const IntersectMethod kStableQuadratic = {
     .name = "stable-quadratic",
     .sentence = "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
-    RAYCHECK_FUNCTIONS,
+    RAYCHECK_FUNCTIONS(StableQuadratic),
     .classes_in = HWY_NAMESPACE::classes_in<HWY_NAMESPACE::StableQuadratic>,
     .max_ulp = 128,
     .max_point_ulp = 160,

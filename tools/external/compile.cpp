@@ -42,9 +42,9 @@ fs::path copied(const fs::path& made, const fs::path& to) {
 
 /// A build step that must succeed; errors call it `name`. Its folder, where it leaves its output,
 /// lives as long.
-class Step {
+class BuildStep {
  public:
-  Step(const std::string& name, const Confined& confined) : process_(confined) {
+  BuildStep(const std::string& name, const Confined& confined) : process_(confined) {
     std::string failure;
     try {
       const int code = process_.finish();
@@ -113,7 +113,7 @@ fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& o
                           "sh",
                           folder,
                           include};
-    const Step step("cmake", confined);
+    const BuildStep step("cmake", confined);
     const auto libraries = files_in(step.folder(), ".so");
     if (libraries.size() != 1) {
       throw CandidateError(
@@ -135,7 +135,7 @@ fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& o
   } else {
     confined.arguments.push_back(source);
   }
-  const Step step("g++", confined);
+  const BuildStep step("g++", confined);
   return copied(step.folder() / "candidate.so", to);
 }
 
@@ -146,7 +146,7 @@ void build(const fs::path& folder, const BuildWords& words, const fs::path& to,
   confined.arguments = {
       "sh", "-c",   "cp -r \"$1\"/. \"$2\"/*.java . && { " + words.words + "\n} >&2",
       "sh", folder, adapters()};
-  const Step step(fmt::format("'{}'", words.shown), confined);
+  const BuildStep step(fmt::format("'{}'", words.shown), confined);
   std::uintmax_t bytes = 0;
   for (const auto& entry : fs::recursive_directory_iterator(step.folder())) {
     if (!fs::is_regular_file(entry.symlink_status())) continue;

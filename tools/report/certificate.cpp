@@ -132,7 +132,7 @@ Json proof_json(const reference::Proof& proof) {
   return json;
 }
 
-bool is_finite(const std::vector<double>& numbers) {
+bool are_finite(const std::vector<double>& numbers) {
   return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
 }
 
@@ -152,7 +152,7 @@ reference::Proposition proposition_of(const Discrepancy& d,
   wanted.direction = d.quantity == Quantity::kDirection || d.quantity == Quantity::kUnitDefect;
   wanted.hit_points = d.quantity == Quantity::kHitPoint;
   wanted.order = d.quantity == Quantity::kNearestSphere;
-  if (d.quantity == Quantity::kRayResidual && is_finite(d.got)) {
+  if (d.quantity == Quantity::kRayResidual && are_finite(d.got)) {
     wanted.from_origin = point_at(d.got, 0);
   }
   return wanted;
@@ -161,7 +161,7 @@ reference::Proposition proposition_of(const Discrepancy& d,
 /// Brackets of the lengths of vectors in the answer itself.
 Json norms_json(const Discrepancy& d, const std::vector<scene::Sphere>& spheres) {
   Json json = Json::array();
-  if (!is_finite(d.got)) return json;
+  if (!are_finite(d.got)) return json;
   const auto add = [&](const reference::Enclosure3& v) {
     json.push_back(json_of(reference::bracket(norm(v))));
   };

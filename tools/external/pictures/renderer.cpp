@@ -128,7 +128,7 @@ MadePicture stored_picture(const std::string& text) {
   return made;
 }
 
-MadePicture drawn(const Renderer& renderer, const std::string& driver, PictureSize size) {
+MadePicture picture_by(const Renderer& renderer, const std::string& driver, PictureSize size) {
   Confined program = renderer.program;
   program.files = {{kSceneFile, driver}};
   for (std::string& word : program.arguments) {
@@ -214,7 +214,7 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
     renderer.answers->keep(request, {text, failure, spent.seconds() - before});
   };
   try {
-    MadePicture made = drawn(renderer, driver, size);
+    MadePicture made = picture_by(renderer, driver, size);
     keep(stored_text(made));
     return made;
   } catch (const ProcessFailure& failure) {
