@@ -1,24 +1,16 @@
 #include "tests/tools/limited_run.h"
 
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <csignal>
-#include <fstream>
-#include <stdexcept>
 #include <thread>
-
-#include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -39,38 +31,6 @@ double cpu_seconds(pid_t process) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-/// Both ends of a pipe that no child inherits.
-struct Pipe {
-  Pipe() {
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("pipe2");
-  }
-  ~Pipe() {
-    close(ends[0]);
-    close(ends[1]);
-  }
-  std::array<int, 2> ends{};
-};
-
-[[noreturn]] void become_program(const std::vector<std::string>& arguments,
-                                 const Circumstances& how, int in, int out, int err) {
-  dup2(in, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(err, STDERR_FILENO);
-  setenv("TMPDIR", how.stays_in.c_str(), 1);
-  if (how.memory > 0) {
-    const rlimit limit{how.memory, how.memory};
-    setrlimit(RLIMIT_AS, &limit);
-  }
-  std::vector<char*> words;
-  std::string program = RAYCHECK_BINARY;
-  words.push_back(program.data());
-  std::vector<std::string> copies = arguments;
-  for (std::string& word : copies) words.push_back(word.data());
-  words.push_back(nullptr);
-  if (chdir(RAYCHECK_SOURCE_DIR) == 0) execv(program.c_str(), words.data());
-  _exit(127);
-}
-
 /// Whether a process has begun to catch SIGTERM: a loaded machine takes its time to load a program.
 bool catches_signals(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/status");
@@ -83,39 +43,17 @@ bool catches_signals(pid_t process) {
 
 }  // namespace
 
-TestFolder::TestFolder() {
-  std::string name = testing::TempDir() + "raycheck_XXXXXX";
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp");
-  path_ = name;
-  fs::permissions(path_, fs::perms::all);
-}
-
-TestFolder::~TestFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::vector<std::string> TestFolder::names() const {
-  std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator(path_)) {
-    found.push_back(entry.path().filename().string());
-  }
-  return found;
-}
-
 LimitedOutcome run_limited(const std::vector<std::string>& arguments, const Circumstances& how) {
-  const TestFolder folder;
-  const std::string out = folder.path() / "out", err = folder.path() / "err";
-  const Pipe input, stalled;
-  const int out_file = open(out.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
-  const int err_file = open(err.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
-  const pid_t child = fork();
-  if (child == 0) {
-    become_program(arguments, how, input.ends[0], how.stalled ? stalled.ends[1] : out_file,
-                   err_file);
-  }
-  close(out_file);
-  close(err_file);
+  const std::string folder = temporary_folder("limited");
+  const std::string out = folder + "/out", err = folder + "/err", pipe = folder + "/pipe";
+  if (mkfifo(pipe.c_str(), 0600) != 0) throw std::runtime_error("mkfifo");
+  std::string line = "export TMPDIR=" + quoted(how.stays_in) + "; ";
+  if (how.memory > 0) line += "ulimit -v " + std::to_string(how.memory / 1024) + "; ";
+  line += "exec '" RAYCHECK_BINARY "'";
+  for (const std::string& word : arguments) line += " " + quoted(word);
+  // A pipe that is open at both ends has no end, and takes little.
+  const pid_t child = start_shell(line + " <>'" + pipe + "' " +
+                                  (how.stalled ? "1<>'" + pipe : ">'" + out) + "' 2>'" + err + "'");
   LimitedOutcome outcome;
   int status = 0;
   pid_t ended = 0;

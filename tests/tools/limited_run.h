@@ -1,27 +1,8 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "tests/tools/program.h"
 
 namespace raycheck::tests {
-
-/// A folder that goes with the object; anyone may use it.
-class TestFolder {
- public:
-  TestFolder();
-  ~TestFolder();
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  /// What is in it.
-  std::vector<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// How the program is run, and what comes in its way.
 struct Circumstances {

@@ -1,35 +1,22 @@
 // Campaigns in shards: whatever did which units, merge reports what one run does.
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "tests/tools/limited_run.h"
-#include "tests/tools/program.h"
 #include "tools/shards/units.h"
 
 namespace raycheck::tests {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A folder that is not there yet, and goes with the test.
 std::string fresh_folder(const std::string& name) {
-  static const TestFolder all;
-  return (all.path() / name).string();
+  static const std::string all = temporary_folder("shards");
+  return all + "/" + name;
 }
 
 std::vector<fs::path> units_in(const std::string& folder) {
@@ -111,15 +98,8 @@ TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
   std::size_t all = units_in(fresh_folder("none")).size();
   for (int kills = 0; kills < 5; ++kills) {
     const std::size_t until = units_in(folder).size() + random() % 3;
-    const pid_t child = fork();
-    if (child == 0) {
-      execl("/bin/sh", "sh", "-c",
-            fmt::format("cd {} && exec {} {} --threads 1 --out {} >/dev/null 2>&1",
-                        RAYCHECK_SOURCE_DIR, RAYCHECK_BINARY, asked(), folder)
-                .c_str(),
-            nullptr);
-      _exit(127);
-    }
+    const pid_t child = start_shell(fmt::format("exec {} {} --threads 1 --out {} >/dev/null 2>&1",
+                                                RAYCHECK_BINARY, asked(), folder));
     int status = 0;
     bool is_over = false;
     EXPECT_TRUE(eventually([&] {

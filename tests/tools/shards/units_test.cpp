@@ -1,15 +1,8 @@
 #include "tools/shards/units.h"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <limits>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "properties/quantile_sketch.h"
-#include "tests/has.h"
 #include "tests/tools/limited_run.h"
 #include "tools/shards/run_units.h"
 
@@ -22,8 +15,8 @@ const CampaignIdentity kCampaign = {"properties", {"--cases", "2"}, "1", {}};
 
 /// A folder that is not there yet, and goes with the test.
 fs::path fresh_folder(const std::string& name) {
-  static const tests::TestFolder all;
-  return all.path() / name;
+  static const fs::path all = tests::temporary_folder("units");
+  return all / name;
 }
 
 TEST(Units, are_each_done_by_one_shard) {
