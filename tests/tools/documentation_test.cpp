@@ -2,7 +2,7 @@
 
 #include <regex>
 
-#include "tests/tools/limited_run.h"
+#include "tests/tools/program.h"
 #include "tests/tools/report/picture.h"
 
 namespace raycheck::tests {

@@ -8,7 +8,7 @@
 #include <iomanip>
 #include <regex>
 
-#include "tests/tools/limited_run.h"
+#include "tests/tools/program.h"
 #include "tools/commands.h"
 
 namespace raycheck::tests {

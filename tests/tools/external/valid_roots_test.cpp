@@ -121,27 +121,17 @@ TEST(ValidRoots, that_a_candidate_excludes_by_its_own_word_are_defects) {
   const std::string floats = temporary_file("floats.toml", ray_text("0, 0, 0", "1, 0, 0") +
                                                                ray_text("-1, 0, 0", "1, 0, 0") +
                                                                sphere_text("0.2, 0, 0", "0.1"));
-  for (const auto& [comparison, end, exit_code] :
-       {std::tuple(">=", "0.1F", 1), {">", "0.1F", 0}, {">=", "1 * r", 1}, {">", "1 * r", 0}}) {
-    const bool is_radius = end == std::string("1 * r");
-    const std::string source =
-        temporary_file("end_in_floats.cpp", std::string(R"(
-#include <raycheck/candidate.hpp>
-using namespace raycheck;
-std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions&) {
-  const float x = float(s.centre.x) - float(ray.origin.x), r = float(s.radius);
-  for (const float at : {x - r, x + r}) {
-    if (at )") + comparison + " " + end + R"() return Hit{at, {float(ray.origin.x) + at, 0, 0}};
-  }
-  return {};
-}
-RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single,
-    .roots = Roots::declared, .valid = {.t_min = )" +
-                                                (is_radius ? "1" : "0.1F") +
-                                                ", .ends = Ends::open, .unit = TUnit::" +
-                                                (is_radius ? "radius" : "absolute") + "})\n");
-    const Outcome found = check(floats, "source:" + source);
-    EXPECT_EQ(found.exit_code, exit_code) << comparison << end << found.out << found.err;
+  const std::string end = "0.10000000149011612", of_end = end + ", float('inf'), 'absolute'";
+  const std::string of_radius = "1, float('inf'), 'radius'";
+  for (const auto& [counts, from, exit_code] : {std::tuple("s >= " + end, of_end, 1),
+                                                {"s > " + end, of_end, 0},
+                                                {"s >= r", of_radius, 1},
+                                                {"s > r", of_radius, 0}}) {
+    const std::string mine =
+        tracer("floats.py", counts, "(s, point)",
+               "tangent='hit', precision='single', roots=rc.Roots('()', " + from + ", 'none')");
+    const Outcome found = check(floats, mine);
+    EXPECT_EQ(found.exit_code, exit_code) << counts << found.out << found.err;
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include "tools/gates/baseline.h"
 
-#include "tests/tools/limited_run.h"
+#include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {

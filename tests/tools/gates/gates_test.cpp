@@ -3,7 +3,7 @@
 
 #include <regex>
 
-#include "tests/tools/limited_run.h"
+#include "tests/tools/program.h"
 #include "tools/gates/gate.h"
 
 namespace raycheck::tests {

@@ -181,15 +181,21 @@ Outcome graded_by(const Grading& grading, const std::string& items,
   return grading.grade(grading.short_rubric("tolerance = { ulp = 64 }\n", items), folders, out);
 }
 
+/// The only panel of one who makes this mistake, by a rubric of this item.
+json only_panel(const Grading& grading, const std::string& item, const std::string& mistake) {
+  graded_by(grading, item, {grading.submit_built("mine", "rays.cpp", mistake)});
+  const json document = grading.figures("mine");
+  EXPECT_EQ(document["findings"].size(), 1u);
+  return panel_of(document, document["findings"][0]);
+}
+
 TEST_F(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
-  graded_by(grading, item_of("hit point", "points = 1", functions("hit-point", "course", 4)),
-            {grading.submit_built("mine", "rays.cpp", "float_directions")});
+  const json panel =
+      only_panel(grading, item_of("hit point", "points = 1", functions("hit-point", "course", 4)),
+                 "float_directions");
   const json failing = item(grading.result("mine"), "hit point")["failing"];
   ASSERT_FALSE(failing.is_null());
   EXPECT_EQ(failing["step"], "direction");
-  const json document = grading.figures("mine");
-  ASSERT_EQ(document["findings"].size(), 1u);
-  const json panel = panel_of(document, document["findings"][0]);
   const json yours = step_of(panel, "Q", "yours");
   EXPECT_EQ(numbers_of(yours["said"]), digits_of_record(failing["answer"]["got"]));
   expect_parts(panel["text"],
@@ -198,13 +204,10 @@ TEST_F(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
 
 TEST_F(Figures, hold_a_submission_to_what_its_item_tolerates) {
   // Directions in floats are right to this item, and its hits go wrong at their root alone.
-  graded_by(grading,
-            item_of("root", "points = 1\ntolerance = { ulp = 1e11 }",
-                    functions("nearest-root", "course-behind", 4)),
-            {grading.submit_built("mine", "rays.cpp", "far_root")});
-  const json document = grading.figures("mine");
-  ASSERT_EQ(document["findings"].size(), 1u);
-  const json panel = panel_of(document, document["findings"][0]);
+  const json panel = only_panel(grading,
+                                item_of("root", "points = 1\ntolerance = { ulp = 1e11 }",
+                                        functions("nearest-root", "course-behind", 4)),
+                                "far_root");
   for (const json& verdict : panel["verdicts"]) {
     if (verdict["name"] != "yours") continue;
     const bool is_of_hit = verdict == verdict_of(panel, "yours");

@@ -141,7 +141,7 @@ TEST_F(Pictures, that_are_withheld_are_not_there) {
   }
 }
 
-/// The commands beside them are run by home_test.cpp.
+/// The commands beside them are run by try_test.cpp.
 TEST_F(Pictures, are_the_same_later_with_commands_that_repeat_them) {
   const std::string folder = grading.submit_built("mine", "rt.cpp", "mirrored");
   grade_pictures(grading, {folder});

@@ -250,7 +250,8 @@ TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
 }
 
 TEST_F(Probe, is_the_first_step_of_grading_whose_table_has_its_notes) {
-  expect_parts(grading_.grade(one_form(), {of_class("farid")}).out,
+  const std::string draws = hand_in("draws", "rt.py", renderer_in_python());
+  expect_parts(grading_.grade(one_form(), {of_class("farid"), draws}).out,
                {"    it writes out.ppm whatever name it is given\n"});
 }
 

@@ -69,19 +69,15 @@ TEST_F(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
 }
 
 TEST_F(RubricKeys, requires_leaves_out_what_cannot_be_right) {
-  const std::string frame = functions("frame", "course", 40, kGivenRays);
-  const std::string own = functions("frame", "course", 9);
-  const std::string image = "[item.pictures]\nsources = [\"course\"]\ncases = 2";
-  const json result =
-      graded(grading,
-             item_of("frame", "points = 1", own) + item_of("seen", "points = 2", image) +
-                 item_of("hit", "points = 4\nrequires = [\"seen\"]",
-                         functions("class", "course", 40, kGivenRays)) +
-                 item_of("after", "points = 8\nrequires = [\"hit\", \"frame\"]",
-                         functions("class", "course", 40, kGivenRays)) +
-                 item_of("later", "points = 16\nrequires = [\"after\"]",
-                         functions("class", "course", 40, kGivenRays)),
-             "rays.cpp", "u_flipped");
+  const std::string hits = functions("class", "course", 40, kGivenRays);
+  const json result = graded(
+      grading,
+      item_of("frame", "points = 1", functions("frame", "course", 9)) +
+          item_of("seen", "points = 2", "[item.pictures]\nsources = [\"course\"]\ncases = 2") +
+          item_of("hit", "points = 4\nrequires = [\"seen\"]", hits) +
+          item_of("after", "points = 8\nrequires = [\"hit\", \"frame\"]", hits) +
+          item_of("later", "points = 16\nrequires = [\"after\"]", hits),
+      "rays.cpp", "u_flipped");
   EXPECT_EQ(item(result, "frame")["state"], "fails");
   expect_values(item(result, "seen"), {{"state", "not asked"}, {"points", 0}});
   EXPECT_EQ(item(result, "hit")["state"], "holds") << "what is not asked holds nobody up";

@@ -1,7 +1,7 @@
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "scene/number.h"
-#include "tests/tools/limited_run.h"
+#include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
