@@ -1,28 +1,16 @@
 // A system call of `raycheck grade` fails once: no grade is wrong, nothing is lost, and something
 // is said. What is not finished is finished by the next run.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <memory>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// What a call fails with.
 struct Fault {

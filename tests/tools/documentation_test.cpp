@@ -1,21 +1,7 @@
 // Every command that the documentation shows is run, and prints what is shown.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 #include "tests/tools/report/picture.h"
 
@@ -31,7 +17,7 @@ struct Shown {
 };
 
 /// The commands of a page's blocks of a language, where lines that begin with "> " continue one.
-std::vector<Shown> shown_in(const std::filesystem::path& path, const std::string& language) {
+std::vector<Shown> shown_in(const fs::path& path, const std::string& language) {
   static const std::regex of_console("\\$ (\\./run|python3) (.*)"), of_session("\\$ ()(.*)");
   std::vector<Shown> result;
   bool inside = false;
@@ -72,8 +58,7 @@ const std::regex kPage(R"( --(out|view) (\S+\.html)\b)");
 /// Runs a command; pages and pictures that it writes go elsewhere, and pictures are what the
 /// documentation shows.
 Outcome run_shown(const Shown& shown) {
-  const TestFolder elsewhere;
-  const std::string folder = elsewhere.path().string() + "/", option = " --out " + kPictures;
+  const std::string folder = temporary_folder("shown") + "/", option = " --out " + kPictures;
   std::smatch page;
   if (shown.program == "python3") return run_python(shown.arguments);
   if (std::regex_search(shown.arguments, page, kPage)) {
@@ -86,7 +71,7 @@ Outcome run_shown(const Shown& shown) {
   Outcome result = run(replaced(replaced(shown.arguments, kNextStage, "| '" RAYCHECK_BINARY "' "),
                                 option, " --out " + folder));
   result.out = replaced(result.out, folder, kPictures);
-  const std::vector<std::string> pictures = elsewhere.names();
+  const std::vector<std::string> pictures = names_in(folder);
   EXPECT_EQ(pictures.size(), has(shown.arguments, option) ? 1u : 0u) << shown.where;
   for (const std::string& name : pictures) {
     EXPECT_TRUE(read_picture(folder + name) ==
@@ -144,10 +129,10 @@ void expect_shown(const Shown& shown, const std::vector<std::string>& printed) {
 }
 
 /// README.md, CONTRIBUTING.md and the documents in docs/ and its folders.
-std::vector<std::filesystem::path> documents() {
-  const std::filesystem::path root = RAYCHECK_SOURCE_DIR;
-  std::vector<std::filesystem::path> paths = {root / "README.md", root / "CONTRIBUTING.md"};
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "docs")) {
+std::vector<fs::path> documents() {
+  const fs::path root = RAYCHECK_SOURCE_DIR;
+  std::vector<fs::path> paths = {root / "README.md", root / "CONTRIBUTING.md"};
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
     if (entry.path().extension() == ".md") paths.push_back(entry.path());
   }
   return paths;
@@ -192,7 +177,7 @@ constexpr std::size_t kMostPictureBytes = 100'000;  ///< Of a page; a clone has 
 /// document makes.
 TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
   static const std::regex kPicture(R"(<!-- picture (\{.*?\}) -->\s*!\[[^\]]+\]\(([^)]+)\))");
-  std::set<std::filesystem::path> shown_pictures;
+  std::set<fs::path> shown_pictures;
   for (const auto& document : documents()) {
     std::set<std::string> pages;
     for (const Shown& shown : shown_in(document, "console")) {
@@ -206,7 +191,7 @@ TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
       pages.insert((*at)[1]);
     }
     for (std::sregex_iterator at(text.begin(), text.end(), kPicture), end; at != end; ++at) {
-      const auto wanted = nlohmann::json::parse((*at)[1].str());
+      const auto wanted = json::parse((*at)[1].str());
       EXPECT_TRUE(pages.contains(wanted.at("page"))) << document << ": " << wanted;
       const auto path = document.parent_path() / (*at)[2].str();
       const std::string picture = contents(path);
@@ -217,8 +202,7 @@ TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
   }
   EXPECT_GE(shown_pictures.size(), 20u);
   const std::string gallery = contents(RAYCHECK_SOURCE_DIR "/docs/gallery/README.md");
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(RAYCHECK_SOURCE_DIR "/docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator(RAYCHECK_SOURCE_DIR "/docs")) {
     if (entry.path().extension() == ".webp") {
       EXPECT_TRUE(shown_pictures.contains(entry.path().lexically_normal())) << entry.path();
     }
@@ -241,32 +225,31 @@ TEST(Documentation, shows_newcomers_a_candidate_that_is_there) {
 
 /// Who reads on from README.md finds every page: none is missing there, and no link leads nowhere.
 TEST(Documentation, has_every_page_in_the_readme_and_no_link_that_leads_nowhere) {
-  const std::filesystem::path root = RAYCHECK_SOURCE_DIR;
+  const fs::path root = RAYCHECK_SOURCE_DIR;
   const std::string readme = contents(root / "README.md");
-  for (const auto& entry : std::filesystem::directory_iterator(root / "docs")) {
+  for (const auto& entry : fs::directory_iterator(root / "docs")) {
     const std::string name = entry.path().filename().string();
     if (!name.ends_with(".md") || name.ends_with(".in.md")) continue;
     EXPECT_TRUE(has(readme, "(docs/" + name + ")")) << name;
   }
   static const std::regex kLink(R"(\]\(([^)\s#:]+)(#[^)\s]*)?\))");
-  std::vector<std::filesystem::path> pages = documents();
+  std::vector<fs::path> pages = documents();
   pages.push_back(root / "SECURITY.md");
   for (const auto& page : pages) {
     const std::string text = contents(page);
     for (std::sregex_iterator at(text.begin(), text.end(), kLink), end; at != end; ++at) {
-      EXPECT_TRUE(std::filesystem::exists(page.parent_path() / (*at)[1].str()))
-          << page << ": " << (*at)[0];
+      EXPECT_TRUE(fs::exists(page.parent_path() / (*at)[1].str())) << page << ": " << (*at)[0];
     }
   }
 }
 
 /// Files by their paths or their ends, and folders with a slash behind.
 TEST(Documentation, of_contributors_names_files_and_folders_that_there_are) {
-  const std::filesystem::path root = RAYCHECK_SOURCE_DIR;
+  const fs::path root = RAYCHECK_SOURCE_DIR;
   std::vector<std::string> all;
   for (const char* room : {"docs", "examples", "fast", "library", "packaging", "properties",
                            "reference", "scene", "tests", "tools"}) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / room)) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / room)) {
       const std::string path = entry.path().lexically_relative(root).string();
       all.push_back("/" + path + (entry.is_directory() ? "/" : ""));
     }
@@ -288,8 +271,7 @@ TEST(Documentation, of_contributors_names_files_and_folders_that_there_are) {
 std::map<std::string, std::set<std::string>> tests_by_suite() {
   static const std::regex kTest(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\))");
   std::map<std::string, std::set<std::string>> suites;
-  for (const auto& entry :
-       std::filesystem::recursive_directory_iterator(RAYCHECK_SOURCE_DIR "/tests")) {
+  for (const auto& entry : fs::recursive_directory_iterator(RAYCHECK_SOURCE_DIR "/tests")) {
     if (!entry.path().string().ends_with("_test.cpp")) continue;
     const std::string text = contents(entry.path());
     for (std::sregex_iterator at(text.begin(), text.end(), kTest), end; at != end; ++at) {
@@ -325,13 +307,12 @@ TEST(Documentation, of_security_names_tests_that_there_are_and_every_hostile_sui
 
 /// The session blocks of a page: commands with what they print, run one after the other by one
 /// shell in a folder that is empty at first.
-void expect_session(const std::filesystem::path& page, std::size_t fewest) {
+void expect_session(const fs::path& page, std::size_t fewest) {
   constexpr char kMark = '\1';
   const std::vector<Shown> session = shown_in(page, "session");
   EXPECT_GE(session.size(), fewest) << page;
-  const std::string tools = std::filesystem::path(RAYCHECK_BINARY).parent_path().string();
-  const TestFolder folder;
-  std::string script = "exec 2>&1\ncd '" + folder.path().string() +
+  const std::string tools = fs::path(RAYCHECK_BINARY).parent_path().string();
+  std::string script = "exec 2>&1\ncd '" + temporary_folder("session") +
                        "'\nexport RAYCHECK='" RAYCHECK_SOURCE_DIR "' PATH='" + tools + "':$PATH\n";
   for (const Shown& shown : session) {
     script += std::string("printf '") + kMark + "'\n" + shown.arguments + "\n";
@@ -352,19 +333,19 @@ void expect_session(const std::filesystem::path& page, std::size_t fewest) {
 
 TEST(LongGradingSession, instructors_get_from_an_empty_folder_to_a_graded_class) {
   if (!is_installed("node")) GTEST_SKIP() << "Node is not installed, which runs ella";
-  expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/grading.md", 8);
+  expect_session(fs::path(RAYCHECK_SOURCE_DIR) / "docs/grading.md", 8);
 }
 
 TEST(LongCampaignsSession, campaigns_are_kept_shared_and_merged) {
-  expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/campaigns.md", 11);
+  expect_session(fs::path(RAYCHECK_SOURCE_DIR) / "docs/campaigns.md", 11);
 }
 
 TEST(LongStudentsSession, students_check_three_functions_by_one_command) {
-  expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/students.md", 4);
+  expect_session(fs::path(RAYCHECK_SOURCE_DIR) / "docs/students.md", 4);
 }
 
 /// A pair of a certificate, [integer, exponent], as the hexadecimal floats of the lists have it.
-double number_of(const nlohmann::json& pair) {
+double number_of(const json& pair) {
   const double integer =
       pair[0].is_string() ? std::stod(pair[0].get<std::string>()) : pair[0].get<double>();
   return std::ldexp(integer, pair[1].get<int>());
@@ -379,12 +360,12 @@ TEST(Documentation, certifies_each_of_the_worst_inputs) {
     std::vector<std::string> cells;
     std::istringstream row(rows[k + 1]);
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    const nlohmann::json certificate = nlohmann::json::parse(certificates[k]);
-    const nlohmann::json& inputs = certificate["inputs"];
+    const json certificate = json::parse(certificates[k]);
+    const json& inputs = certificate["inputs"];
     std::size_t at = 7;
-    for (const nlohmann::json* triple :
+    for (const json* triple :
          {&inputs["ray"]["origin"], &inputs["ray"]["direction"], &inputs["spheres"][0]["centre"]}) {
-      for (const nlohmann::json& pair : *triple) {
+      for (const json& pair : *triple) {
         EXPECT_EQ(std::strtod(cells.at(at++).c_str(), nullptr), number_of(pair)) << rows[k + 1];
       }
     }

@@ -1,21 +1,13 @@
 // Every option of every command takes what it allows, and says of all else what that is.
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <iomanip>
-#include <map>
 #include <regex>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 #include "tools/commands.h"
 
@@ -141,8 +133,7 @@ std::string without(const std::string& option, std::string arguments) {
 /// A name of nothing, and a file that nobody can write.
 TEST(HostileOptions, are_called_in_errors_as_they_are_given) {
   Program program;
-  const TestFolder temporary;
-  const std::string units = temporary.path() / "units";
+  const std::string units = temporary_folder("options") + "/units";
   run("properties --filter frame --rays direct --cases 1 --out " + units, 0);
   int texts = 0;
   for (const tools::Command& command : program.commands) {
@@ -338,7 +329,7 @@ TEST(HostileOptions, that_ask_for_what_there_is_not_say_which_and_why) {
       "image '" + wide + "' --out x.png",
       wide + ": camera.width = 2000000: is more than a picture takes, which is 1000000");
   for (const char* left : {"/nowhere", "/x.png", "/x.gif"}) {
-    EXPECT_FALSE(std::filesystem::exists(RAYCHECK_SOURCE_DIR + std::string(left))) << left;
+    EXPECT_FALSE(fs::exists(RAYCHECK_SOURCE_DIR + std::string(left))) << left;
   }
 }
 

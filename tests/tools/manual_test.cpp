@@ -1,19 +1,11 @@
 // The pages and completions say what the program says of itself.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
 #include <regex>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string manual(const std::string& name) {
   return contents(std::string(RAYCHECK_MANUAL) + "/" + name);

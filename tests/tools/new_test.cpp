@@ -1,19 +1,12 @@
 // `new`: adapters that compile at once, and say what is missing when they are judged.
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
 
 TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
-  const std::string folder = temporary_file("new", "") + ".d";
-  std::filesystem::create_directory(folder);
+  const std::string folder = temporary_folder("new");
   for (const auto& [language, candidate] : {std::pair("cpp", "source:" + folder + "/mine.cpp"),
                                             {"c", "source:" + folder + "/mine.c"},
                                             {"java", "command:java -cp " + folder + " mine"},

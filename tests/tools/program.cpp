@@ -1,20 +1,12 @@
 #include "tests/tools/program.h"
 
-#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
-#include <sstream>
 #include <system_error>
 #include <thread>
 
@@ -27,9 +19,9 @@ class TemporaryNames {
   ~TemporaryNames() {
     if (process_ != getpid()) return;  // a child that exits
     std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(testing::TempDir(), error)) {
+    for (const auto& entry : fs::directory_iterator(testing::TempDir(), error)) {
       if (!entry.path().filename().string().starts_with(prefix_)) continue;
-      std::filesystem::remove_all(entry.path(), error);
+      fs::remove_all(entry.path(), error);
     }
   }
   const std::string& prefix() const { return prefix_; }
@@ -57,13 +49,8 @@ Outcome start(const std::string& program, const std::string& arguments,
   static std::atomic<int> started = 0;
   const std::string number = std::to_string(++started);
   const std::string out = temporary_path("out" + number), err = temporary_path("err" + number);
-  const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" + program +
-                              "' " + arguments + " >'" + out + "' 2>'" + err + "'";
-  const pid_t child = fork();
-  if (child == 0) {
-    execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
-    _exit(127);
-  }
+  const pid_t child =
+      start_shell("exec '" + program + "' " + arguments + " >'" + out + "' 2>'" + err + "'");
   int status = 0;
   bool has_ended = false;
   if (when) {
@@ -91,11 +78,32 @@ Outcome ended(Outcome outcome, const std::string& arguments, std::optional<int> 
 
 }  // namespace
 
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+pid_t start_shell(const std::string& command) {
+  const std::string there = "cd '" RAYCHECK_SOURCE_DIR "' && " + command;
+  const pid_t child = fork();
+  if (child != 0) return child;
+  execl("/bin/sh", "sh", "-c", there.c_str(), static_cast<char*>(nullptr));
+  _exit(127);
+}
+
 std::string contents(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+std::string behind(const std::string& label, const std::string& text) {
+  const std::size_t at = text.find(label);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + label.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -116,12 +124,20 @@ std::string camera_text(std::int64_t width, std::int64_t height, double window, 
   return text.str();
 }
 
+std::string ray_text(const std::string& origin, const std::string& direction) {
+  return "[[ray]]\norigin = [" + origin + "]\ndirection = [" + direction + "]\n";
+}
+
+std::string sphere_text(const std::string& centre, const std::string& radius) {
+  return "[[sphere]]\ncentre = [" + centre + "]\nradius = " + radius + "\n";
+}
+
 Outcome run(const std::string& arguments, std::optional<int> exit_code) {
   return ended(start(RAYCHECK_BINARY, arguments), arguments, exit_code);
 }
 
-nlohmann::json printed_json(const std::string& arguments, std::optional<int> exit_code) {
-  return nlohmann::json::parse(run(arguments + " --format json", exit_code).out);
+json printed_json(const std::string& arguments, std::optional<int> exit_code) {
+  return json::parse(run(arguments + " --format json", exit_code).out);
 }
 
 void expect_refused(const std::string& arguments, const std::string& why) {
@@ -159,6 +175,23 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
   }
 }
 
+const json& found(const json& list, const std::string& key, const json& value) {
+  static const json none;
+  const auto at =
+      std::find_if(list.begin(), list.end(), [&](const json& one) { return one[key] == value; });
+  return at == list.end() ? none : *at;
+}
+
+double number(const json& text) { return std::strtod(text.get<std::string>().c_str(), nullptr); }
+
+void expect_values(const json& report, const json& values, const char* file, int line) {
+  for (const auto& [path, value] : values.items()) {
+    const json::json_pointer place("/" + path);
+    const json found = report.contains(place) ? report.at(place) : json("(is not there)");
+    if (found != value) ADD_FAILURE_AT(file, line) << path << ": " << found << ", not " << value;
+  }
+}
+
 Outcome run_python(const std::string& arguments, std::optional<int> exit_code) {
   return ended(start("python3", arguments), arguments, exit_code);
 }
@@ -189,6 +222,20 @@ std::string temporary_file(const std::string& name, const std::string& text) {
   return path;
 }
 
+std::string temporary_folder(const std::string& name) {
+  static int count = 0;
+  const std::string path = temporary_path(name + std::to_string(++count) + ".d");
+  fs::create_directory(path);
+  fs::permissions(path, fs::perms{0755});
+  return path;
+}
+
+std::vector<std::string> names_in(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) names.push_back(entry.path().filename());
+  return names;
+}
+
 std::string resized_example(const std::string& name, int side) {
   static const std::regex size("(width|height) = [0-9]+");
   const std::string text = contents(RAYCHECK_SOURCE_DIR "/scene/examples/" + name);
@@ -215,10 +262,9 @@ std::string built_submission(const std::string& source, const std::string& name,
                              const std::string& folder) {
   const bool is_renderer = source.ends_with("rt.cpp");
   const std::string built = source.substr(0, source.find('.')) + (is_renderer ? "" : ".so");
-  const std::filesystem::path copy =
-      std::filesystem::path(folder) / (name + (is_renderer ? ".rt" : ".so"));
-  std::filesystem::create_directories(folder);
-  std::filesystem::copy_file(RAYCHECK_SUBMISSIONS "/" + built, copy);
+  const fs::path copy = fs::path(folder) / (name + (is_renderer ? ".rt" : ".so"));
+  fs::create_directories(folder);
+  fs::copy_file(RAYCHECK_SUBMISSIONS "/" + built, copy);
   return copy.string();
 }
 

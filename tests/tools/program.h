@@ -1,15 +1,33 @@
+// What tests of the built program are written with.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "tests/has.h"
 
 namespace raycheck::tests {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
 
 /// What a run of the built program left behind.
 struct Outcome {
@@ -22,7 +40,7 @@ struct Outcome {
 Outcome run(const std::string& arguments, std::optional<int> exit_code = {});
 
 /// What it prints under --format json.
-nlohmann::json printed_json(const std::string& arguments, std::optional<int> exit_code = {});
+json printed_json(const std::string& arguments, std::optional<int> exit_code = {});
 
 /// Runs it, and expects exit code 2, nothing but an error, and this in it.
 void expect_refused(const std::string& arguments, const std::string& why);
@@ -36,6 +54,11 @@ Outcome run_python(const std::string& arguments, std::optional<int> exit_code = 
 /// Runs a script by bash.
 Outcome run_bash(const std::string& path, std::optional<int> exit_code = {});
 
+/// A word for the shell, whatever it has.
+std::string quoted(const std::string& text);
+/// Starts a shell's command in the source folder, and does not wait for it.
+pid_t start_shell(const std::string& command);
+
 /// Waits until it holds, however busy the machine is; false where it does not within ten minutes.
 bool eventually(const std::function<bool()>& holds);
 
@@ -48,6 +71,10 @@ Outcome run_interrupted(const std::string& arguments, const std::function<bool()
 /// Writes a file into the test's temporary folder and returns its path.
 std::string temporary_file(const std::string& name, const std::string& text);
 
+/// A new folder, which goes with the process; anyone may use it.
+std::string temporary_folder(const std::string& name);
+/// What is in a folder.
+std::vector<std::string> names_in(const std::string& folder);
 /// A file of an example scene whose picture has another number of pixels on each side.
 std::string resized_example(const std::string& name, int side);
 
@@ -77,6 +104,9 @@ class Variable {
 /// The text of a file; empty when there is none.
 std::string contents(const std::string& path);
 
+/// What stands behind a label to the end of the line; empty where there is no such label.
+std::string behind(const std::string& label, const std::string& text);
+
 /// The lines of a text, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 
@@ -85,8 +115,19 @@ std::vector<std::string> lines_of(const std::string& text);
 std::string camera_text(std::int64_t width, std::int64_t height, double window = 1,
                         double depth = 1);
 
+/// A [[ray]] or [[sphere]] of a scene, of numbers with commas between them.
+std::string ray_text(const std::string& origin, const std::string& direction);
+std::string sphere_text(const std::string& centre, const std::string& radius);
+
 /// The text has all of these.
 void expect_parts(const std::string& text, const std::vector<std::string>& parts,
                   const char* file = __builtin_FILE(), int line = __builtin_LINE());
+/// The first of a list that has this behind a key; null where there is none.
+const json& found(const json& list, const std::string& key, const json& value);
+/// A number as reports have it, hexadecimal.
+double number(const json& text);
+/// A report has these values behind its keys; "a/0/b" leads deeper.
+void expect_values(const json& report, const json& values, const char* file = __builtin_FILE(),
+                   int line = __builtin_LINE());
 
 }  // namespace raycheck::tests

@@ -2,20 +2,10 @@
 // (where `./run` is in a folder with few programs beside bash), names and files with bytes that act
 // on terminals or are not UTF-8, and files that are missing.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
-
-using nlohmann::json;
 
 /// A command without the file or folder that it writes, and what that begins with.
 struct WrittenReport {
@@ -38,7 +28,6 @@ Outcome run_to(const std::string& where, const std::string& arguments) {
 }
 
 TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
-  namespace fs = std::filesystem;
   const std::string path = temporary_file("written", "");
   for (const char* const where : {" >&-", " <&- >&-", " >/dev/full"}) {
     for (const auto& [arguments, begins] : kWrittenReports) {
@@ -143,14 +132,12 @@ TEST(RunScript, takes_an_older_package_for_none_where_it_holds_less) {
 /// A copy of an example under a name that is no UTF-8, and acts on a terminal.
 class HostileNames : public testing::Test {
  protected:
-  HostileNames() : folder_(temporary_file("\x1b[31m\xff", "") + ".d") {
-    std::filesystem::create_directories(folder_);
+  HostileNames() {
     for (const char* file : {"probe.toml", "driver-b.txt"}) {
-      std::filesystem::copy_file(std::string(RAYCHECK_SOURCE_DIR "/scene/examples/") + file,
-                                 folder_ + "/" + file);
+      fs::copy_file(std::string(RAYCHECK_SOURCE_DIR "/scene/examples/") + file,
+                    folder_ + "/" + file);
     }
   }
-  ~HostileNames() override { std::filesystem::remove_all(folder_); }
 
   std::string scene(const std::string& file) const { return " '" + folder_ + "/" + file + "' "; }
 
@@ -163,7 +150,7 @@ class HostileNames : public testing::Test {
     }
   }
 
-  std::string folder_;
+  const std::string folder_ = temporary_folder("\x1b[31m\xff");
 };
 
 TEST_F(HostileNames, are_printed_in_every_format) {

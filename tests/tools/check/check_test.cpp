@@ -1,11 +1,3 @@
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <string>
-
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "tests/tools/external/judged.h"
@@ -13,17 +5,13 @@
 namespace raycheck::tests {
 namespace {
 
-using nlohmann::json;
-
 std::string far_sphere_scene(std::int64_t width, std::int64_t height) {
-  return camera_text(width, height, 0.001) +
-         "[[sphere]]\ncentre = [0.3, 0.2, -1e8]\nradius = 60000\n";
+  return camera_text(width, height, 0.001) + sphere_text("0.3, 0.2, -1e8", "60000");
 }
 
 TEST(Check, runs_on_every_example_scene) {
   int scenes = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(RAYCHECK_SOURCE_DIR "/scene/examples")) {
+  for (const auto& entry : fs::directory_iterator(RAYCHECK_SOURCE_DIR "/scene/examples")) {
     const Outcome result = run("check " + entry.path().string() + " --format json");
     const json report = json::parse(result.out);
     EXPECT_EQ(result.exit_code, report.at("discrepancies") > 0 ? 1 : 0) << entry << result.err;
@@ -48,8 +36,7 @@ TEST(Check, judges_what_it_is_asked_to) {
 
 TEST(Check, reports_the_same_whatever_the_number_of_threads) {
   const std::string path =
-      temporary_file("threads.toml", far_sphere_scene(90, 70) +
-                                         "[[sphere]]\ncentre = [0, 0, -2e8]\nradius = 2e5\n");
+      temporary_file("threads.toml", far_sphere_scene(90, 70) + sphere_text("0, 0, -2e8", "2e5"));
   const auto report = [&](const std::string& threads) {
     return printed_json(
         "check " + path + " --intersect quadratic --intersect cross --top 1000" + threads, 1);
@@ -112,10 +99,9 @@ TEST(Check, spreads_the_pixels_it_judges_over_the_image) {
 
 TEST(Check, says_when_tangents_are_left_unjudged) {
   const Outcome result =
-      run("check " +
-              temporary_file("tangent.toml",
-                             "[conventions]\ntangent = \"either\"\n[[ray]]\norigin = [-5, 1, 0]\n"
-                             "direction = [1, 0, 0]\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"),
+      run("check " + temporary_file("tangent.toml", "[conventions]\ntangent = \"either\"\n" +
+                                                        ray_text("-5, 1, 0", "1, 0, 0") +
+                                                        sphere_text("0, 0, 0", "1")),
           4);
   EXPECT_TRUE(has(result.out, "tangent = either"));
 }

@@ -1,13 +1,6 @@
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 
-#include <cmath>
-#include <cstdlib>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "scene/scene.h"
 #include "tests/tools/program.h"
@@ -15,27 +8,17 @@
 namespace raycheck::tests {
 namespace {
 
-using nlohmann::json;
-
 json explained(const std::string& arguments) { return printed_json("explain " + arguments); }
-
-double number(const json& hexfloat) {
-  return std::strtod(hexfloat.get<std::string>().c_str(), nullptr);
-}
 
 TEST(Explain, shows_the_conditioning_of_each_step) {
   const json report = explained("--ray -5,0.5,0,1,0,0 --sphere 0,0,0,1");
-  for (const json& step : report["exact"]["steps"]) {
-    if (step["symbol"] != "s") continue;
-    // By implicit differentiation of |L + s d - C|^2 = r^2: with q = L + s d - C = (-sqrt(3)/2,
-    // 1/2) and s = 5 - sqrt(3)/2 it is (|q_x| (5 + s) + |q_y| / 2 + 1) / (s |q_x|).
-    const double x = std::sqrt(0.75);
-    const double s = 5 - x;
-    EXPECT_NEAR(step["condition"].get<double>(), (x * (5 + s) + 0.25 + 1) / (s * x), 5e-3);
-    EXPECT_GT(step["condition_alone"].get<double>(), 1);
-    return;
-  }
-  ADD_FAILURE() << "no step s";
+  const json& step = found(report["exact"]["steps"], "symbol", "s");
+  ASSERT_FALSE(step.is_null());
+  // By implicit differentiation of |L + s d - C|^2 = r^2: with q = L + s d - C = (-sqrt(3)/2,
+  // 1/2) and s = 5 - sqrt(3)/2 it is (|q_x| (5 + s) + |q_y| / 2 + 1) / (s |q_x|).
+  const double x = std::sqrt(0.75), s = 5 - x;
+  EXPECT_NEAR(step["condition"].get<double>(), (x * (5 + s) + 0.25 + 1) / (s * x), 5e-3);
+  EXPECT_GT(step["condition_alone"].get<double>(), 1);
 }
 
 TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
@@ -91,10 +74,9 @@ std::vector<scene::Ray> rays_from_everywhere(std::size_t count) {
 TEST(ExplainAndCheck, call_the_same_answers_wrong) {
   const auto triple = [](const auto& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
   const std::vector<scene::Ray> rays = rays_from_everywhere(24);
-  std::string toml = "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n";
+  std::string toml = sphere_text("0, 0, 0", "1");
   for (const scene::Ray& ray : rays) {
-    toml += fmt::format("[[ray]]\norigin = [{}]\ndirection = [{}]\n", triple(ray.origin),
-                        triple(ray.direction));
+    toml += ray_text(triple(ray.origin), triple(ray.direction));
   }
   const std::string path = temporary_file("rays.toml", toml);
   // Of each method: rays whose answers are wrong, and what the worst of these come to.

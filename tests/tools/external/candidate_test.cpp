@@ -1,21 +1,11 @@
 // Other people's candidates, right and hostile, through `check --candidate`.
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <string>
 
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
-
-using nlohmann::json;
 
 const std::string kCamera = "scene/examples/ten-spheres.toml";
 const std::string kRays = "scene/examples/lecture-examples.toml";
@@ -37,14 +27,14 @@ void expect_right(const std::string& scene, const std::string& candidate) {
 }
 
 TEST(Candidate, is_judged_where_raycheck_lies_below_a_folder_that_others_may_not_enter) {
-  const std::filesystem::path closed = temporary_file("closed", "") + ".d";
-  std::filesystem::create_directories(closed / "lib");
-  std::filesystem::create_directories(closed / "build/tools");
-  const std::filesystem::path programs = std::filesystem::path(RAYCHECK_BINARY).parent_path();
+  const fs::path closed = temporary_folder("closed");
+  fs::create_directories(closed / "lib");
+  fs::create_directories(closed / "build/tools");
+  const fs::path programs = fs::path(RAYCHECK_BINARY).parent_path();
   for (const char* name : {"raycheck", "raycheck-check", "raycheck-jail", "raycheck-worker"}) {
-    std::filesystem::copy_file(programs / name, closed / "build/tools" / name);
+    fs::copy_file(programs / name, closed / "build/tools" / name);
   }
-  std::filesystem::permissions(closed, std::filesystem::perms::owner_all);
+  fs::permissions(closed, fs::perms::owner_all);
   // Beside that folder, so that all around both is shown to what compiles it.
   const std::string candidate = temporary_file("floats.cpp", contents(kFloats));
   const Outcome outcome = run_bash(temporary_file(
@@ -55,7 +45,6 @@ TEST(Candidate, is_judged_where_raycheck_lies_below_a_folder_that_others_may_not
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   expect_parts(outcome.out, {"no discrepancy"});
   if (is_in_bubblewrap()) expect_parts(outcome.out, {"bubblewrap"});
-  std::filesystem::remove_all(closed);
 }
 
 TEST(Candidate, that_makes_no_rays_is_given_them_and_the_report_says_so) {
@@ -108,37 +97,23 @@ TEST(Candidate, holds_every_law_on_ordinary_cases) {
                {"documents no bounds: judged by those of direct/cross"});
 }
 
-/// right.cpp with something put in the place of something else, compiled once for many runs.
-class Altered {
- public:
-  Altered(const std::string& from, const std::string& to) {
-    std::string source = contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/right.cpp");
-    std::size_t at = source.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    for (; at != std::string::npos; at = source.find(from, at + to.size())) {
-      source.replace(at, from.size(), to);
-    }
-    const std::string path = temporary_file("altered.cpp", source);
-    const std::string words = "g++ -std=c++20 -O2 -fPIC -shared -I" RAYCHECK_SOURCE_DIR
-                              "/include -isystem /usr/include/eigen3 -o " +
-                              library_ + " " + path;
-    EXPECT_EQ(std::system(words.c_str()), 0) << words;
-  }
-  json report(const std::string& more) const {
-    const Outcome outcome =
-        run("properties --format json --candidate library:" + library_ + " " + more);
-    EXPECT_TRUE(json::accept(outcome.out)) << outcome.exit_code << "\n" << outcome.err;
-    return json::parse(outcome.out);
-  }
-
- private:
-  std::string library_ = temporary_file("altered.so", "");
-};
+/// What the laws say of right.cpp with something put in the place of something else.
+auto altered(const std::string& from, const std::string& to) {
+  std::string source = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp");
+  const std::size_t at = source.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  source.replace(at, from.size(), to);
+  const std::string name = std::to_string(std::hash<std::string>()(to)) + ".cpp";
+  const std::string library = compiled(temporary_file(name, source));
+  return [library](const std::string& more) {
+    return printed_json("properties --candidate " + library + " " + more);
+  };
+}
 
 TEST(Candidate, that_is_a_little_wrong_breaks_its_own_law_alone_in_the_first_report) {
   std::set<std::string> broken;
-  const Altered wrong("return Hit{s, out(", "return Hit{s * (1 + 0x1p-46), out(");
-  const json report = wrong.report("--cases 300");
+  const auto wrong = altered("return Hit{s, out(", "return Hit{s * (1 + 0x1p-46), out(");
+  const json report = wrong("--cases 300");
   for (const json& campaign : report["campaigns"]) {
     if (campaign["finding"] == "broken") broken.insert(campaign["law"]);
   }
@@ -146,50 +121,45 @@ TEST(Candidate, that_is_a_little_wrong_breaks_its_own_law_alone_in_the_first_rep
 }
 
 TEST(Candidate, is_held_to_the_level_and_the_lengths_that_it_states) {
-  const Altered stating(
+  const auto stating = altered(
       ".nearest = nearest)",
       ".nearest = nearest, .level = Level::demanding, .smallest_length = 1e-9, .largest_length = "
       "1e9)");
   const auto campaign = [&](const std::string& more) {
-    return stating.report("--filter class --cases 100 " + more)["campaigns"][0];
+    return stating("--filter class --cases 100 " + more)["campaigns"][0];
   };
   const json demanding = campaign("--source rays");
-  EXPECT_EQ(demanding["level"], "demanding");
-  EXPECT_EQ(demanding["finding"], "holds");
-  EXPECT_EQ(demanding["not_judged"], 0);
+  expect_values(demanding, {{"level", "demanding"}, {"finding", "holds"}, {"not_judged", 0}});
   EXPECT_EQ(campaign("--source rays --level ordinary")["level"], "ordinary");
   const json of_other_lengths = campaign("--source scale@100");
-  EXPECT_EQ(of_other_lengths["finding"], "not judged here");
-  EXPECT_EQ(of_other_lengths["not_judged"], 100);
+  expect_values(of_other_lengths, {{"finding", "not judged here"}, {"not_judged", 100}});
 }
 
 TEST(Candidate, is_held_to_whose_bounds_are_asked_for) {
-  const Altered worse("return Hit{s, out(", "s *= 1 + 0x1p-30; return Hit{s, out(");
+  const auto worse = altered("return Hit{s, out(", "s *= 1 + 0x1p-30; return Hit{s, out(");
   const std::string asked = "--filter parameter --cases 200 --source rays";
-  const json by_default = worse.report(asked);
+  const json by_default = worse(asked);
   EXPECT_EQ(by_default["campaigns"][0]["finding"], "broken");
   EXPECT_EQ(by_default["borrowed_bounds"][0]["methods"], "direct/cross");
-  const json single = worse.report(asked + " --bounds direct/single-quadratic");
+  const json single = worse(asked + " --bounds direct/single-quadratic");
   EXPECT_EQ(single["campaigns"][0]["finding"], "holds");
   EXPECT_EQ(single["borrowed_bounds"][0]["methods"], "direct/single-quadratic");
 }
 
 TEST(Candidate, is_right_as_a_project_that_finds_eigen) {
-  const std::string folder = temporary_file("right", "") + ".d/";
-  std::filesystem::create_directory(folder);
-  std::filesystem::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp",
-                             folder + "right.cpp");
-  temporary_file("right.d/CMakeLists.txt",
-                 "cmake_minimum_required(VERSION 3.20)\nproject(right CXX)\n"
-                 "set(CMAKE_CXX_STANDARD 20)\nfind_package(Eigen3 REQUIRED)\n"
-                 "add_library(right SHARED right.cpp)\n"
-                 "target_link_libraries(right Eigen3::Eigen)\n");
+  const std::string folder = temporary_folder("right") + "/";
+  fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp", folder + "right.cpp");
+  std::ofstream(folder + "CMakeLists.txt")
+      << "cmake_minimum_required(VERSION 3.20)\nproject(right CXX)\n"
+         "set(CMAKE_CXX_STANDARD 20)\nfind_package(Eigen3 REQUIRED)\n"
+         "add_library(right SHARED right.cpp)\n"
+         "target_link_libraries(right Eigen3::Eigen)\n";
   expect_right(kCamera, "source:" + folder + "CMakeLists.txt");
 }
 
 TEST(Candidate, is_right_in_java) {
   if (!is_installed("javac")) GTEST_SKIP() << "Java is not installed";
-  const std::string folder = temporary_file("java", "") + ".d";
+  const std::string folder = temporary_folder("java");
   const std::string root = RAYCHECK_SOURCE_DIR;
   ASSERT_EQ(std::system(("javac -d " + folder + " " + root +
                          "/tools/external/adapters/RaycheckCandidate.java " + root +
@@ -200,8 +170,7 @@ TEST(Candidate, is_right_in_java) {
 }
 
 TEST(Candidate, sees_the_folders_and_headers_that_it_is_shown) {
-  const std::string folder = temporary_file("shown", "") + ".d";
-  std::filesystem::create_directory(folder);
+  const std::string folder = temporary_folder("shown");
   std::ofstream(folder + "/right.h") << contents(kFloats);
   std::ofstream(folder + "/beside.py")
       << contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py");
@@ -223,12 +192,11 @@ TEST(Candidate, sees_the_folders_and_headers_that_it_is_shown) {
 
 TEST(Candidate, in_JavaScript_offers_all_that_one_in_Python_does) {
   if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
-  const std::string folder = temporary_file("javascript", "") + ".d";
-  std::filesystem::create_directory(folder);
+  const std::string folder = temporary_folder("javascript");
   for (const char* name :
        {"/tests/candidates/right.mjs", "/tools/external/adapters/raycheck_candidate.mjs"}) {
-    const std::filesystem::path from = std::string(RAYCHECK_SOURCE_DIR) + name;
-    std::filesystem::copy_file(from, std::filesystem::path(folder) / from.filename());
+    const fs::path from = std::string(RAYCHECK_SOURCE_DIR) + name;
+    fs::copy_file(from, fs::path(folder) / from.filename());
   }
   expect_right(kRays, "command:node " + folder + "/right.mjs");
   expect_right(kCamera, "command:node " + folder + "/right.mjs");
@@ -241,22 +209,19 @@ TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
       run("properties --filter class --source direction-length --level extreme --cases 200 " +
               candidate,
           1);
-  const std::size_t line = broken.out.find("replay: raycheck ");
-  ASSERT_NE(line, std::string::npos) << broken.out;
-  const std::size_t command = line + std::string("replay: raycheck ").size();
-  run(broken.out.substr(command, broken.out.find('\n', command) - command), 1);
+  const std::string replay = behind("replay: raycheck ", broken.out);
+  ASSERT_NE(replay, "") << broken.out;
+  run(replay, 1);
 }
 
 TEST(Candidate, lies_in_a_folder_that_is_closed_to_others) {
-  const std::string folder = temporary_file("closed", "") + ".d";
-  std::filesystem::create_directory(folder);
+  const std::string folder = temporary_folder("closed");
   for (const std::string name : {"right.py", "float_quadratic.cpp"}) {
-    std::filesystem::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/" + name,
-                               folder + "/" + name);
+    fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/" + name, folder + "/" + name);
   }
-  std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+  fs::permissions(folder, fs::perms::owner_all);
   // What is named is the candidate's, even if it is closed itself.
-  std::filesystem::permissions(folder + "/float_quadratic.cpp", std::filesystem::perms::owner_read);
+  fs::permissions(folder + "/float_quadratic.cpp", fs::perms::owner_read);
   expect_right(kRays, "command:python3 " + folder + "/right.py");
   expect_right(kRays, "source:" + folder + "/float_quadratic.cpp");
   // What runs there is still not root, where raycheck is.
@@ -278,9 +243,7 @@ class EachHostile : public testing::TestWithParam<Hostile> {};
 TEST_P(EachHostile, GainsNothing) {
   const auto& [how, what, layer] = GetParam();
   const std::string one_question =
-      temporary_file("one.toml",
-                     "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 1]\n"
-                     "[[sphere]]\ncentre = [9, 0, 5]\nradius = 2\n");
+      temporary_file("one.toml", ray_text("0, 0, 0", "0, 0, 1") + sphere_text("9, 0, 5", "2"));
   const std::string secret = temporary_file(std::string(how) + ".secret", "the expected answers");
   ASSERT_EQ(chmod(secret.c_str(), 0600), 0);
   // Time is for those that end.
@@ -294,7 +257,7 @@ TEST_P(EachHostile, GainsNothing) {
   EXPECT_GT(report["discrepancies"], 0);
   expect_parts(report["worst"].dump(), {what});
   EXPECT_EQ(contents(secret), "the expected answers");
-  std::filesystem::remove(secret);
+  fs::remove(secret);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -319,8 +282,7 @@ TEST(Candidate, does_not_judge_itself_from_within_its_library_and_others_are_jud
                     right_library() + " --intersect robust",
                 "source:tests/candidates/boasts.cpp", 1)["candidates"];
   ASSERT_EQ(report.size(), 4u);
-  EXPECT_EQ(report[0]["name"], "direct/robust");
-  EXPECT_TRUE(report[0]["isolated_by"].is_null());
+  expect_values(report[0], {{"name", "direct/robust"}, {"isolated_by", nullptr}});
   expect_parts(report[1]["worst"].dump(), {"it exited with 0"});
   EXPECT_EQ(report[2]["discrepancies"], 0);
   EXPECT_GT(report[3]["discrepancies"], 3);

@@ -1,13 +1,6 @@
 // Candidates that demand unit directions, meet lines, end in scene lengths, or return less than s
 // and Q: each is asked and judged by what it says of itself.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <string>
-
 #include "properties/candidate.h"
 #include "properties/case.h"
 #include "tests/tools/external/judged.h"
@@ -15,43 +8,14 @@
 namespace raycheck::tests {
 namespace {
 
-using nlohmann::json;
-
-/// Right intersections by the cross product; of the roots that `counts` the first becomes what it
-/// `returns`, and it `says` this of itself.
-std::string tracer(const std::string& name, const std::string& counts, const std::string& returns,
-                   const std::string& says) {
-  return "command:python3 " + temporary_file(name, R"(import math, raycheck_candidate as rc
-def cross(p, q):
-    return (p[1]*q[2] - p[2]*q[1], p[2]*q[0] - p[0]*q[2], p[0]*q[1] - p[1]*q[0])
-def dot(p, q):
-    return p[0]*q[0] + p[1]*q[1] + p[2]*q[2]
-def intersect(ray, sphere, by):
-    (o, d), (c, r) = ray, sphere
-    t = [x - y for x, y in zip(c, o)]
-    a, b, m = dot(d, d), dot(t, d), cross(t, d)
-    length = math.sqrt(a)
-    under = a * r * r - dot(m, m)
-    if under < 0: return None
-    q = b + math.copysign(math.sqrt(under), b)
-    other = (math.sqrt(dot(t, t)) - r) * (math.sqrt(dot(t, t)) + r) / q if q else 0.0
-    for s in sorted((q / a, other)):
-        point = [x + s * y for x, y in zip(o, d)]
-        if )" + counts + ": return " + returns + R"(
-rc.run('mine', intersect=intersect, root='nearest', **{'tangent': 'either'} | dict()" +
-                                                       says + "))\n");
-}
-
 json laws_of(const std::string& candidate, const std::string& more = "") {
   return report_of("properties --cases 60 " + more, candidate, 0)["campaigns"];
 }
 
 /// The finding of a law.
 std::string finding(const json& campaigns, const std::string& law) {
-  for (const json& one : campaigns) {
-    if (one["law"] == law) return one["finding"];
-  }
-  return "";
+  const json& one = found(campaigns, "law", law);
+  return one.is_null() ? "" : one["finding"];
 }
 
 TEST(Contracts, that_return_less_are_judged_by_what_they_return) {
@@ -90,14 +54,11 @@ TEST(Contracts, that_demand_unit_directions_are_asked_about_no_others) {
   const json laws = laws_of(unit, "--level demanding --source direction-length --source rays");
   EXPECT_EQ(finding(laws, "class"), "holds");
   EXPECT_EQ(finding(laws, "parameter"), "holds");
-  const std::string scene =
-      temporary_file("long.toml",
-                     "[[ray]]\norigin = [0, 0, 0]\ndirection = [1024, 0, 0]\n"
-                     "[[ray]]\norigin = [0, 0, 0]\ndirection = [0.6, 0, 0.8]\n"
-                     "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n");
+  const std::string scene = temporary_file("long.toml", ray_text("0, 0, 0", "1024, 0, 0") +
+                                                            ray_text("0, 0, 0", "0.6, 0, 0.8") +
+                                                            sphere_text("3, 0, 0", "1"));
   const json report = judged(scene, unit);
-  EXPECT_EQ(report["made_unit"], 1);
-  EXPECT_EQ(report["discrepancies"], 0);
+  expect_values(report, {{"made_unit", 1}, {"discrepancies", 0}});
   expect_parts(run("check " + scene + " --candidate '" + unit + "'").out,
                {"demands unit directions: 1 direction of the scene made unit"});
 }
@@ -109,9 +70,8 @@ TEST(Contracts, may_end_in_scene_lengths) {
   const json laws = laws_of(epsilon, "--source direction-length --source surface --source rays");
   EXPECT_EQ(finding(laws, "class"), "holds");
   EXPECT_EQ(finding(laws, "nearest-root"), "holds");
-  const std::string scene = temporary_file("longer.toml",
-                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [1024, 0, 0]\n"
-                                           "[[sphere]]\ncentre = [3, 0, 0]\nradius = 2\n");
+  const std::string scene = temporary_file(
+      "longer.toml", ray_text("0, 0, 0", "1024, 0, 0") + sphere_text("3, 0, 0", "2"));
   EXPECT_EQ(judged(scene, epsilon)["discrepancies"], 0);
   EXPECT_GT(judged(scene, tracer("wrong.py", "s > 1e-3", "(s, point)", roots))["discrepancies"], 0);
 }
@@ -128,21 +88,20 @@ TEST(Contracts, may_be_of_lines) {
 
 /// An end as declared is exact: next to the float 0.001f there are floats between it and 0.001.
 TEST(Contracts, in_floats_keep_their_ends_in_doubles) {
-  const std::string scene = temporary_file("float-end.toml",
-                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
-                                           "[[sphere]]\ncentre = [3.0010001659393310546875, 0, 0]\n"
-                                           "radius = 3\n");
+  const std::string scene =
+      temporary_file("float-end.toml", ray_text("0, 0, 0", "1, 0, 0") +
+                                           sphere_text("3.0010001659393310546875, 0, 0", "3"));
   const std::string says =
       "precision='single', roots=rc.Roots('()', 1e-3, float('inf'), 'absolute', 'none')";
-  EXPECT_EQ(judged(scene, tracer("float.py", "s > 1e-3", "(s, point)", says))["discrepancies"], 0);
+  const json report = judged(scene, tracer("float.py", "s > 1e-3", "(s, point)", says));
+  expect_values(report, {{"discrepancies", 0}, {"precision", "single"}});
 }
 
 /// A class alone tells no s, which no end can exclude: inputs close by are what decides.
 TEST(Contracts, of_a_class_alone_are_undecided_at_an_end) {
-  const std::string scene = temporary_file("exit.toml",
-                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
-                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 1, 0]\n"
-                                           "[[sphere]]\ncentre = [-1, 0, 0]\nradius = 2\n");
+  const std::string scene =
+      temporary_file("exit.toml", ray_text("0, 0, 0", "1, 0, 0") + ray_text("0, 0, 0", "0, 1, 0") +
+                                      sphere_text("-1, 0, 0", "2"));
   const std::string roots = "roots=rc.Roots('()', 1.0, float('inf'), 'length', 'none')";
   const std::string closed = tracer("closed.py", "s >= 1", "True", "returns='class', " + roots);
   const Outcome outcome = check(scene, closed);
@@ -230,9 +189,8 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect
 TEST(Contracts, show_the_case_that_is_left_undecided) {
   const std::string misses = tracer("misses.py", "s > 1.0000000000000002 ", "(s, point)",
                                     "roots=rc.Roots('[]', 1.0, float('inf'), 'absolute', 'none')");
-  const std::string scene = temporary_file("end.toml",
-                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
-                                           "[[sphere]]\ncentre = [3, 0, 0]\nradius = 2\n");
+  const std::string scene =
+      temporary_file("end.toml", ray_text("0, 0, 0", "1, 0, 0") + sphere_text("3, 0, 0", "2"));
   const Outcome outcome = run("check " + scene + " --candidate '" + misses + "'");
   EXPECT_EQ(outcome.exit_code, 4);
   expect_parts(outcome.out, {"undecided"});

@@ -1,21 +1,11 @@
 // The adapters of engines as candidates, judged by what they declare; target `engines` builds them.
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
-
-using nlohmann::json;
 
 /// Hits are right on a plain scene, in the precision that it states.
 void expect_judged(const std::string& library, const std::string& precision) {
@@ -49,11 +39,9 @@ std::string on_any_machine(const std::string& line) {
 /// Runs what the page shows, beside a library of that name, and compares what is printed.
 void expect_as_shown(const std::string& library, const std::string& name,
                      const std::string& command) {
-  const std::filesystem::path folder = temporary_file("engine", "") + ".d";
-  std::filesystem::create_directory(folder);
-  std::filesystem::copy_file(library, folder / name);
-  std::filesystem::create_directory_symlink(std::string(RAYCHECK_SOURCE_DIR) + "/scene",
-                                            folder / "scene");
+  const fs::path folder = temporary_folder("engine");
+  fs::copy_file(library, folder / name);
+  fs::create_directory_symlink(std::string(RAYCHECK_SOURCE_DIR) + "/scene", folder / "scene");
   const std::string words =
       "cd " + folder.string() + " && '" RAYCHECK_BINARY "' " + command + " > printed";
   ASSERT_NE(std::system(words.c_str()), -1);
@@ -65,14 +53,13 @@ void expect_as_shown(const std::string& library, const std::string& name,
     std::getline(printed, line);
     EXPECT_EQ(on_any_machine(line), on_any_machine(expected)) << command;
   }
-  std::filesystem::remove_all(folder);
 }
 
 /// An engine's library, and in which precision it computes.
 struct Engine {
   const char *name, *precision;
   std::string library() const { return std::string(RAYCHECK_ENGINES "/") + name + ".so"; }
-  bool is_built() const { return std::filesystem::exists(library()); }
+  bool is_built() const { return fs::exists(library()); }
 };
 const Engine kEmbree = {"embree", "single"}, kVecgeom = {"vecgeom", "double"};
 

@@ -1,17 +1,8 @@
 // Candidates that fail on some questions: those are found, and the others judged; where in its
 // source one died, or threw, is a line, as data and in the sentence.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <array>
-#include <filesystem>
 #include <future>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "properties/trial.h"
 #include "tests/tools/external/judged.h"
@@ -19,8 +10,6 @@
 
 namespace raycheck::tests {
 namespace {
-
-using nlohmann::json;
 
 const std::string kTenSpheres = "scene/examples/ten-spheres.toml";
 
@@ -78,8 +67,7 @@ TEST(FailingCandidate, fails_on_the_scene_that_it_is_told) {
 TEST(FailingCandidate, is_told_the_pixel_whose_ray_it_fails_to_make) {
   const json report = judged(kTenSpheres, fails_by("exit made"));
   ASSERT_EQ(report["discrepancies"], 1) << report["worst"].dump(2);
-  EXPECT_EQ(report["worst"][0]["pixel"], (json{5, 7}));
-  EXPECT_EQ(report["worst"][0]["sphere"], nullptr);
+  expect_values(report["worst"][0], {{"pixel", json{5, 7}}, {"sphere", nullptr}});
   EXPECT_EQ(cases(report, "direction"), 255);
   EXPECT_EQ(cases(report, "class"), 2550);
 }
@@ -133,8 +121,6 @@ TEST(FailingCandidate, is_told_one_question_by_properties_and_a_replay) {
   }
 }
 
-namespace fs = std::filesystem;
-
 const std::string kDies = "tests/candidates/dies.cpp";
 
 /// A line of a file, from 1 on.
@@ -169,9 +155,9 @@ void write(const std::string& path, const std::string& text) {
 
 /// A scene of rays that meet nothing, whose origins have these x.
 std::string scene_of(int first, int last) {
-  std::string text = "[[sphere]]\ncentre = [1000, 1000, 1000]\nradius = 1\n";
+  std::string text = sphere_text("1000, 1000, 1000", "1");
   for (int k = first; k <= last; ++k) {
-    text += "[[ray]]\norigin = [" + std::to_string(k) + ", 0, 0]\ndirection = [0, 0, 1]\n";
+    text += ray_text(std::to_string(k) + ", 0, 0", "0, 0, 1");
   }
   return text;
 }
@@ -229,8 +215,8 @@ TEST(FailingLine, is_told_whichever_way_it_dies) {
 }
 
 TEST(FailingLine, is_told_of_what_cmake_builds) {
-  const std::string folder = temporary_file("lines_of_cmake", "") + ".d";
-  fs::create_directories(folder + "/src");
+  const std::string folder = temporary_folder("lines_of_cmake");
+  fs::create_directory(folder + "/src");
   const std::string root = std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/";
   fs::copy_file(root + "dies.cpp", folder + "/src/dies.cxx");
   fs::copy_file(root + "dies_elsewhere.h", folder + "/src/dies_elsewhere.h");
@@ -255,7 +241,7 @@ TEST(FailingLine, is_none_of_what_only_ends) {
 
 /// Candidates whose tables of lines say that they died elsewhere.
 TEST(HostileLines, OfTheCandidatesOwnFolderAloneAreBelieved) {
-  const std::string folder = temporary_file("claimed", "") + ".d/", own = folder + "own/";
+  const std::string folder = temporary_folder("claimed") + "/", own = folder + "own/";
   fs::create_directories(own);
   write(folder + "outside.h", "what is outside\n");
   fs::create_symlink(folder + "outside.h", own + "link.h");
@@ -287,8 +273,7 @@ std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray, const raycheck:
     EXPECT_EQ(has(one["what"].get<std::string>(), " at "), k == 0) << one;
     EXPECT_EQ(at.is_null(), k != 0) << claims.at(k) << at;
     if (k != 0) continue;
-    EXPECT_EQ(at["line"], 2);
-    EXPECT_EQ(at["text"], "int* volatile nowhere = nullptr;");
+    expect_values(at, {{"line", 2}, {"text", "int* volatile nowhere = nullptr;"}});
   }
 }
 

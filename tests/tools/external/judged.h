@@ -1,13 +1,6 @@
 #pragma once
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "tests/tools/program.h"
 
@@ -23,30 +16,26 @@ inline Outcome check(const std::string& scene, const std::string& candidate,
   return run("check " + scene + " --format json " + more + " --candidate '" + candidate + "'");
 }
 
-inline nlohmann::json judged(const std::string& scene, const std::string& candidate,
-                             const std::string& more = "") {
+inline json judged(const std::string& scene, const std::string& candidate,
+                   const std::string& more = "") {
   const Outcome outcome = check(scene, candidate, more);
   EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1)
       << candidate << ": " << outcome.exit_code << "\n"
       << outcome.err;
   if (outcome.out.empty()) return {};
-  return nlohmann::json::parse(outcome.out)["candidates"][0];
+  return json::parse(outcome.out)["candidates"][0];
 }
 
 /// What `check` says of one quantity; null: nothing.
-inline nlohmann::json quantity_of(const nlohmann::json& quantities, const std::string& name) {
-  for (const nlohmann::json& one : quantities) {
-    if (one["name"] == name) return one;
-  }
-  return {};
+inline json quantity_of(const json& quantities, const std::string& name) {
+  return found(quantities, "name", name);
 }
 
 /// What a command says as JSON, which ends with this.
-inline nlohmann::json report_of(const std::string& arguments, const std::string& candidate,
-                                int exit_code) {
+inline json report_of(const std::string& arguments, const std::string& candidate, int exit_code) {
   const Outcome outcome = run(arguments + " --format json --candidate '" + candidate + "'");
   EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.out << outcome.err;
-  return nlohmann::json::parse(outcome.out, nullptr, false);
+  return json::parse(outcome.out, nullptr, false);
 }
 
 /// A renderer of these lines of Python, which comes after imports; these words are before its
@@ -59,10 +48,35 @@ inline std::string python_renderer(const std::string& lines, const std::string& 
   return "renderer:python3 " + path + " " + words + (words.empty() ? "" : " ") + "{scene} {image}";
 }
 
+/// A tracer in Python that is right about both roots, by the cross product: of those for which
+/// `counts` holds the first becomes what it `returns`, and it `says` this of itself.
+inline std::string tracer(const std::string& name, const std::string& counts,
+                          const std::string& returns, const std::string& says) {
+  return "command:python3 " + temporary_file(name, R"(import math, raycheck_candidate as rc
+def cross(p, q):
+    return (p[1]*q[2] - p[2]*q[1], p[2]*q[0] - p[0]*q[2], p[0]*q[1] - p[1]*q[0])
+def dot(p, q):
+    return p[0]*q[0] + p[1]*q[1] + p[2]*q[2]
+def intersect(ray, sphere, by):
+    (o, d), (c, r), roots = ray, sphere, by.roots
+    t = [x - y for x, y in zip(c, o)]
+    a, b, m = dot(d, d), dot(t, d), cross(t, d)
+    length, unit = math.sqrt(a), r if roots.unit == 'radius' else 1
+    under = a * r * r - dot(m, m)
+    if under < 0: return None
+    q = b + math.copysign(math.sqrt(under), b)
+    other = (math.sqrt(dot(t, t)) - r) * (math.sqrt(dot(t, t)) + r) / q if q else 0.0
+    for s in sorted((q / a, other)):
+        point = [x + s * y for x, y in zip(o, d)]
+        if )" + counts + ": return " + returns + R"(
+rc.run('mine', intersect=intersect, root='nearest', **{'tangent': 'either'} | dict()" +
+                                                       says + "))\n");
+}
+
 /// The processes whose command line has this text.
 inline std::vector<pid_t> processes_with(const std::string& text) {
   std::vector<pid_t> found;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+  for (const auto& entry : fs::directory_iterator("/proc")) {
     if (!has(contents(entry.path() / "cmdline"), text)) continue;
     found.push_back(std::atoi(entry.path().filename().c_str()));
   }
@@ -72,7 +86,7 @@ inline std::vector<pid_t> processes_with(const std::string& text) {
 /// tests/candidates/right.cpp, built once for all tests.
 inline const std::string& right_library() {
   static const std::string library =
-      "library:" + built_submission("right.cpp", "right", temporary_file("library", "") + ".d");
+      "library:" + built_submission("right.cpp", "right", temporary_folder("library"));
   return library;
 }
 

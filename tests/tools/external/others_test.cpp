@@ -1,18 +1,12 @@
 // Other people's candidates where raycheck's methods are compared: stress, worst, tradeoff, explain
 // and image.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <nlohmann/json.hpp>
-#include <string>
 
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
-
-using nlohmann::json;
 
 const std::string kFarRoot = "command:python3 tests/candidates/meets.py far-root";
 const std::string kFailing = "command:python3 tests/candidates/fails.py ";
@@ -23,8 +17,7 @@ TEST(OthersStress, are_judged_stage_by_stage) {
       report_of("stress --family distance --severity 0..1 --cases 20", right_library(), 0);
   const json& method = right["families"][0]["methods"][0];
   EXPECT_EQ(method["name"], right_library());
-  EXPECT_EQ(method["first_failing"], nullptr);
-  EXPECT_EQ(method["bounds_of"], "direct/cross");
+  expect_values(method, {{"first_failing", nullptr}, {"bounds_of", "direct/cross"}});
   EXPECT_FALSE(method["isolated_by"].get<std::string>().empty());
   for (const std::string& wrong : {kFarRoot, kFailing + "exit all"}) {
     const json report = report_of("stress --family distance --severity 0 --cases 10", wrong, 1);
@@ -36,8 +29,7 @@ TEST(OthersWorst, are_searched_by_the_stage_of_the_quantity) {
   const std::string few = "worst --cases 20 --steps 20 --family ";
   const json s = report_of(few + "distance", right_library(), 0);
   EXPECT_EQ(s["method"], right_library());
-  EXPECT_EQ(s["unit"], "ulp");
-  EXPECT_EQ(s["failures"]["count"], 0);
+  expect_values(s, {{"unit", "ulp"}, {"failures/count", 0}});
   EXPECT_EQ(report_of(few + "cameras --quantity direction", right_library(), 0)["unit"], "u");
   const json failing = report_of(few + "distance", kFailing + "exit all", 1);
   EXPECT_GT(failing["failures"]["count"], 0);
@@ -48,8 +40,7 @@ TEST(OthersTradeoff, are_timed_in_this_process_alone_and_otherwise_told_why_not)
   const std::string arguments = "tradeoff --cases 40 --method direct,cross";
   const json kept = report_of(arguments, right_library(), 0);
   const json& judged = kept["intersections"][1];
-  EXPECT_EQ(judged["batch"], nullptr);
-  EXPECT_EQ(judged["called_in_process"], false);
+  expect_values(judged, {{"batch", nullptr}, {"called_in_process", false}});
   expect_parts(judged["note"], {"kept in a sandbox"});
   EXPECT_GT(judged["inside"].size(), 0u);
   const json here = report_of(arguments + kUnkept, right_library(), 0);
@@ -153,8 +144,7 @@ TEST(OthersImage, have_a_picture_of_their_error) {
   EXPECT_EQ(report_of(image, kFailing + "none none", 0)["error"]["wrong"]["defect"]["pixels"], 0);
   EXPECT_GT(report_of(image, kFarRoot, 1)["error"]["wrong"]["defect"]["pixels"], 0);
   const json failed = report_of(image, kFailing + "exit one", 1);
-  EXPECT_EQ(failed["error"]["failed"]["pixels"], 1);
-  EXPECT_EQ(failed["error"]["wrong"]["defect"]["pixels"], 1);
+  expect_values(failed["error"], {{"failed/pixels", 1}, {"wrong/defect/pixels", 1}});
 }
 
 }  // namespace

@@ -1,34 +1,15 @@
 // Candidates that declare or follow t_min, t_max and culling, and what an epsilon costs.
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-#include <string>
-#include <tuple>
-
 #include "tests/tools/external/judged.h"
 #include "tools/external/protocol/protocol.h"
 
 namespace raycheck::tests {
 namespace {
 
-using nlohmann::json;
-
-/// A tracer in Python of roots between ends, to be run: its own epsilon, or the scene's ends.
-std::string tracer(const std::string& name, const std::string& condition,
-                   const std::string& roots) {
-  return "command:python3 " + temporary_file(name, R"(import math, raycheck_candidate as rc
-def intersect(ray, sphere, by):
-    (o, d), (c, r), roots = ray, sphere, by.roots
-    t = [x - y for x, y in zip(c, o)]
-    a, b = sum(x * x for x in d), sum(x * y for x, y in zip(t, d))
-    disc = b * b - a * (sum(x * x for x in t) - r * r)
-    if disc < 0: return None
-    unit = r if roots.unit == 'radius' else 1
-    for s in ((b - math.sqrt(disc)) / a, (b + math.sqrt(disc)) / a):
-        if )" + condition + R"(: return s, [x + s * y for x, y in zip(o, d)]
-rc.run('mine', intersect=intersect, root='nearest', tangent='hit', roots=)" +
-                                                       roots + ")\n");
+/// A tracer of roots between ends: its own epsilon, or the scene's ends.
+std::string with_ends(const std::string& name, const std::string& counts,
+                      const std::string& roots) {
+  return tracer(name, counts, "(s, point)", "tangent='hit', roots=" + roots);
 }
 
 /// Roots from there on, without their end.
@@ -36,11 +17,8 @@ std::string beyond(const std::string& end) {
   return "rc.Roots('()', " + end + ", float('inf'), 'absolute', 'none')";
 }
 
-const std::string kThreeRays =
-    "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
-    "[[ray]]\norigin = [1.75, 0, 0]\ndirection = [1, 0, 0]\n"
-    "[[ray]]\norigin = [3.75, 0, 0]\ndirection = [1, 0, 0]\n"
-    "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n";
+const std::string kThreeRays = ray_text("0, 0, 0", "1, 0, 0") + ray_text("1.75, 0, 0", "1, 0, 0") +
+                               ray_text("3.75, 0, 0", "1, 0, 0") + sphere_text("3, 0, 0", "1");
 
 /// Whether inputs close by make that right is not decided: no success, and strictly a failure.
 void expect_off_at_the_ends(const std::string& scene, const std::string& candidate) {
@@ -53,7 +31,7 @@ void expect_off_at_the_ends(const std::string& scene, const std::string& candida
 /// Who declares that next to no root counts is right to miss, and has shown nothing.
 TEST(ValidRoots, that_nothing_reaches_are_no_success) {
   const std::string candidate =
-      tracer("misses.py", "False", beyond("1e9") + ", lengths=(1e-3, 1e3)");
+      with_ends("misses.py", "False", beyond("1e9") + ", lengths=(1e-3, 1e3)");
   const json checked =
       report_of("check " + temporary_file("ends.toml", kThreeRays), candidate, 4)["candidates"][0];
   EXPECT_EQ(checked["too_few_judged"]["question"], "hit");
@@ -63,20 +41,15 @@ TEST(ValidRoots, that_nothing_reaches_are_no_success) {
 
 TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
-  const std::string candidate = tracer("eps.py", "s > 0.5", beyond("0.5"));
+  const std::string candidate = with_ends("eps.py", "s > 0.5", beyond("0.5"));
   const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
-  EXPECT_EQ(report["conventions"]["t_min"], 0.5);
-  EXPECT_EQ(report["conventions"]["interval"], "(t_min, t_max)");
+  expect_values(report["conventions"], {{"t_min", 0.5}, {"interval", "(t_min, t_max)"}});
   // Roots 2 and 4; 1/4 and 9/4; 1/4 alone.
   const json& excluded = report["excluded"];
-  EXPECT_EQ(excluded["hits"], 3);
-  EXPECT_EQ(excluded["excluded"], 1);
-  EXPECT_EQ(excluded["moved"], 1);
-  EXPECT_EQ(excluded["spheres"][0]["excluded"], 1);
+  expect_values(excluded, {{"hits", 3}, {"excluded", 1}, {"moved", 1}, {"spheres/0/excluded", 1}});
   ASSERT_EQ(excluded["worst"].size(), 1u);
-  EXPECT_EQ(excluded["worst"][0]["ray"], 2);
-  EXPECT_EQ(excluded["worst"][0]["s"], "0x1p-2");
+  expect_values(excluded["worst"][0], {{"ray", 2}, {"s", "0x1p-2"}});
   expect_parts(run("check " + scene + " --candidate '" + candidate + "'").out,
                {"t in (0.5, inf) excludes 1 of 3 exact hits and moves 1 to the other "
                 "root",
@@ -85,13 +58,12 @@ TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
 
 TEST(ValidRoots, that_are_declared_but_not_kept_are_defects) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
-  const std::string candidate = tracer("none.py", "s >= 0", beyond("0.5"));
+  const std::string candidate = with_ends("none.py", "s >= 0", beyond("0.5"));
   const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 2) << report.dump(2);
   // Who says nothing is judged by every root >= 0.
-  const std::string silent = tracer("silent.py", "s >= 0", "None");
-  EXPECT_EQ(judged(scene, silent)["discrepancies"], 0);
-  EXPECT_TRUE(judged(scene, silent)["excluded"].is_null());
+  const std::string silent = with_ends("silent.py", "s >= 0", "None");
+  expect_values(judged(scene, silent), {{"discrepancies", 0}, {"excluded", nullptr}});
 }
 
 TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
@@ -101,18 +73,17 @@ TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
                      "t_unit = \"radius\"\n" +
                          kThreeRays);
   const std::string right =
-      tracer("right.py", "unit * roots.t_min < s <= unit * roots.t_max", "'as-asked'");
+      with_ends("right.py", "unit * roots.t_min < s <= unit * roots.t_max", "'as-asked'");
   const json report = judged(scene, right);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
-  EXPECT_EQ(report["conventions"]["t_unit"], "radius");
-  EXPECT_EQ(report["excluded"]["moved"], 1);
+  expect_values(report, {{"conventions/t_unit", "radius"}, {"excluded/moved", 1}});
   // < for <= misses what inputs close by may miss.
   const std::string off =
-      tracer("off.py", "unit * roots.t_min < s < unit * roots.t_max", "'as-asked'");
+      with_ends("off.py", "unit * roots.t_min < s < unit * roots.t_max", "'as-asked'");
   expect_off_at_the_ends(scene, off);
   // <= for < answers what the interval excludes.
   const std::string closed =
-      tracer("closed.py", "unit * roots.t_min <= s <= unit * roots.t_max", "'as-asked'");
+      with_ends("closed.py", "unit * roots.t_min <= s <= unit * roots.t_max", "'as-asked'");
   EXPECT_EQ(check(scene, closed).exit_code, 1);
 }
 
@@ -141,53 +112,40 @@ RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)
 /// >= for > at an end: a defect that no witness excuses, in doubles as in floats.
 TEST(ValidRoots, that_a_candidate_excludes_by_its_own_word_are_defects) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
-  const std::string mutant = tracer("at_end.py", "s >= 2", beyond("2"));
+  const std::string mutant = with_ends("at_end.py", "s >= 2", beyond("2"));
   const Outcome outcome = run("check " + scene + " --candidate '" + mutant + "'", 1);
   expect_parts(outcome.out, {"root, ray 0, sphere 0: wrong root\n",
                              "answers s = 2, which its own interval (2, inf) excludes"});
 
   // 0.1f, which is twice its half: the near root is the end itself.
-  const std::string floats = temporary_file("floats.toml",
-                                            "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
-                                            "[[ray]]\norigin = [-1, 0, 0]\ndirection = [1, 0, 0]\n"
-                                            "[[sphere]]\ncentre = [0.2, 0, 0]\nradius = 0.1\n");
-  for (const auto& [comparison, end, exit_code] :
-       {std::tuple(">=", "0.1F", 1), {">", "0.1F", 0}, {">=", "1 * r", 1}, {">", "1 * r", 0}}) {
-    const bool is_radius = end == std::string("1 * r");
-    const std::string source =
-        temporary_file("end_in_floats.cpp", std::string(R"(
-#include <raycheck/candidate.hpp>
-using namespace raycheck;
-std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions&) {
-  const float x = float(s.centre.x) - float(ray.origin.x), r = float(s.radius);
-  for (const float at : {x - r, x + r}) {
-    if (at )") + comparison + " " + end + R"() return Hit{at, {float(ray.origin.x) + at, 0, 0}};
-  }
-  return {};
-}
-RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single,
-    .roots = Roots::declared, .valid = {.t_min = )" +
-                                                (is_radius ? "1" : "0.1F") +
-                                                ", .ends = Ends::open, .unit = TUnit::" +
-                                                (is_radius ? "radius" : "absolute") + "})\n");
-    const Outcome found = check(floats, "source:" + source);
-    EXPECT_EQ(found.exit_code, exit_code) << comparison << end << found.out << found.err;
+  const std::string floats = temporary_file("floats.toml", ray_text("0, 0, 0", "1, 0, 0") +
+                                                               ray_text("-1, 0, 0", "1, 0, 0") +
+                                                               sphere_text("0.2, 0, 0", "0.1"));
+  const std::string end = "0.10000000149011612", of_end = end + ", float('inf'), 'absolute'";
+  const std::string of_radius = "1, float('inf'), 'radius'";
+  for (const auto& [counts, from, exit_code] : {std::tuple("s >= " + end, of_end, 1),
+                                                {"s > " + end, of_end, 0},
+                                                {"s >= r", of_radius, 1},
+                                                {"s > r", of_radius, 0}}) {
+    const std::string mine =
+        tracer("floats.py", counts, "(s, point)",
+               "tangent='hit', precision='single', roots=rc.Roots('()', " + from + ", 'none')");
+    const Outcome found = check(floats, mine);
+    EXPECT_EQ(found.exit_code, exit_code) << counts << found.out << found.err;
   }
 }
 
 /// What `explain` says under the interval that a candidate declares.
 TEST(ValidRoots, are_explained_as_check_judges_them) {
-  const std::string right = tracer("eps.py", "s > 0.5", beyond("0.5"));
-  const std::string wrong = tracer("none.py", "s >= 0", beyond("0.5"));
+  const std::string right = with_ends("eps.py", "s > 0.5", beyond("0.5"));
+  const std::string wrong = with_ends("none.py", "s >= 0", beyond("0.5"));
   const std::string ray = "explain --ray 3.75,0,0,1,0,0 --sphere 3,0,0,1";
   const json report = report_of(ray, right, 0);
-  EXPECT_EQ(report["exact"]["class"], "miss");
-  EXPECT_EQ(report["exact"]["left_out"][0]["why"], "before t_min");
-  EXPECT_EQ(report["exact"]["left_out"][0]["s"], "0x1p-2");
+  expect_values(
+      report["exact"],
+      {{"class", "miss"}, {"left_out/0/why", "before t_min"}, {"left_out/0/s", "0x1p-2"}});
   const json& miss = report["methods"].back();
-  EXPECT_EQ(miss["hit"], false);
-  EXPECT_EQ(miss["class_error"], false);
-  EXPECT_EQ(miss["goes_wrong_at"], nullptr);
+  expect_values(miss, {{"hit", false}, {"class_error", false}, {"goes_wrong_at", nullptr}});
   // raycheck's own count every root >= 0, and are judged so.
   EXPECT_EQ(report["exact"]["by_every_root"]["s"], "0x1p-2");
   for (const json& method : report["methods"]) {
@@ -195,9 +153,7 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
     EXPECT_EQ(method["goes_wrong_at"], nullptr) << method["name"];
   }
   const json false_hit = report_of(ray, wrong, 1)["methods"].back();
-  EXPECT_EQ(false_hit["class_error"], true);
-  EXPECT_EQ(false_hit["standing"], "defect");
-  EXPECT_EQ(false_hit["goes_wrong_at"], "s");
+  expect_values(false_hit, {{"class_error", true}, {"standing", "defect"}, {"goes_wrong_at", "s"}});
   expect_parts(run(ray + " --candidate '" + wrong + "'").out,
                {"does not count: s = 0.25 lies before t_min = 0.5\n",
                 "false hit, which its own interval (0.5, inf) excludes; goes wrong at s"});
@@ -207,10 +163,11 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
 TEST(ValidRoots, that_do_not_count_are_explained) {
   const auto says = [](const std::string& conventions, const std::string& part) {
     const std::string scene = temporary_file(
-        "explained.toml", "[conventions]\n" + conventions +
-                              "\n[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\n"
-                              "near = -1\nleft = -1\nright = 1\nbottom = -1\ntop = 1\nwidth = 3\n"
-                              "height = 3\n[[sphere]]\ncentre = [0, 0, 5]\nradius = 2\n");
+        "explained.toml",
+        "[conventions]\n" + conventions +
+            "\n[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nnear = -1\nleft = "
+            "-1\nright = 1\nbottom = -1\ntop = 1\nwidth = 3\nheight = 3\n" +
+            sphere_text("0, 0, 5", "2"));
     expect_parts(run("explain " + scene + " --pixel 1,1", 0).out, {part});
   };
   // From the pixel at z = 9 the roots are 2 and 6.
@@ -228,14 +185,13 @@ TEST(ValidRoots, that_do_not_count_are_explained) {
 TEST(ValidRoots, make_the_picture_that_errors_are_held_against) {
   const std::string scene = temporary_file(
       "seen.toml",
-      "[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nnear = -1\n"
-      "left = -0.25\nright = 0.25\nbottom = -0.25\ntop = 0.25\nwidth = 9\nheight = 9\n"
-      "[[sphere]]\ncentre = [0, 0, 8]\nradius = 0.5\n"
-      "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1.5\n");
+      "[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nnear = -1\nleft = "
+      "-0.25\nright = 0.25\nbottom = -0.25\ntop = 0.25\nwidth = 9\nheight = 9\n" +
+          sphere_text("0, 0, 8", "0.5") + sphere_text("0, 0, 0", "1.5"));
   const std::string picture = temporary_file("seen.png", "");
   const auto shown = [&](const std::string& condition, int exit_code) {
     return report_of("image " + scene + " --what error --out " + picture,
-                     tracer("seen.py", condition, beyond("3")), exit_code);
+                     with_ends("seen.py", condition, beyond("3")), exit_code);
   };
   const json right = shown("s > 3", 0);
   EXPECT_EQ(right["error"]["wrong"]["defect"]["pixels"], 0) << right.dump(2);

@@ -1,20 +1,11 @@
 // Submissions that cheat or fail: they gain nothing, and the others are graded as if alone.
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// The points of right answers to what the attacks offer, `intersect` alone, and of all items.
 constexpr double kDeserved = 10, kPoints = 29;
@@ -51,8 +42,9 @@ const std::vector<Attack> kAttacks = {
 
 std::string all_items() { return std::string(kPixelZeroZero) + kNearestRoot + kNearestSphere; }
 
-TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
-  const Grading grading;
+class Attacks : public GradingTest {};
+
+TEST_F(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
   const std::string rubric = grading.short_rubric("reply_seconds = 2\n", all_items());
   std::vector<std::string> folders;
   for (const Attack& attack : kAttacks) {
@@ -94,7 +86,7 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
   }
 }
 
-TEST(Attacks, are_all_that_the_hostile_submission_knows) {
+TEST_F(Attacks, are_all_that_the_hostile_submission_knows) {
   std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/submissions/hostile.cpp");
   const std::size_t from = text.find("#define ATTACKS") + 15;
   text = text.substr(from, text.find("enum class", from) - from);
@@ -111,8 +103,7 @@ def can(how, path):
         return False
 )";
 
-TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
-  const Grading grading;
+TEST_F(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
   const std::string rubric = grading.short_rubric("", kNearestRoot);
   const std::string scene =
       grading.write("lecture7/behind.toml",
@@ -155,8 +146,7 @@ with open(sys.argv[2], 'w') as image:
         image.write('0 0 0\n' if pixel == '0 0 0' else '102 102 102\n')
 )";
 
-TEST(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_asked) {
-  const Grading grading;
+TEST_F(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_asked) {
   const std::string folder = grading.submit_built("grey", "rt.cpp", "first_sphere_wins");
   fs::rename(folder + "/first_sphere_wins.rt", folder + "/first_sphere_wins");
   grading.write("submissions/grey/grey.py", kGrey);
@@ -173,8 +163,7 @@ TEST(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_aske
   EXPECT_EQ(result["points"], 14) << "neither right nor wrong";
 }
 
-TEST(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
-  const Grading grading;
+TEST_F(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
   const std::string scenes = item_of("whole scenes", "points = 10",
                                      "[item.pictures]\nsources = [\"course\"]\ncases = 9\n");
   const std::string rubric =
@@ -196,8 +185,7 @@ TEST(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
                {"did not end, and computed next to nothing for 1 s (reply_seconds)"});
 }
 
-TEST(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
-  const Grading grading;
+TEST_F(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
   const std::string right = grading.submit("right", "rays.py");
   fs::create_directory_symlink(right, grading.path("submissions/link"));
   const std::string pipe = grading.path("submissions/pipe");

@@ -1,21 +1,10 @@
 // The figures of failing cases of functions: what a student's page of them has, and what is not in
 // it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// Whether the item's record has a case that its student is shown in a figure.
 bool has_figure(const json& item) {
@@ -159,8 +148,9 @@ std::string lecture_items() {
                  "\"direction-length@60\", \"scale@60\"]\ncases = 80\nrays = \"given\"\n");
 }
 
-TEST(Figures, have_the_numbers_of_their_items_text_and_are_the_same_when_made_again) {
-  const Grading grading;
+class Figures : public GradingTest {};
+
+TEST_F(Figures, have_the_numbers_of_their_items_text_and_are_the_same_when_made_again) {
   const std::string rubric = grading.short_rubric("", lecture_items());
   std::vector<std::string> all;
   for (const FigureSubject& subject : kFigureSubjects) {
@@ -191,32 +181,33 @@ Outcome graded_by(const Grading& grading, const std::string& items,
   return grading.grade(grading.short_rubric("tolerance = { ulp = 64 }\n", items), folders, out);
 }
 
-TEST(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
-  const Grading grading;
-  graded_by(grading, item_of("hit point", "points = 1", functions("hit-point", "course", 4)),
-            {grading.submit_built("mine", "rays.cpp", "float_directions")});
+/// The only panel of one who makes this mistake, by a rubric of this item.
+json only_panel(const Grading& grading, const std::string& item, const std::string& mistake) {
+  graded_by(grading, item, {grading.submit_built("mine", "rays.cpp", mistake)});
+  const json document = grading.figures("mine");
+  EXPECT_EQ(document["findings"].size(), 1u);
+  return panel_of(document, document["findings"][0]);
+}
+
+TEST_F(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
+  const json panel =
+      only_panel(grading, item_of("hit point", "points = 1", functions("hit-point", "course", 4)),
+                 "float_directions");
   const json failing = item(grading.result("mine"), "hit point")["failing"];
   ASSERT_FALSE(failing.is_null());
   EXPECT_EQ(failing["step"], "direction");
-  const json document = grading.figures("mine");
-  ASSERT_EQ(document["findings"].size(), 1u);
-  const json panel = panel_of(document, document["findings"][0]);
   const json yours = step_of(panel, "Q", "yours");
   EXPECT_EQ(numbers_of(yours["said"]), digits_of_record(failing["answer"]["got"]));
   expect_parts(panel["text"],
                {"(yours: for the ray that it makes itself)", "goes wrong at D (its own ray)"});
 }
 
-TEST(Figures, hold_a_submission_to_what_its_item_tolerates) {
+TEST_F(Figures, hold_a_submission_to_what_its_item_tolerates) {
   // Directions in floats are right to this item, and its hits go wrong at their root alone.
-  const Grading grading;
-  graded_by(grading,
-            item_of("root", "points = 1\ntolerance = { ulp = 1e11 }",
-                    functions("nearest-root", "course-behind", 4)),
-            {grading.submit_built("mine", "rays.cpp", "far_root")});
-  const json document = grading.figures("mine");
-  ASSERT_EQ(document["findings"].size(), 1u);
-  const json panel = panel_of(document, document["findings"][0]);
+  const json panel = only_panel(grading,
+                                item_of("root", "points = 1\ntolerance = { ulp = 1e11 }",
+                                        functions("nearest-root", "course-behind", 4)),
+                                "far_root");
   for (const json& verdict : panel["verdicts"]) {
     if (verdict["name"] != "yours") continue;
     const bool is_of_hit = verdict == verdict_of(panel, "yours");
@@ -238,9 +229,8 @@ std::string beside(const Grading& grading, const std::string& name) {
   return fs::path(grading.write("submissions/" + name + "/rays.py", text)).parent_path();
 }
 
-TEST(Figures, are_as_large_whatever_fails_that_is_hidden) {
+TEST_F(Figures, are_as_large_whatever_fails_that_is_hidden) {
   // Neither the page, its size, nor a link tells whether a hidden item fails.
-  const Grading grading;
   const std::string visible =
       item_of("open", "points = 1", functions("parameter", "course", 4, kGivenRays));
   const std::string hidden = "visibility = \"hidden\"";
@@ -268,8 +258,7 @@ TEST(Figures, are_as_large_whatever_fails_that_is_hidden) {
   EXPECT_FALSE(has(grading.file("", "index.html", "alone"), "figures.html"));
 }
 
-TEST(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fails_say_how) {
-  const Grading grading;
+TEST_F(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fails_say_how) {
   const std::string item =
       item_of("root", "points = 1", functions("parameter", "course", 4, kGivenRays));
   const std::string import = "import math, raycheck_candidate as rc\n";
@@ -295,8 +284,7 @@ TEST(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fail
   EXPECT_FALSE(has(grading.file("dies", "report.html"), "<b>no"));
 }
 
-TEST(Figures, have_hostile_names_as_text) {
-  const Grading grading;
+TEST_F(Figures, have_hostile_names_as_text) {
   const std::string name = "<b>x&\"' #?";
   graded_by(grading,
             item_of("<img src=x onerror=alert(1)> & \\\"'", "points = 1",
@@ -317,8 +305,7 @@ TEST(Figures, have_hostile_names_as_text) {
   expect_parts(document["findings"][0]["sentence"], {"<img src=x onerror=alert(1)>"});
 }
 
-TEST(Figures, are_of_functions_alone_and_go_when_what_was_wrong_is_mended) {
-  const Grading grading;
+TEST_F(Figures, are_of_functions_alone_and_go_when_what_was_wrong_is_mended) {
   const std::string drawn = grading.submit_built("drawn", "rt.cpp", "mirrored");
   const std::string mine = grading.submit_built("mine", "rays.cpp", "mirrored");
   graded_by(grading, kPixelZeroZero, {drawn, mine});

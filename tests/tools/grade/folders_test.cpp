@@ -1,29 +1,10 @@
 // What is not raycheck's own is neither replaced nor removed, and nothing is written into what was
 // handed in; and the folder in which a hand-in's renderer runs.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// One item, which the mirrored submission fails.
-constexpr const char* kShort = R"toml(
-[[item]]
-name = "pixel (0, 0)"
-points = 4
-[item.pictures]
-judge = "mask"
-scenes = ["lecture7/orientation.toml"]
-)toml";
 
 /// Every file below a folder, links as what they lead to.
 std::map<std::string, std::string> files_below(const std::string& folder) {
@@ -40,7 +21,7 @@ std::map<std::string, std::string> files_below(const std::string& folder) {
 class HostileOut : public testing::Test {
  public:
   HostileOut()
-      : rubric_(grading_.write("short.toml", kFormsOfBuilt + std::string(kShort))),
+      : rubric_(grading_.short_rubric("", kPixelZeroZero)),
         mine_(grading_.submit_built("mine", "rt.cpp", "mirrored")) {
     for (const char* name : {"README.txt", "CMakeLists.txt", "scene.toml", "results.json"}) {
       grading_.write(std::string("submissions/mine/") + name, "handed in");

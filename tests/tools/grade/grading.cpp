@@ -1,23 +1,9 @@
 #include "tests/tools/grade/grading.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <fstream>
 #include <regex>
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
-
-/// For the shell, whatever the text has.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
 
 /// Prints the document that is in a page, deflated.
 constexpr const char* kDocumentReader = R"py(import base64, re, sys, zlib
@@ -28,15 +14,11 @@ sys.stdout.buffer.write(zlib.decompress(base64.b64decode(found[0])))
 
 }  // namespace
 
-Grading::Grading() : folder_(temporary_file("grading", "") + ".d") {
-  fs::remove_all(folder_);
-  fs::create_directory(folder_);
-}
+Grading::Grading() : folder_(temporary_folder("grading")) {}
 
 Grading::~Grading() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
-  fs::remove(fs::path(folder_).replace_extension(), ignored);
 }
 
 std::string Grading::path(const std::string& name) const { return (folder_ / name).string(); }
@@ -220,11 +202,9 @@ scenes = [)" +
 }
 
 json item(const json& result, const std::string& name) {
-  for (const json& one : result["items"]) {
-    if (one["name"] == name) return one;
-  }
-  ADD_FAILURE() << "there is no item " << name << " in " << result.dump(2);
-  return {};
+  json one = found(result["items"], "name", name);
+  EXPECT_FALSE(one.is_null()) << "there is no item " << name << " in " << result.dump(2);
+  return one;
 }
 
 std::vector<std::string> items_that(const json& result, const std::string& state) {

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -55,12 +49,21 @@ class Grading {
   /// A file of a submission's results, empty where there is none, and its result.json.
   std::string file(const std::string& submission, const std::string& name,
                    const std::string& out = "out") const;
-  nlohmann::json result(const std::string& submission, const std::string& out = "out") const;
+  json result(const std::string& submission, const std::string& out = "out") const;
   /// What a submission's page of figures shows, as data.
-  nlohmann::json figures(const std::string& submission, const std::string& out = "out") const;
+  json figures(const std::string& submission, const std::string& out = "out") const;
 
  private:
-  std::filesystem::path folder_;
+  fs::path folder_;
+};
+
+/// Where it is not tried how submissions are kept, none is: each start of a program is cheaper.
+inline constexpr const char* kLimitsOnly = "--sandbox none --i-know ";
+
+/// A test with such a folder.
+class GradingTest : public testing::Test {
+ protected:
+  const Grading grading;
 };
 
 /// The [[form]]s of submissions that are built.
@@ -190,10 +193,10 @@ public class Discs {
 )";
 
 /// An item of a result.json, by its name.
-nlohmann::json item(const nlohmann::json& result, const std::string& name);
+json item(const json& result, const std::string& name);
 
 /// The names of the items in this state.
-std::vector<std::string> items_that(const nlohmann::json& result, const std::string& state);
+std::vector<std::string> items_that(const json& result, const std::string& state);
 
 /// A result or page with "T" for each time: how long it took differs from run to run, and so which
 /// of two equal submissions was built first.

@@ -1,24 +1,15 @@
 // A class in which some do harm: the others have the grades that they have alone.
 
-#include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <filesystem>
-#include <fstream>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "tests/tools/grade/grading.h"
-#include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// A disk of this size; empty where none can be made.
 class SmallDisk {
@@ -47,8 +38,9 @@ for k in range(14):
 time.sleep(60)
 )";
 
-TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
-  const Grading grading;
+class HostileClass : public GradingTest {};
+
+TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   const SmallDisk disk(grading.path("disk"), "300m");
   if (disk.path().empty()) GTEST_SKIP() << "no disk can be mounted here";
   const std::string rubric = grading.short_rubric("reply_seconds = 20\n", kNearestRoot);
@@ -62,9 +54,8 @@ TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   const Variable temporary("TMPDIR", disk.path());
   const Outcome together = grading.try_to_grade(rubric, all, "together", "--jobs 2");
   EXPECT_EQ(together.exit_code, 4) << together.out << together.err;
-  EXPECT_TRUE(has(together.out, "less than 256 MiB of disk left")) << together.out;
-  EXPECT_TRUE(has(together.out, "1 of them for causes outside: the same command tries again"))
-      << together.out;
+  expect_parts(together.out, {"less than 256 MiB of disk left",
+                              "1 of them for causes outside: the same command tries again"});
   EXPECT_FALSE(grading.result("fills", "together")["finished"]);
   for (const char* name : {"one", "two", "three"}) {
     EXPECT_EQ(without_times(grading.file(name, "result.json", "together")),
@@ -77,8 +68,7 @@ TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   EXPECT_TRUE(has(again.out, "its files take more than 40 MiB (disk_mib)")) << again.out;
 }
 
-TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {
-  const Grading grading;
+TEST_F(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {
   const std::string rubric = grading.short_rubric(
       "seconds = 2\nreply_seconds = 60\n",
       item_of("hit or miss", "points = 15", functions("class", "course", 9, kGivenRays)) +
@@ -92,9 +82,7 @@ TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_sp
     EXPECT_EQ(cut["state"], "not judged") << cut.dump(2);
     EXPECT_EQ(cut["reason"], json({{"kind", "time is up"}, {"seconds", 2}}));
   }
-  EXPECT_EQ(slow["score"], 0);
-  EXPECT_EQ(slow["points"], 40);
-  EXPECT_TRUE(slow["finished"]);
+  expect_values(slow, {{"score", 0}, {"points", 40}, {"finished", true}});
   EXPECT_TRUE(has(grading.file("slow", "report.html"),
                   "not judged: time is up: a submission has 2 s for "));
   std::string items;
@@ -108,8 +96,7 @@ TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_sp
   EXPECT_TRUE(has(grading.file("", "grades.csv"), said)) << grading.file("", "grades.csv");
 }
 
-TEST(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone) {
-  const Grading grading;
+TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone) {
   const std::string mark = "killed_" + std::to_string(getpid());
   const std::string victim =
       grading.submit("victim", "rays.py", "import time; time.sleep(2) # " + mark);
@@ -135,8 +122,7 @@ TEST(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone
   EXPECT_TRUE(killed["finished"]);
   // What kills itself is killed alone, too: that is its grade.
   const json itself = grading.result("suicide");
-  EXPECT_EQ(itself["score"], 0);
-  EXPECT_TRUE(itself["finished"]);
+  expect_values(itself, {{"score", 0}, {"finished", true}});
   EXPECT_TRUE(has(itself.dump(), "was killed by signal 9")) << itself.dump(2);
 }
 

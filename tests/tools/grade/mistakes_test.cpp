@@ -1,20 +1,12 @@
 // The classic mistakes of tests/submissions, graded by the rubric of the seventh lecture, and those
 // all in `float`, where doubles are asked for and where floats are fine.
 
-#include <gtest/gtest.h>
-
 #include <regex>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-using nlohmann::json;
 
 /// What a mistake costs.
 struct Mistake {
@@ -154,8 +146,7 @@ void expect_cost(const Grading& grading, const std::string& submission, const Mi
                  const Outcome& outcome) {
   SCOPED_TRACE(submission);
   const json result = grading.result(submission);
-  EXPECT_TRUE(result["refused"].is_null());
-  EXPECT_EQ(result["points"], 100);
+  expect_values(result, {{"refused", nullptr}, {"points", 100}});
   EXPECT_NEAR(result["score"].get<double>(), mistake.score, 0.005);
   std::string fails;
   for (const std::string& name : items_that(result, "fails"))
@@ -184,7 +175,7 @@ std::string expect_costs(const Grading& grading, const std::string& rubric, cons
   for (const Mistake& one : mistakes) {
     folders.push_back(grading.submit_built(one.name, file, one.name));
   }
-  const Outcome outcome = grading.grade(rubric, folders);
+  const Outcome outcome = grading.grade(rubric, folders, "out", kLimitsOnly);
   for (const Mistake& one : mistakes) expect_cost(grading, one.name, one, outcome);
   return outcome.out;
 }
@@ -277,7 +268,7 @@ Lost lost(const std::vector<std::pair<std::string, std::string>>& changes) {
       folders.push_back(grading.submit_built(file + "-" + mistake, file, mistake));
     }
   }
-  grading.grade(grading.lecture7_with(changes), folders);
+  grading.grade(grading.lecture7_with(changes), folders, "out", kLimitsOnly);
   const auto lost_by = [&](const std::string& name) {
     const json result = grading.result(name);
     Names names;

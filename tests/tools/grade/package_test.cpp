@@ -1,22 +1,12 @@
 // The zip file for Gradescope, unpacked and run as Gradescope does.
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <memory>
 #include <regex>
-#include <sstream>
-#include <string>
 
 #include "tests/tools/external/machine.h"
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// With its permissions, which zipfile alone leaves out.
 constexpr const char* kUnpack = R"py(import os, sys, zipfile

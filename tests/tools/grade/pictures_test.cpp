@@ -1,61 +1,42 @@
 // The pictures in students' pages: what was drawn, what is expected, and where they differ.
 
-#include <gtest/gtest.h>
-
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "tests/tools/grade/grading.h"
+#include "tests/tools/report/picture.h"
 
 namespace raycheck::tests {
 namespace {
 
-using nlohmann::json;
-
-/// Prints the pictures of a page as JSON: width, height, alt, and lines of colours from the top.
-constexpr const char* kReader = R"py(import base64, html, json, re, struct, sys, zlib
-def pixels(data):
-    assert data[:8] == b'\x89PNG\r\n\x1a\n'
-    at, idat = 8, b''
-    while at < len(data):
-        size, kind = struct.unpack('>I4s', data[at:at + 8])
-        body = data[at + 8:at + 8 + size]
-        if kind == b'IHDR':
-            width, height, depth, colour = struct.unpack('>IIBB', body[:10])
-            assert (depth, colour) == (8, 2)
-        if kind == b'IDAT':
-            idat += body
-        at += 12 + size
-    raw, before, lines = zlib.decompress(idat), bytes(3 * width), []
-    for y in range(height):
-        kind, line = raw[y * (3 * width + 1)], bytearray(raw[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)])
-        for k in range(3 * width):
-            a, b, c = (line[k - 3] if k > 2 else 0), before[k], (before[k - 3] if k > 2 else 0)
-            p = a + b - c
-            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
-            line[k] = line[k] + (0, a, b, (a + b) // 2, paeth)[kind] & 255
-        before = bytes(line)
-        lines.append([before[k:k + 3].hex() for k in range(0, 3 * width, 3)])
-    return lines
+/// Prints the pictures of a page as JSON: the size that it says, alt and bytes.
+constexpr const char* kReader = R"py(import base64, html, json, re, sys
 found = []
 for image in re.findall('<img [^>]*>', open(sys.argv[1]).read()):
     said = dict(re.findall('(\\w+)="([^"]*)"', image))
     kind, data = said['src'].split(',')
     assert kind == 'data:image/png;base64'
-    found.append({'width': int(said['width']), 'height': int(said['height']),
-                  'alt': html.unescape(said['alt']), 'lines': pixels(base64.b64decode(data, validate=True))})
+    found.append({'size': [int(said['width']), int(said['height'])], 'alt': html.unescape(said['alt']),
+                  'bytes': list(base64.b64decode(data, validate=True))})
 print(json.dumps(found))
 )py";
 
+struct ShownPicture {
+  std::string alt;
+  ReadPicture picture;
+};
+
 /// The pictures of a submission's page.
-json pictures_of(const Grading& grading, const std::string& name) {
+std::vector<ShownPicture> pictures_of(const Grading& grading, const std::string& name) {
   const std::string reader = grading.write("reader.py", kReader);
   const Outcome read =
       run_python("'" + reader + "' '" + grading.path("out/" + name + "/report.html") + "'", 0);
-  return read.exit_code == 0 ? json::parse(read.out) : json();
+  std::vector<ShownPicture> shown;
+  for (const json& one : json::parse(read.out)) {
+    const auto bytes = one["bytes"].get<std::vector<char>>();
+    shown.push_back({one["alt"], read_png({bytes.begin(), bytes.end()})});
+    // A mark has as many pixels on the page as in the file.
+    const ReadPicture& picture = shown.back().picture;
+    EXPECT_EQ(one["size"], (json{picture.width, picture.height})) << shown.back().alt;
+  }
+  return shown;
 }
 
 /// A picture of a record: "-", "?" or the sphere's number for each pixel, lines from the top.
@@ -87,9 +68,11 @@ json pictures_of_record(const Grading& grading, const std::string& name) {
   return item(grading.result(name), "seen")["failing"]["pictures"];
 }
 
-TEST(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
-  const Grading grading;
-  std::set<std::string> colours;
+class Pictures : public GradingTest {};
+
+TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
+  constexpr std::array<std::uint8_t, 3> kBlack = {}, kOrange = {0xe6, 0x9f, 0x00};
+  std::set<std::array<std::uint8_t, 3>> colours;
   const std::vector<std::string> mistakes = {"mirrored", "upside_down", "first_sphere_wins",
                                              "u_and_w_flipped"};
   std::vector<std::string> folders;
@@ -99,25 +82,26 @@ TEST(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
   grade_pictures(grading, folders);
   for (const std::string& mistake : mistakes) {
     const json recorded = pictures_of_record(grading, mistake);
-    const json shown = pictures_of(grading, mistake);
+    const auto shown = pictures_of(grading, mistake);
     ASSERT_EQ(shown.size(), 3u) << mistake;
-    const std::size_t width = shown[0]["width"], height = shown[0]["height"];
+    const auto width = static_cast<std::size_t>(shown[0].picture.width);
+    const auto height = static_cast<std::size_t>(shown[0].picture.height);
     std::size_t wrong = 0;
     const auto got = lines_of(recorded["got"], width), exact = lines_of(recorded["exact"], width);
     ASSERT_EQ(got.size(), height);
     ASSERT_EQ(exact.size(), height);
     for (std::size_t y = 0; y < height; ++y) {
       for (std::size_t x = 0; x < width; ++x) {
-        for (const auto& [lines, drawn] : {std::pair(got, shown[0]), {exact, shown[1]}}) {
-          const std::string colour = drawn["lines"][y][x];
-          EXPECT_EQ(colour == "000000", lines[y][x] == "-");
-          EXPECT_EQ(colour == "e69f00", lines[y][x] == "0");
+        for (const auto& [lines, drawn] : {std::pair(&got, &shown[0]), {&exact, &shown[1]}}) {
+          const auto& colour = drawn->picture.pixels.at(width * y + x);
+          EXPECT_EQ(colour == kBlack, (*lines)[y][x] == "-");
+          EXPECT_EQ(colour == kOrange, (*lines)[y][x] == "0");
           colours.insert(colour);
         }
         // A wrong pixel has a mark, a right one has none.
-        std::set<std::string> mark;
+        std::set<std::array<std::uint8_t, 3>> mark;
         for (std::size_t k = 0; k < 49; ++k) {
-          mark.insert(shown[2]["lines"][7 * y + k / 7][7 * x + k % 7].get<std::string>());
+          mark.insert(shown[2].picture.pixels.at((7 * y + k / 7) * 7 * width + 7 * x + k % 7));
         }
         EXPECT_EQ(mark.size(), got[y][x] == exact[y][x] ? 1u : 2u);
         wrong += got[y][x] == exact[y][x] ? 0 : 1;
@@ -126,28 +110,30 @@ TEST(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
     EXPECT_GT(wrong, 0u);
     const std::string counted =
         std::to_string(wrong) + " of " + std::to_string(width * height) + " pixels differ";
-    EXPECT_EQ(shown[2]["alt"].get<std::string>().find(counted), 0u) << shown[2]["alt"];
+    EXPECT_TRUE(shown[2].alt.starts_with(counted)) << shown[2].alt;
     expect_parts(grading.file(mistake, "results.json"), {"\\n" + counted});
   }
   EXPECT_GE(colours.size(), 3u) << "black and two spheres";
 }
 
-TEST(Pictures, that_are_withheld_are_not_there) {
+TEST_F(Pictures, that_are_withheld_are_not_there) {
   const std::vector<std::pair<std::string, std::size_t>> kinds = {
       {"", 3},
       {"detail = \"actual-only\"", 1},
       {"detail = \"nothing\"", 0},
       {"visibility = \"hidden\"", 0},
       {"visibility = \"after_published\"", 0}};
-  const Grading grading;
   const std::string folder = grading.submit_built("mine", "rt.cpp", "mirrored");
   for (const auto& [keys, count] : kinds) {
     grade_pictures(grading, {folder}, keys);
     const json recorded = pictures_of_record(grading, "mine");
     EXPECT_TRUE(recorded["got"].is_string() && recorded["exact"].is_string()) << keys;
-    const json shown = pictures_of(grading, "mine");
+    const auto shown = pictures_of(grading, "mine");
     ASSERT_EQ(shown.size(), count) << keys;
-    EXPECT_EQ(count > 0, has(shown.dump(), "\"yours, ")) << keys;
+    EXPECT_EQ(count > 0,
+              std::any_of(shown.begin(), shown.end(),
+                          [](const auto& one) { return one.alt.starts_with("yours, "); }))
+        << keys;
     EXPECT_EQ(has(grading.file("mine", "report.html"), "differ"), count == 3) << keys;
     const bool may_tell = count == 3 || keys == "visibility = \"after_published\"";
     EXPECT_EQ(has(grading.file("mine", "results.json"), "pixels differ"), may_tell)
@@ -155,9 +141,8 @@ TEST(Pictures, that_are_withheld_are_not_there) {
   }
 }
 
-/// The commands beside them are run by home_test.cpp.
-TEST(Pictures, are_the_same_later_with_commands_that_repeat_them) {
-  const Grading grading;
+/// The commands beside them are run by try_test.cpp.
+TEST_F(Pictures, are_the_same_later_with_commands_that_repeat_them) {
   const std::string folder = grading.submit_built("mine", "rt.cpp", "mirrored");
   grade_pictures(grading, {folder});
   const std::string page = grading.file("mine", "report.html");

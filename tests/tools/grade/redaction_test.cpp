@@ -1,23 +1,12 @@
 // What is withheld from students is in none of their files, in whatever words: every number there
 // is compared with every number that they are not to know.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// A number as it is written somewhere, and by how much what it stands for may differ.
 struct Written {

@@ -1,18 +1,11 @@
 // The files that `grade` writes, as those read them that they are for.
 
-#include <gtest/gtest.h>
-
 #include <regex>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-using nlohmann::json;
 
 /// 34 points for functions, an item hidden and one shown late, a bonus of 10, and an item that
 /// only renderers are asked.
@@ -34,10 +27,7 @@ json results(const Grading& grading, const std::string& name) {
 }
 
 json test_named(const json& results, const std::string& name) {
-  for (const json& one : results["tests"]) {
-    if (one["name"] == name) return one;
-  }
-  return {};
+  return found(results["tests"], "name", name);
 }
 
 constexpr const char* kOdd = "=1+1, \"quoted\"";
@@ -46,9 +36,9 @@ void expect_gradescope(const Grading& grading) {
   for (const char* name : {"right", "wrong", "broken"}) {
     const json all = results(grading, name);
     EXPECT_EQ(all["score"], grading.result(name)["score"]);
-    EXPECT_EQ(all["visibility"], "visible");
-    EXPECT_EQ(all["stdout_visibility"], "hidden");
-    EXPECT_EQ(all["output_format"], "text");
+    expect_values(
+        all,
+        {{"visibility", "visible"}, {"stdout_visibility", "hidden"}, {"output_format", "text"}});
     double sum = 0, most = 0;
     ASSERT_EQ(all["tests"].size(), 5u) << "whole scenes are not asked of programs";
     for (const json& one : all["tests"]) {
@@ -68,9 +58,7 @@ void expect_gradescope(const Grading& grading) {
   EXPECT_EQ(results(grading, "right")["score"], 44);
   const json wrong = results(grading, "wrong");
   const json root = test_named(wrong, "nearest root");
-  EXPECT_EQ(root["status"], "failed");
-  EXPECT_EQ(root["score"], 0);
-  EXPECT_EQ(root["max_score"], 10);
+  expect_values(root, {{"status", "failed"}, {"score", 0}, {"max_score", 10}});
   expect_parts(root["output"],
                {"mistake: s >= 0 is not tested", "hint: What does your code do",
                 "the smallest failing case", "[[sphere]]", "  got   ", "  exact miss"});
@@ -121,8 +109,7 @@ TEST(Results, of_a_class_are_what_each_system_reads) {
   expect_parts(table, {"\nright,44,", "\n\"'=1+1, \"\"quoted\"\"\",", ",columns are mirrored\n",
                        "\nbroken,,34,", ",could not be judged: g++ exited with 1\n"});
   const json report = json::parse(graded("json"));
-  EXPECT_EQ(report["rubric"], "A rubric");
-  EXPECT_EQ(report["interrupted"], false);
+  expect_values(report, {{"rubric", "A rubric"}, {"interrupted", false}});
   ASSERT_EQ(report["submissions"].size(), 4u);
   EXPECT_EQ(report["submissions"][1], grading.result(kOdd));
 }

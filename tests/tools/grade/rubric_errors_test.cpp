@@ -1,11 +1,5 @@
 // Rubrics and command lines that are wrong: nothing is graded, and it is said why.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
@@ -30,31 +24,31 @@ struct Wrong {
   std::string said;  ///< Line, field, value and what is wrong.
 };
 
+constexpr const char *kTitle = "title = \"A rubric\"", *kWorth = "points = 4",
+                     *kCases = "cases = 4", *kAsked = "[item.functions]\nlaws = [\"class\"]";
+
 const std::vector<Wrong> kWrong = {
     {"title", "titel", "1: titel = \"A rubric\": unknown key; rubric knows title, "},
-    {"title = \"A rubric\"", "title =", "1: not valid TOML: "},
-    {"title = \"A rubric\"", "seconds = 0", "1: seconds = 0: must be above 0"},
-    {"title = \"A rubric\"", "seconds = 1e9", "1: seconds = 1e9: must be above 0, and at most"},
-    {"title = \"A rubric\"", "driver = { preset = \"D\" }",
+    {kTitle, "title =", "1: not valid TOML: "},
+    {kTitle, "seconds = 0", "1: seconds = 0: must be above 0"},
+    {kTitle, "seconds = 1e9", "1: seconds = 1e9: must be above 0, and at most"},
+    {kTitle, "driver = { preset = \"D\" }",
      "1: driver.preset = \"D\": must be one of A, B, C, 2017, 2018, 2019, 2020, auto"},
-    {"title = \"A rubric\"", "tolerance = { ulp = 1, conditioning = 1 }",
+    {kTitle, "tolerance = { ulp = 1, conditioning = 1 }",
      "1: tolerance = (a table): has both ulp and conditioning; give one"},
-    {"title = \"A rubric\"", "tolerance = { ulp = -1 }", "1: tolerance.ulp = -1: must be 0 or"},
-    {"title = \"A rubric\"", "conventions = { samples = \"corners\" }",
+    {kTitle, "tolerance = { ulp = -1 }", "1: tolerance.ulp = -1: must be 0 or"},
+    {kTitle, "conventions = { samples = \"corners\" }",
      "1: conventions.samples = \"corners\": must be one of edges, centres"},
-    {"title = \"A rubric\"", "unjudged = 1.5", "1: unjudged = 1.5: must be between 0 and 1"},
-    {"title = \"A rubric\"", "driver = { preset = \"B:15\" }",
+    {kTitle, "unjudged = 1.5", "1: unjudged = 1.5: must be between 0 and 1"},
+    {kTitle, "driver = { preset = \"B:15\" }",
      "1: driver.preset = \"B:15\": 15 numbers: a sphere has one of 16, 17, "},
-    {"title = \"A rubric\"", "t_threshold = -1", "1: t_threshold = -1: must be 0 or more"},
-    {"title = \"A rubric\"", "precision = \"half\"", "1: precision = \"half\": must be one of"},
-    {"title = \"A rubric\"", "precision = \"single\"\ntolerance = { ulp = 1e10 }",
+    {kTitle, "t_threshold = -1", "1: t_threshold = -1: must be 0 or more"},
+    {kTitle, "precision = \"half\"", "1: precision = \"half\": must be one of"},
+    {kTitle, "precision = \"single\"\ntolerance = { ulp = 1e10 }",
      "2: tolerance.ulp = 1e10: allows every answer"},
-    {"title = \"A rubric\"", "bounds = \"direct/none\"",
-     "1: bounds = \"direct/none\": bounds none"},
-    {"title = \"A rubric\"", "limits = { file_mib = 0 }",
-     "1: limits.file_mib = 0: must be 1 to 1048576"},
-    {"title = \"A rubric\"", "limits = { file = 1 }",
-     "1: limits.file = 1: unknown key; limits knows seconds, "},
+    {kTitle, "bounds = \"direct/none\"", "1: bounds = \"direct/none\": bounds none"},
+    {kTitle, "limits = { file_mib = 0 }", "1: limits.file_mib = 0: must be 1 to 1048576"},
+    {kTitle, "limits = { file = 1 }", "1: limits.file = 1: unknown key; limits knows seconds, "},
     {"candidate = \"command:python3 {file}\"", "candidate = \"command:{program}\"",
      "4: form[0].candidate = \"command:{program}\": {program} is what build = \"auto\" makes"},
     {"candidate =", "build = \"auto\"\ncandidate =",
@@ -67,26 +61,26 @@ const std::vector<Wrong> kWrong = {
     {"name = \"one\"\n", "", "item[0].name: is missing"},
     {"\"one\"", "\"\"", "6: item[0].name = \"\": is empty"},
     {"points = 4\n", "", "item[0].points: is missing"},
-    {"points = 4", "points = -4", "7: item[0].points = -4: must be 0 to 10^9"},
-    {"points = 4", "points = 4\nbonus = 1", "8: item[0].bonus = 1: must be true or false"},
-    {"points = 4", "points = 4\ncredit = \"some\"",
+    {kWorth, "points = -4", "7: item[0].points = -4: must be 0 to 10^9"},
+    {kWorth, "points = 4\nbonus = 1", "8: item[0].bonus = 1: must be true or false"},
+    {kWorth, "points = 4\ncredit = \"some\"",
      "8: item[0].credit = \"some\": must be one of all, share, steps"},
-    {"points = 4", "points = 4\ncredit = \"steps\"", "item[0].steps: is missing: [[share, "},
-    {"points = 4", "points = 4\nsteps = [[1, 1]]",
+    {kWorth, "points = 4\ncredit = \"steps\"", "item[0].steps: is missing: [[share, "},
+    {kWorth, "points = 4\nsteps = [[1, 1]]",
      "8: item[0].steps = [[1, 1]]: goes with credit = \"steps\""},
-    {"points = 4", "points = 4\ncredit = \"steps\"\nsteps = [[1, 2]]",
+    {kWorth, "points = 4\ncredit = \"steps\"\nsteps = [[1, 2]]",
      "9: item[0].steps[0][1] = 2: must be between 0 and 1"},
-    {"points = 4", "points = 4\ncredit = \"steps\"\nsteps = [[1]]",
+    {kWorth, "points = 4\ncredit = \"steps\"\nsteps = [[1]]",
      "9: item[0].steps[0] = [1]: must be [share, credit]"},
-    {"points = 4", "points = 4\nrequires = [\"two\"]",
+    {kWorth, "points = 4\nrequires = [\"two\"]",
      "8: item[0].requires[0] = \"two\": is no item before this one"},
-    {"points = 4", "points = 4\nrequires = [\"one\"]",
+    {kWorth, "points = 4\nrequires = [\"one\"]",
      "8: item[0].requires[0] = \"one\": is no item before this one"},
-    {"points = 4", "points = 4\nvisibility = \"secret\"",
+    {kWorth, "points = 4\nvisibility = \"secret\"",
      "8: item[0].visibility = \"secret\": must be one of visible, after_due_date, "},
-    {"points = 4", "points = 4\ndetail = \"some\"",
+    {kWorth, "points = 4\ndetail = \"some\"",
      "8: item[0].detail = \"some\": must be one of full, actual-only, nothing"},
-    {"points = 4", "points = 4\ntolerance = { abs = 1 }",
+    {kWorth, "points = 4\ntolerance = { abs = 1 }",
      "8: item[0].tolerance.abs = 1: unknown key; item[0].tolerance knows ulp, conditioning"},
     {"\"class\"", "\"clas\"",
      "9: item[0].functions.laws[0] = \"clas\": is no law; `raycheck list`"},
@@ -95,28 +89,28 @@ const std::vector<Wrong> kWrong = {
     {"\"course\"", "\"courses\"",
      "10: item[0].functions.sources[0] = \"courses\": no source of cases is called 'courses'"},
     {"\"course\"", "\"distance@x\"", "10: item[0].functions.sources[0] = \"distance@x\": "},
-    {"cases = 4", "cases = 0", "11: item[0].functions.cases = 0: must be 1 to 1000000"},
-    {"cases = 4", "cases = 1.5", "11: item[0].functions.cases = 1.5: must be a whole number"},
+    {kCases, "cases = 0", "11: item[0].functions.cases = 0: must be 1 to 1000000"},
+    {kCases, "cases = 1.5", "11: item[0].functions.cases = 1.5: must be a whole number"},
     {"cases = 4\n", "", "item[0].functions.cases: is missing"},
     {"sources = [\"course\"]\n", "", "10: item[0].functions.cases = 4: goes with sources"},
     {"sources = [\"course\"]\ncases = 4\n", "", "names neither scenes nor sources"},
-    {"cases = 4", "cases = 4\nrays = \"yours\"",
+    {kCases, "cases = 4\nrays = \"yours\"",
      "12: item[0].functions.rays = \"yours\": must be one of own, given"},
-    {"cases = 4", "cases = 4\njudge = \"mask\"", "12: item[0].functions.judge = \"mask\": unknown"},
-    {"cases = 4", "cases = 4\nscenes = [\"nowhere.toml\"]",
+    {kCases, "cases = 4\njudge = \"mask\"", "12: item[0].functions.judge = \"mask\": unknown"},
+    {kCases, "cases = 4\nscenes = [\"nowhere.toml\"]",
      "12: item[0].functions.scenes[0] = \"nowhere.toml\": "},
     {"[item.functions]\nlaws = [\"class\"]\nsources = [\"course\"]\ncases = 4",
      "[item.pictures]\nscenes = [\"lecture7/fame.toml\"]",
      "item[0].pictures.scenes[0] = \"lecture7/fame.toml\": is neither beside the rubric nor a "
      "scene "
      "that comes with "},
-    {"cases = 4", "cases = 4\nscenes = [\"../up.toml\"]",
+    {kCases, "cases = 4\nscenes = [\"../up.toml\"]",
      "12: item[0].functions.scenes[0] = \"../up.toml\": must be a path below the rubric's folder"},
-    {"cases = 4", "cases = 4\nscenes = [\"/etc/passwd\"]",
+    {kCases, "cases = 4\nscenes = [\"/etc/passwd\"]",
      "12: item[0].functions.scenes[0] = \"/etc/passwd\": must be a path below"},
-    {"[item.functions]\nlaws = [\"class\"]", "[item.pictures]\njudge = \"masks\"",
+    {kAsked, "[item.pictures]\njudge = \"masks\"",
      "9: item[0].pictures.judge = \"masks\": must be one of spheres, mask"},
-    {"[item.functions]\nlaws = [\"class\"]", "[item.pictures]\nvary = [\"size\", \"colour\"]",
+    {kAsked, "[item.pictures]\nvary = [\"size\", \"colour\"]",
      "9: item[0].pictures.vary[1] = \"colour\": must be one of scale, size, spheres, border"},
     {"[item.functions]\nlaws = [\"class\"]\nsources = [\"course\"]\ncases = 4\n", "",
      "item[0].functions: is missing, and so is pictures: the item asks nothing"},
@@ -140,7 +134,7 @@ TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
     EXPECT_EQ(outcome.err.rfind("raycheck: " + rubric + ":", 0), 0u) << outcome.err;
     expect_parts(outcome.err, {said});
     EXPECT_EQ(outcome.out, "");
-    EXPECT_FALSE(std::filesystem::exists(grading.path("out"))) << text;
+    EXPECT_FALSE(fs::exists(grading.path("out"))) << text;
   }
   grading.grade(grading.write("rubric.toml", kRubric), {folder});
   EXPECT_EQ(grading.result("mine")["score"], 4);
@@ -148,7 +142,7 @@ TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
 
 TEST(Rubric, whose_scene_is_wrong_fails_with_the_line_of_both) {
   const Grading grading;
-  grading.write("scene.toml", "[[sphere]]\ncentre = [0, 0, 0]\nradius = -1\n");
+  grading.write("scene.toml", sphere_text("0, 0, 0", "-1"));
   std::string text = kRubric;
   text += "scenes = [\"scene.toml\"]\n";
   const Outcome outcome = run("grade '" + grading.write("rubric.toml", text) + "'", 2);
@@ -156,8 +150,9 @@ TEST(Rubric, whose_scene_is_wrong_fails_with_the_line_of_both) {
                              "scene.toml:3: sphere[0].radius = -1"});
 }
 
-TEST(GradeCommand, fails_with_2_and_grades_nothing) {
-  const Grading grading;
+class GradeCommand : public GradingTest {};
+
+TEST_F(GradeCommand, fails_with_2_and_grades_nothing) {
   const std::string mine = grading.submit("mine", "rays.py");
   const std::string again = grading.path("elsewhere/mine"),
                     taken = grading.write("taken", "a file");
@@ -167,15 +162,14 @@ TEST(GradeCommand, fails_with_2_and_grades_nothing) {
   expect_refused(asked + " " + again + out, again + ": " + mine + " has the same name, mine");
   expect_refused(asked + out + " --secret-file '" + grading.write("empty", "") + "'", "is empty");
   expect_refused(asked + " --out '" + taken + "'", "out " + taken + ": ");
-  EXPECT_FALSE(std::filesystem::exists(grading.path("out")));
+  EXPECT_FALSE(fs::exists(grading.path("out")));
   EXPECT_EQ(contents(taken), "a file");
 }
 
-TEST(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
-  const Grading grading;
+TEST_F(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
   const std::string other = grading.write("submissions/other/main.rb", "puts 1\n");
   const std::string nothing = grading.path("submissions/nothing");
-  std::filesystem::create_directories(nothing);
+  fs::create_directories(nothing);
   grading.grade(grading.short_rubric("", kNearestRoot),
                 {grading.path("submissions/other"), nothing, grading.submit("mine", "rays.py")});
   for (const auto& [name, why] : {std::pair("other", "there is nothing in it to build or run"),
@@ -187,8 +181,7 @@ TEST(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
   EXPECT_EQ(grading.result("mine")["score"], 10);
 }
 
-TEST(GradeCommand, grades_the_others_when_names_are_no_text) {
-  const Grading grading;
+TEST_F(GradeCommand, grades_the_others_when_names_are_no_text) {
   std::string rubric = kRubric;
   rubric.replace(rubric.find("rays.py"), 7, "*.py");
   const std::string text = contents(grading.submit("mine", "rays.py") + "/rays.py");

@@ -1,20 +1,10 @@
 // What a rubric's keys do to the points, and to what students see; the rubrics that come with
 // raycheck.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 /// The submission with this mistake, graded by a rubric of these items.
 json graded(const Grading& grading, const std::string& items, const std::string& file,
@@ -28,8 +18,9 @@ json graded(const Grading& grading, const std::string& items, const std::string&
   return result;
 }
 
-TEST(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
-  const Grading grading;
+class RubricKeys : public GradingTest {};
+
+TEST_F(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
   const std::string nearest = functions("nearest-sphere", "course", 40, kGivenRays);
   const std::string share = "points = 8\ncredit = \"share\"";
   const std::string steps = "points = 8\ncredit = \"steps\"\nsteps = ";
@@ -38,8 +29,7 @@ TEST(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
     const json result =
         graded(grading, item_of("one", keys, nearest), "rays.cpp", "first_sphere_wins");
     const json one = item(result, "one");
-    EXPECT_EQ(one["state"], "fails");
-    EXPECT_EQ(one["cases"], 40);
+    expect_values(one, {{"state", "fails"}, {"cases", 40}});
     EXPECT_GT(one["held"], 12) << "a share between the steps";
     EXPECT_LT(one["held"], 39);
     EXPECT_EQ(result["points"], 8);
@@ -60,8 +50,7 @@ TEST(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
   EXPECT_EQ(right["score"], 20) << "the last step gives but half";
 }
 
-TEST(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
-  const Grading grading;
+TEST_F(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
   const std::string nearest = functions("nearest-sphere", "course", 40, kGivenRays);
   const json result =
       graded(grading,
@@ -69,8 +58,7 @@ TEST(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
                  item_of("second", "points = 4\ncredit = \"share\"", nearest) +
                  item_of("other", "points = 2", functions("class", "course", 40, kGivenRays)),
              "rays.cpp", "first_sphere_wins");
-  EXPECT_EQ(item(result, "first")["state"], "fails");
-  EXPECT_EQ(item(result, "first")["score"], 0);
+  expect_values(item(result, "first"), {{"state", "fails"}, {"score", 0}});
   const json second = item(result, "second");
   EXPECT_EQ(second["state"], "follows");
   EXPECT_LT(second["held"], second["cases"]);
@@ -80,39 +68,31 @@ TEST(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
   EXPECT_EQ(result["score"], 6);
 }
 
-TEST(RubricKeys, requires_leaves_out_what_cannot_be_right) {
-  const Grading grading;
-  const std::string frame = functions("frame", "course", 40, kGivenRays);
-  const std::string own = functions("frame", "course", 9);
-  const std::string image = "[item.pictures]\nsources = [\"course\"]\ncases = 2";
-  const json result =
-      graded(grading,
-             item_of("frame", "points = 1", own) + item_of("seen", "points = 2", image) +
-                 item_of("hit", "points = 4\nrequires = [\"seen\"]",
-                         functions("class", "course", 40, kGivenRays)) +
-                 item_of("after", "points = 8\nrequires = [\"hit\", \"frame\"]",
-                         functions("class", "course", 40, kGivenRays)) +
-                 item_of("later", "points = 16\nrequires = [\"after\"]",
-                         functions("class", "course", 40, kGivenRays)),
-             "rays.cpp", "u_flipped");
+TEST_F(RubricKeys, requires_leaves_out_what_cannot_be_right) {
+  const std::string hits = functions("class", "course", 40, kGivenRays);
+  const json result = graded(
+      grading,
+      item_of("frame", "points = 1", functions("frame", "course", 9)) +
+          item_of("seen", "points = 2", "[item.pictures]\nsources = [\"course\"]\ncases = 2") +
+          item_of("hit", "points = 4\nrequires = [\"seen\"]", hits) +
+          item_of("after", "points = 8\nrequires = [\"hit\", \"frame\"]", hits) +
+          item_of("later", "points = 16\nrequires = [\"after\"]", hits),
+      "rays.cpp", "u_flipped");
   EXPECT_EQ(item(result, "frame")["state"], "fails");
-  EXPECT_EQ(item(result, "seen")["state"], "not asked");
-  EXPECT_EQ(item(result, "seen")["points"], 0);
+  expect_values(item(result, "seen"), {{"state", "not asked"}, {"points", 0}});
   EXPECT_EQ(item(result, "hit")["state"], "holds") << "what is not asked holds nobody up";
-  EXPECT_EQ(item(result, "after")["state"], "left out");
-  EXPECT_EQ(item(result, "after")["reason"],
-            json({{"kind", "needs"}, {"item", "frame"}, {"state", "fails"}}));
+  expect_values(item(result, "after"),
+                {{"state", "left out"},
+                 {"reason", json({{"kind", "needs"}, {"item", "frame"}, {"state", "fails"}})}});
   EXPECT_EQ(item(result, "later")["reason"],
             json({{"kind", "needs"}, {"item", "after"}, {"state", "left out"}}));
   const std::string page = grading.file("u_flipped", "report.html");
   expect_parts(page, {"left out: it needs &#39;frame&#39;, which fails<",
                       "left out: it needs &#39;after&#39;, which is left out<"});
-  EXPECT_EQ(result["score"], 4);
-  EXPECT_EQ(result["points"], 29);
+  expect_values(result, {{"score", 4}, {"points", 29}});
 }
 
-TEST(RubricKeys, tolerance_of_the_item_or_else_of_the_rubric_decides_what_floats_are_worth) {
-  const Grading grading;
+TEST_F(RubricKeys, tolerance_of_the_item_or_else_of_the_rubric_decides_what_floats_are_worth) {
   const auto judged = [&](const std::string& tolerance, const std::string& mistake,
                           const std::string& of_rubric = "") {
     const json result = graded(
@@ -135,8 +115,7 @@ TEST(RubricKeys, tolerance_of_the_item_or_else_of_the_rubric_decides_what_floats
   EXPECT_EQ(judged("tolerance = { conditioning = 1 }", "none"), 1);
 }
 
-TEST(RubricKeys, judge_mask_counts_whether_a_sphere_is_seen_and_not_which) {
-  const Grading grading;
+TEST_F(RubricKeys, judge_mask_counts_whether_a_sphere_is_seen_and_not_which) {
   const std::string scenes = "\nscenes = [\"lecture7/overlap.toml\"]";
   const auto items =
       item_of("mask", "points = 1", "[item.pictures]\njudge = \"mask\"" + scenes) +
@@ -155,8 +134,7 @@ TEST(RubricKeys, judge_mask_counts_whether_a_sphere_is_seen_and_not_which) {
 
 /// What students read of an item that is withheld so, in report.html and results.json; numbers are
 /// those of redaction_test.cpp.
-TEST(RubricKeys, detail_and_visibility_withhold_what_they_say) {
-  const Grading grading;
+TEST_F(RubricKeys, detail_and_visibility_withhold_what_they_say) {
   for (const char* format : {"gradescope", "prairielearn"}) {
     const auto read = [&](const std::string& keys) {
       graded(grading,
@@ -231,8 +209,7 @@ TEST(RubricScenes, lie_beside_the_rubric_before_they_are_those_that_come_with_ra
   expect_parts(refused.err, {beside});
 }
 
-TEST(RubricKeys, why_is_said_beside_what_is_asked) {
-  const Grading grading;
+TEST_F(RubricKeys, why_is_said_beside_what_is_asked) {
   const std::string asked = "points = 4\nasks = \"U & V\"\nwhy = \"A <b> left hand\"";
   grading.grade(grading.short_rubric("", item_of("frame", asked, functions("frame", "course", 6))),
                 {grading.submit_built("wrong", "rays.cpp", "u_flipped"),

@@ -1,25 +1,14 @@
 // What is kept between runs: nothing is built or asked twice, and nothing else is believed.
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-namespace fs = std::filesystem;
-using nlohmann::json;
-
-/// Without a sandbox, so that builds and programs may say, in files of the test, that they were
-/// started.
-constexpr const char* kUnkept = "--sandbox none --i-know --format json ";
+/// Builds and programs may say, in files of the test, that they were started.
+const std::string kUnkept = std::string(kLimitsOnly) + "--format json ";
 
 /// A library of functions that is right about spheres; what it does when it starts comes first.
 constexpr const char* kHits = R"(
@@ -178,15 +167,20 @@ TEST_F(Store, builds_equal_submissions_once_and_asks_what_has_changed_or_was_not
       rubric(10), {folder, submit("two", "rays.py", kHits), submit("three", "rays.py", kHits)});
   EXPECT_EQ(lines("builds"), 1u);
   for (const json& one : report["submissions"]) EXPECT_EQ(one["score"], 10);
-  const std::size_t starts = lines("starts");
-  submit("mine", "rays.py", std::string(kHits) + "# changed\n");
-  graded(rubric(10), {folder});
-  EXPECT_EQ(lines("builds"), 2u);
-  EXPECT_GT(lines("starts"), starts);
-  const std::size_t then = lines("starts");
-  graded(rubric(10, "[conventions]\nroot = \"smaller\"\n"), {folder});
-  EXPECT_EQ(lines("builds"), 2u);
-  EXPECT_GT(lines("starts"), then) << "other requests";
+  const auto asked_again = [&](const std::string& keys, const std::string& more = "") {
+    const std::size_t before = lines("starts");
+    const auto by = rubric(10, keys);
+    const json now = json::parse(grading.grade(by, {folder}, "out", kUnkept + more).out);
+    EXPECT_GT(lines("starts"), before) << keys << more;
+    EXPECT_EQ(lines("builds"), 2u);
+    return now["submissions"][0];
+  };
+  std::string misses = kHits;
+  misses.insert(misses.find("    P, D = ray"), "    return None\n");
+  submit("mine", "rays.py", misses);
+  EXPECT_EQ(asked_again("")["score"], 0) << "another text";
+  asked_again("[conventions]\nroot = \"smaller\"\n");
+  EXPECT_EQ(asked_again("", "--seed 2")["seed"], 2);
 }
 
 TEST_F(Store, refuses_what_is_not_as_it_was_kept) {
@@ -245,7 +239,7 @@ TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
   std::vector<std::string> folders;
   for (const char* name : {"ada", "ben", "cleo"}) folders.push_back(submit(name, "rays.py", kHits));
   const json whole = graded(rubric(10), folders, "whole");
-  const std::string asked = "--sandbox none --i-know --shard ";
+  const std::string asked = std::string(kLimitsOnly) + "--shard ";
   EXPECT_EQ(grading.grade(rubric(10), folders, "out", asked + "2/2").out, "");
   EXPECT_TRUE(fs::exists(grading.path("out/ben/result.json")));
   EXPECT_FALSE(fs::exists(grading.path("out/ada/result.json")));
@@ -255,7 +249,7 @@ TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
   EXPECT_FALSE(fs::exists(grading.path("out/index.html")));
   const std::size_t starts = lines("starts");
   grading.grade(rubric(10), folders, "out", asked + "1/1");
-  const json merged = printed_json("merge --sandbox none --i-know " + grading.path("out"), 0);
+  const json merged = printed_json("merge " + (kLimitsOnly + grading.path("out")), 0);
   EXPECT_EQ(lines("starts"), starts);
   ASSERT_EQ(merged["submissions"].size(), folders.size());
   for (std::size_t k = 0; k < folders.size(); ++k) {

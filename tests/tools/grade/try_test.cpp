@@ -1,20 +1,10 @@
 // What students do at home: `try` says what `grade` says, and the commands that their pages name
 // are run in a copy of the hand-in.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// The files of a folder that students are given.
 std::map<std::string, std::string> files_of(const std::string& folder) {
@@ -94,22 +84,10 @@ TEST(TryCommand, shows_what_students_may_see_and_counts_all) {
 }
 
 /// Enough to fail by what is wrong with the camera.
-constexpr const char* kFewPictures = R"(
-[[item]]
-name = "a few pictures"
-points = 10
-[item.pictures]
-judge = "mask"
-scenes = ["lecture7/wide.toml", "lecture7/orientation.toml"]
-)";
-
-/// What stands behind `label` in its first line of a report; empty: nowhere.
-std::string stands_behind(const std::string& report, const std::string& label) {
-  const std::size_t at = report.find("\n  " + label);
-  if (at == std::string::npos) return "";
-  const std::size_t begin = at + 3 + label.size();
-  return report.substr(begin, report.find('\n', begin) - begin);
-}
+const std::string kFewPictures =
+    item_of("a few pictures", "points = 10",
+            "[item.pictures]\njudge = \"mask\"\n"
+            "scenes = [\"lecture7/wide.toml\", \"lecture7/orientation.toml\"]");
 
 /// Tries a hand-in with a mistake, and does in a copy of its folder what the report says of the
 /// first item that fails.
@@ -118,10 +96,9 @@ void expect_the_commands_to_work(const Grading& grading, const std::string& hand
   const std::string rubric = grading.write("few.toml", head + kAsTheyCome + kFewPictures);
   const Outcome tried =
       run("try '" + rubric + "' '" + hand_in + "' --out '" + grading.path("out") + "'", 1);
-  const std::string build =
-      stands_behind(tried.out, "Build it as here, in a copy of your folder: ");
-  const std::string draw = stands_behind(tried.out, "Draw it: ");
-  const std::string check = stands_behind(tried.out, "Judge every pixel of it: ");
+  const std::string build = behind("\n  Build it as here, in a copy of your folder: ", tried.out);
+  const std::string draw = behind("\n  Draw it: ", tried.out);
+  const std::string check = behind("\n  Judge every pixel of it: ", tried.out);
   ASSERT_FALSE(build.empty()) << tried.out;
   ASSERT_FALSE(draw.empty()) << tried.out;
   ASSERT_FALSE(check.empty()) << tried.out;

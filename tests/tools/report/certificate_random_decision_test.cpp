@@ -2,15 +2,6 @@
 // witness of each that is excused, and proves of each defect anew that nothing nearby excuses it.
 // RAYCHECK_DECISIONS says how many of each are tried.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
 #include "tests/reference/random_cases.h"

@@ -2,17 +2,6 @@
 // which knows nothing of this project. The candidates are the methods, held to a bound of 0 so that
 // every rounding is a discrepancy, and the mutants, which are wrong in every way there is.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <set>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"

@@ -1,13 +1,5 @@
 // A certificate that was tampered with is refuted: in its claim, its input or its proof.
 
-#include <gtest/gtest.h>
-
-#include <cstdint>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "tests/tools/report/certificates.h"
 
 namespace raycheck::tests {
@@ -58,7 +50,7 @@ void expect_refuted(const ordered_json& certificate, const std::vector<Tampering
 
 TEST(TamperedCertificates, of_a_class_are_refuted) {
   const auto certificate =
-      of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
+      of_quantity(certificates_of(kFalseHit + " --intersect quadratic"), "class");
   expect_refuted(certificate, {{"/wrong", R"("missed")"},
                                {"/got", "[]"},
                                {"/exact", "[[1, 35]]"},
@@ -72,7 +64,7 @@ TEST(TamperedCertificates, of_a_class_are_refuted) {
 }
 
 TEST(TamperedCertificates, of_a_parameter_are_refuted) {
-  const auto certificates = certificates_of(std::string(kLostDigits) + " --intersect quadratic");
+  const auto certificates = certificates_of(kLostDigits + " --intersect quadratic");
   const auto parameter = of_quantity(certificates, "parameter");
   const ordered_json s = parameter.at(Pointer("/proof/spheres/0/s"));
   const std::string low = s.at(0);
@@ -101,8 +93,8 @@ TEST(TamperedCertificates, of_a_parameter_are_refuted) {
 }
 
 TEST(TamperedCertificates, of_the_nearest_sphere_are_refuted) {
-  const auto certificate = of_quantity(
-      certificates_of(std::string(kNearestByAnUlp) + " --intersect quadratic"), "nearest sphere");
+  const auto certificate =
+      of_quantity(certificates_of(kNearestByAnUlp + " --intersect quadratic"), "nearest sphere");
   expect_refuted(certificate, {{"/exact", "[[0, 0]]"},
                                {"/exact", "[]"},
                                {"/got", "[[1, 0]]"},
@@ -152,8 +144,7 @@ TEST(TamperedCertificates, of_a_witness_are_refuted) {
 }
 
 TEST(TamperedCertificates, of_a_defect_are_not_proved) {
-  const auto defect =
-      of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
+  const auto defect = of_quantity(certificates_of(kFalseHit + " --intersect quadratic"), "class");
   const auto said = [](const ordered_json& one) { return script_on({one}).out; };
   EXPECT_TRUE(has(said(defect), "; proved wrong for all inputs nearby"));
   ordered_json wide = defect;
@@ -165,8 +156,7 @@ TEST(TamperedCertificates, of_a_defect_are_not_proved) {
 }
 
 TEST(TamperedCertificates, of_a_camera_are_refuted) {
-  const auto certificates =
-      certificates_of(std::string(kFarSphere) + " --intersect quadratic --top 40");
+  const auto certificates = certificates_of(kFarSphere + " --intersect quadratic --top 40");
   const auto class_error = of_quantity(certificates, "class");
   expect_refuted(class_error, {{"/wrong", R"("missed")"},
                                {"/pixel/0"},

@@ -1,15 +1,5 @@
 // --certificates, and the script that confirms what it writes without the program.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "tests/tools/report/certificates.h"
 
 namespace raycheck::tests {
@@ -18,8 +8,7 @@ namespace {
 std::string script(const std::string& path) { return "tools/verify_certificates.py " + path; }
 
 TEST(Certificates, are_confirmed_by_a_script_that_knows_only_fractions) {
-  const Outcome result =
-      script_on(certificates_of(std::string(kFarSphere) + " --intersect quadratic"));
+  const Outcome result = script_on(certificates_of(kFarSphere + " --intersect quadratic"));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(
       has(result.out, "confirmed  direct/quadratic: class, pixel (2, 0), sphere 0: false hit"));
@@ -39,7 +28,7 @@ TEST(Certificates, are_as_many_as_the_discrepancies_shown_excused_ones_too) {
   for (const char* options : {" --all", " --all --max-ulp 0 --top 3"}) {
     std::string report;
     const auto certificates =
-        certificates_of(std::string(kNearestByAnUlp) + options + " --format json", &report);
+        certificates_of(kNearestByAnUlp + options + " --format json", &report);
     const ordered_json parsed = ordered_json::parse(report);
     std::size_t at = 0;
     for (const auto& candidate : parsed.at("candidates")) {
@@ -72,16 +61,16 @@ std::string documented(const std::string& language) {
 }
 
 TEST(Certificates, look_as_documented) {
-  const auto certificates = certificates_of(std::string(kFalseHit) + " --intersect quadratic");
+  const auto certificates = certificates_of(kFalseHit + " --intersect quadratic");
   ASSERT_EQ(certificates.size(), 1u);
   EXPECT_EQ(certificates[0], ordered_json::parse(documented("json")));
 }
 
 TEST(Certificates, of_given_rays_are_confirmed_by_the_documented_lines) {
   const std::string lines = temporary_file("lines.py", documented("python"));
-  const auto printed_on = [&](const char* scene) {
+  const auto printed_on = [&](const std::string& scene) {
     const std::string path = temporary_file("given.jsonl", "");
-    run(std::string("check ") + scene + " --intersect quadratic --certificates " + path);
+    run("check " + scene + " --intersect quadratic --certificates " + path);
     const Outcome result = run_python(lines + " " + path, 0);
     return result.out;
   };
@@ -92,10 +81,11 @@ TEST(Certificates, of_given_rays_are_confirmed_by_the_documented_lines) {
 }
 
 TEST(Certificates, say_when_no_brackets_show_a_tie) {
-  const std::string scene = temporary_file("tie.toml",
-                                           "[camera]\neye=[0,0,0]\nlook_at=[1,1,1]\nup=[0,1,0]\n"
-                                           "near=-4\nleft=-3\nright=3\nbottom=0\ntop=1\nwidth=2\n"
-                                           "height=2\n[[sphere]]\ncentre=[0,0,0]\nradius=5\n");
+  const std::string scene =
+      temporary_file("tie.toml",
+                     "[camera]\neye=[0,0,0]\nlook_at=[1,1,1]\nup=[0,1,0]\nnear=-4\nleft=-3\nright="
+                     "3\nbottom=0\ntop=1\nwidth=2\nheight=2\n" +
+                         sphere_text("0,0,0", "5"));
   const auto certificates = certificates_of(scene + " --rays lecture --max-ulp 0 --top 100");
   const auto tie = of_quantity(certificates, "class");
   EXPECT_EQ(tie.at("certified"), false);
@@ -135,7 +125,7 @@ for path in sys.argv[1:]:
 
 TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) {
   const auto certificate =
-      of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
+      of_quantity(certificates_of(kFalseHit + " --intersect quadratic"), "class");
   std::vector<std::pair<std::string, std::string>> lines = {
       {"no certificate", "it is not JSON"},
       {"", "it is not JSON"},
@@ -198,8 +188,7 @@ TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) 
 }
 
 TEST(VerifyCertificates, prints_nothing_that_acts_on_a_terminal) {
-  auto certificate =
-      of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
+  auto certificate = of_quantity(certificates_of(kFalseHit + " --intersect quadratic"), "class");
   certificate["method"] = "\x1b[31mmine";
   EXPECT_EQ(script_on({certificate}).out.rfind("confirmed  \\x1b[31mmine: class", 0), 0u);
 }

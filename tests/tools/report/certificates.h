@@ -1,12 +1,5 @@
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -14,11 +7,10 @@ namespace raycheck::tests {
 using nlohmann::ordered_json;
 
 // Scenes whose textbook discrepancies are certified here.
-inline constexpr const char* kFalseHit = "tests/regressions/far-point-textbook-sees-a-hit.toml";
-inline constexpr const char* kLostDigits =
-    "tests/regressions/far-sphere-textbook-loses-digits.toml";
-inline constexpr const char* kNearestByAnUlp = "tests/regressions/nearest-by-one-ulp.toml";
-inline constexpr const char* kFarSphere = "scene/examples/far-sphere.toml";
+inline const std::string kFalseHit = "tests/regressions/far-point-textbook-sees-a-hit.toml";
+inline const std::string kLostDigits = "tests/regressions/far-sphere-textbook-loses-digits.toml";
+inline const std::string kNearestByAnUlp = "tests/regressions/nearest-by-one-ulp.toml";
+inline const std::string kFarSphere = "scene/examples/far-sphere.toml";
 
 /// The certificates of `check ARGUMENTS`; `report`, if given, becomes what it printed.
 inline std::vector<ordered_json> certificates_of(const std::string& arguments,

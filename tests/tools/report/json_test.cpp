@@ -3,20 +3,7 @@
 
 #include "tools/report/json.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <functional>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <regex>
-#include <set>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "properties/quantile_sketch.h"
 #include "tests/tools/program.h"
@@ -24,8 +11,6 @@
 
 namespace raycheck::tests {
 namespace {
-
-using nlohmann::json;
 
 /// A command's reports, which between them have every key that it can print.
 struct Reports {
@@ -78,16 +63,13 @@ const std::vector<json>& printed(const Reports& reports) {
   std::vector<json>& found = known[reports.command];
   for (std::size_t k = found.size(); k < reports.arguments.size(); ++k) {
     std::string arguments = reports.arguments[k] + " --format json";
-    const std::string out = temporary_file("report", "") + ".d";
-    std::filesystem::create_directories(out);
     if (const std::size_t at = arguments.find("OUT"); at != std::string::npos) {
-      arguments.replace(at, 3, out + "/out");
+      arguments.replace(at, 3, temporary_folder("report") + "/out");
     }
     const Outcome outcome = run(arguments);
     EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << arguments << outcome.err;
     found.push_back(json::parse(outcome.out, nullptr, false));
     EXPECT_TRUE(found.back().is_object()) << arguments;
-    std::filesystem::remove_all(out);
   }
   return found;
 }

@@ -1,14 +1,9 @@
 #pragma once
 
-#include <gtest/gtest.h>
 #include <png.h>
 
 #include <array>
-#include <cstdint>
 #include <cstring>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "tests/tools/program.h"
 

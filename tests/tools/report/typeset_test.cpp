@@ -1,13 +1,5 @@
 #include "tools/report/typeset.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "reference/exact_ray.h"
 #include "tests/reference/random_cases.h"
 #include "tests/tools/program.h"

@@ -1,35 +1,25 @@
 // Campaigns in shards: whatever did which units, merge reports what one run does.
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <memory>
-#include <nlohmann/json.hpp>
+#include <limits>
 #include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "tests/tools/limited_run.h"
+#include "properties/quantile_sketch.h"
 #include "tests/tools/program.h"
+#include "tools/shards/run_units.h"
 #include "tools/shards/units.h"
 
 namespace raycheck::tests {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// A folder that is not there yet, and goes with the test.
 std::string fresh_folder(const std::string& name) {
-  static const TestFolder all;
-  return (all.path() / name).string();
+  static const std::string all = temporary_folder("shards");
+  return all + "/" + name;
 }
 
 std::vector<fs::path> units_in(const std::string& folder) {
@@ -111,15 +101,8 @@ TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
   std::size_t all = units_in(fresh_folder("none")).size();
   for (int kills = 0; kills < 5; ++kills) {
     const std::size_t until = units_in(folder).size() + random() % 3;
-    const pid_t child = fork();
-    if (child == 0) {
-      execl("/bin/sh", "sh", "-c",
-            fmt::format("cd {} && exec {} {} --threads 1 --out {} >/dev/null 2>&1",
-                        RAYCHECK_SOURCE_DIR, RAYCHECK_BINARY, asked(), folder)
-                .c_str(),
-            nullptr);
-      _exit(127);
-    }
+    const pid_t child = start_shell(fmt::format("exec {} {} --threads 1 --out {} >/dev/null 2>&1",
+                                                RAYCHECK_BINARY, asked(), folder));
     int status = 0;
     bool is_over = false;
     EXPECT_TRUE(eventually([&] {
@@ -334,6 +317,50 @@ TEST(Shards, that_measure_times_there_are_none) {
     const Outcome outcome = run(std::string(command) + " --shard 1/2", 2);
     EXPECT_TRUE(has(outcome.err, "--shard")) << outcome.err;
   }
+}
+
+const tools::CampaignIdentity kCampaign = {"properties", {"--cases", "2"}, "1", {}};
+
+TEST(Units, are_each_done_by_one_shard) {
+  std::vector<int> done(100);
+  for (std::int64_t k = 1; k <= 7; ++k) {
+    tools::Units shard(kCampaign, fresh_folder("one"), {k, 7, {}});
+    for (const std::int64_t unit : shard.open(100)) ++done[static_cast<std::size_t>(unit)];
+  }
+  EXPECT_EQ(done, std::vector<int>(100, 1));
+}
+
+TEST(Units, that_contradict_each_other_are_named) {
+  const std::string a = fresh_folder("a"), b = fresh_folder("b");
+  for (const auto& [folder, result] : {std::pair(a, "one"), {b, "another"}}) {
+    tools::Units units(kCampaign, folder, {});
+    units.open(1);
+    units.write(0, result);
+  }
+  tools::Units both(kCampaign, std::vector<fs::path>{a, b});
+  both.open(1);
+  try {
+    both.read(0);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_TRUE(has(error.what(), "contradict each other")) << error.what();
+    EXPECT_TRUE(has(error.what(), a));
+    EXPECT_TRUE(has(error.what(), b));
+  }
+}
+
+TEST(Units, keep_every_bit_of_a_sketch) {
+  properties::QuantileSketch sketch;
+  const double kTiny = std::numeric_limits<double>::denorm_min();
+  for (const double x :
+       {0.0, kTiny, 3 * kTiny, 0x1.23456789p-1030, 0.1, 0.1, 1e300,
+        std::numeric_limits<double>::max(), std::numeric_limits<double>::infinity()}) {
+    sketch.add(x);
+  }
+  for (int k = 0; k < 3000; ++k) sketch.add(k * 0.37);
+  const auto again = tools::from_bytes<properties::QuantileSketch>(tools::to_bytes(sketch));
+  EXPECT_TRUE(again == sketch);
+  EXPECT_EQ(again.quantile(0.999), sketch.quantile(0.999));
 }
 
 }  // namespace

@@ -1,31 +1,14 @@
 #include <fmt/core.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <nlohmann/json.hpp>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
 
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
 
-using nlohmann::json;
-
 json document_of(const std::string& arguments) { return printed_json("view " + arguments, 0); }
 
-double number(const json& text) { return std::strtod(text.get<std::string>().c_str(), nullptr); }
-
 const json& panel_of(const json& scene, int i, int j) {
-  for (const json& panel : scene["panels"]) {
-    if (panel["pixel"] == json{i, j}) return panel;
-  }
-  throw std::runtime_error("no such panel");
+  return found(scene["panels"], "pixel", json{i, j});
 }
 
 /// The figure of a camera 3 x 3 that looks along -z and of these spheres, everything times `scale`.
@@ -37,9 +20,8 @@ json figure_of(double scale, const std::string& spheres) {
 /// What is shown of a ray and a sphere.
 json panel_of_given(const std::string& origin, const std::string& direction,
                     const std::string& centre, const std::string& radius) {
-  const std::string file = temporary_file(
-      "view.toml", "[[ray]]\norigin = [" + origin + "]\ndirection = [" + direction +
-                       "]\n[[sphere]]\ncentre = [" + centre + "]\nradius = " + radius + "\n");
+  const std::string file =
+      temporary_file("view.toml", ray_text(origin, direction) + sphere_text(centre, radius));
   return document_of(file)["scenes"][0]["panels"][0];
 }
 
@@ -57,12 +39,12 @@ void expect_has_the_very_text_of_explain(const json& scene) {
 TEST(View, draws_relative_to_the_eye_whatever_the_size_of_the_world) {
   for (const double scale : {0x1p-1000, 0x1p+531}) {
     const std::string sphere =
-        fmt::format("[[sphere]]\ncentre = [{0}, 0, {1}]\nradius = {0}\n", scale, -3 * scale);
+        sphere_text(fmt::format("{}, 0, {}", scale, -3 * scale), fmt::format("{}", scale));
     const json figure = figure_of(scale, sphere);
     EXPECT_EQ(figure["scale_exponent"], -std::ilogb(scale));
-    EXPECT_EQ(figure["spheres"]["centre"][0], (json{1.0, 0.0, -3.0}));
-    EXPECT_EQ(figure["spheres"]["radius"][0], 1.0);
-    EXPECT_EQ(figure["camera"]["near"], -1.0);
+    expect_values(figure, {{"spheres/centre/0", json{1.0, 0.0, -3.0}},
+                           {"spheres/radius/0", 1.0},
+                           {"camera/near", -1.0}});
   }
 }
 
@@ -81,26 +63,25 @@ TEST(View, subtracts_the_eye_exactly_and_names_roots) {
   EXPECT_FALSE(panel["microscope"]["hit"].get<bool>());
   // One root, at (1, 0, 0) from the ray's origin, in a figure whose lengths are the scene's.
   const json touches = panel_of_given("0, 1, 0", "1, 0, 0", "1, 0, 0", "1")["drawing"];
-  EXPECT_EQ(touches["names"], (json{{"double root", "double root, s = 1, the answer"}}));
-  EXPECT_EQ(touches["places"]["double root"], (json{1, 0, 0}));
-  EXPECT_EQ(touches["across"], (json{0, -1, 0}));
+  expect_values(touches, {{"names", json{{"double root", "double root, s = 1, the answer"}}},
+                          {"places/double root", json{1, 0, 0}},
+                          {"across", json{0, -1, 0}}});
 }
 
 /// A camera at the origin, near = -1: what joins these places is the frustum.
 TEST(View, the_frustum_has_its_corners_and_its_names) {
-  const std::string sphere = "[[sphere]]\ncentre = [0, 0, -3]\nradius = 1\n";
+  const std::string sphere = sphere_text("0, 0, -3", "1");
   const json document =
       document_of(temporary_file("frustum.toml", camera_text(3, 3) + sphere) + " --method cross");
   const json& figure = document["scenes"][0]["figure"];
-  EXPECT_EQ(figure["places"]["E"], (json{0, 0, 0}));
-  EXPECT_EQ(figure["places"]["A"], (json{0, 0, -1}));
-  EXPECT_EQ(figure["places"]["near 0"], (json{-1, -1, -1}));
-  EXPECT_EQ(figure["places"]["near 2"], (json{1, 1, -1}));
-  EXPECT_EQ(figure["places"]["plane 2"], (json{1.5, 1.5, -1}));
+  expect_values(figure["places"], {{"E", json{0, 0, 0}},
+                                   {"A", json{0, 0, -1}},
+                                   {"near 0", json{-1, -1, -1}},
+                                   {"near 2", json{1, 1, -1}},
+                                   {"plane 2", json{1.5, 1.5, -1}}});
   EXPECT_EQ(figure["places"]["pixel (0, 0)"], figure["places"]["near 0"]);
   EXPECT_FALSE(figure["places"].contains("far 0"));
-  EXPECT_EQ(figure["reach"], 4);
-  EXPECT_EQ(figure["notes"], json::array());
+  expect_values(figure, {{"reach", 4}, {"notes", json::array()}});
   std::string names;
   for (const json& name : document["parts"]["names"])
     names += name["text"].get<std::string>() + ";";
@@ -117,10 +98,10 @@ TEST(View, the_picture_is_a_whole_cell_around_every_sample) {
     return figure_of(1, conventions)["camera"];
   };
   const json edges = camera_of("");
-  EXPECT_EQ(edges["window"], (json{-1.5, 1.5, -1.5, 1.5}));
-  EXPECT_EQ(edges["first"], (json{-1, -1, -1}));
-  EXPECT_EQ(edges["column"], (json{1, 0, 0}));
-  EXPECT_EQ(edges["row"], (json{0, 1, 0}));
+  expect_values(edges, {{"window", json{-1.5, 1.5, -1.5, 1.5}},
+                        {"first", json{-1, -1, -1}},
+                        {"column", json{1, 0, 0}},
+                        {"row", json{0, 1, 0}}});
   const json centres =
       camera_of("[conventions]\nsamples = \"centres\"\nrows = \"top-first\"\nt_max = 5\n");
   EXPECT_EQ(centres["window"], (json{-1, 1, -1, 1}));
@@ -132,11 +113,8 @@ TEST(View, the_picture_is_a_whole_cell_around_every_sample) {
 }
 
 TEST(View, says_what_cannot_be_drawn_to_scale) {
-  const std::string spheres =
-      "[[sphere]]\ncentre = [0, 0, -3]\nradius = 1\n"
-      "[[sphere]]\ncentre = [0, 0, -1e8]\nradius = 1\n"
-      "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1.5\n"
-      "[[sphere]]\ncentre = [0, 0, -2]\nradius = 1e-300\n";
+  const std::string spheres = sphere_text("0, 0, -3", "1") + sphere_text("0, 0, -1e8", "1") +
+                              sphere_text("0, 0, 0", "1.5") + sphere_text("0, 0, -2", "1e-300");
   const json figure = figure_of(1, spheres);
   EXPECT_EQ(figure["apart"], (json{1, 2}));
   std::string notes;
@@ -149,10 +127,7 @@ TEST(View, says_what_cannot_be_drawn_to_scale) {
 }
 
 const json& step_of(const json& panel, const std::string& symbol) {
-  for (const json& step : panel["steps"]) {
-    if (step["symbol"] == symbol) return step;
-  }
-  throw std::runtime_error("no such step");
+  return found(panel["steps"], "symbol", symbol);
 }
 
 void expect_the_microscope_s_grid_is_of_doubles(const json& scene) {

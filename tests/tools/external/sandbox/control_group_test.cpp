@@ -4,28 +4,18 @@
 #include "tools/external/sandbox/control_group.h"
 
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 #include <system_error>
-#include <vector>
 
 #include "tests/tools/external/judged.h"
 #include "tests/tools/external/machine.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr const char* kGroupScene = "scene/examples/probe.toml";
 constexpr uid_t kNobodysUser = 65534;
@@ -210,7 +200,7 @@ TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
   const Delegated delegated;
   if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
   const std::string submission = temporary_file("notes.txt", "nothing that runs\n");
-  const std::string out = temporary_file("out", "") + ".d";
+  const std::string out = temporary_folder("out") + "/out";
   const std::string group = delegated.path().string();
   /// What raycheck in the group, after these words, says of its isolation.
   const auto said = [&](const std::string& before) {
@@ -219,9 +209,7 @@ TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
                         "'" RAYCHECK_BINARY "' grade examples/rubrics/lecture7.toml '" +
                         submission + "' --sandbox available --out '" + out + "'\n"));
     fs::remove_all(out);
-    const std::size_t at = outcome.out.find("isolated by: ");
-    if (at == std::string::npos) return outcome.out + outcome.err;
-    return outcome.out.substr(at, outcome.out.find('\n', at) - at);
+    return behind("isolated by: ", outcome.out + "isolated by: nothing: " + outcome.err);
   };
   const std::string alone = said("exec ");
   expect_parts(alone, {", control group"});
@@ -243,16 +231,10 @@ TEST(HostileControlGroup, HoldsWhatLeavesItsParentAndIsRemovedByTheNextRun) {
       "for k in range(4):\n  if os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n"
       "      os.execvp('sleep', ['sleep', '" +
       mark + "'])\n    os._exit(0)\ntime.sleep(60)\n");
-  const std::string script = temporary_file(
-      "killed.sh",
-      "echo $$ > '" + delegated.path().string() +
-          "/cgroup.procs'\nexec '" RAYCHECK_BINARY "' check '" RAYCHECK_SOURCE_DIR "'/" +
-          kGroupScene + " --timeout 60 --candidate '" + candidate + "' > /dev/null 2>&1\n");
-  const pid_t child = fork();
-  if (child == 0) {
-    execl("/bin/bash", "bash", script.c_str(), static_cast<char*>(nullptr));
-    _exit(127);
-  }
+  const pid_t child =
+      start_shell("echo $$ > '" + delegated.path().string() +
+                  "/cgroup.procs' && exec '" RAYCHECK_BINARY "' check " + kGroupScene +
+                  " --timeout 60 --candidate '" + candidate + "' >/dev/null 2>&1");
   EXPECT_TRUE(eventually([&] { return processes_with(mark).size() == 4; }));
   const std::vector<pid_t> held = processes_with(mark);
   const std::string begin = "/raycheck-" + std::to_string(child) + "-";

@@ -1,30 +1,22 @@
 // What a candidate's processes may take together, and what is left of them.
 
-#include <gtest/gtest.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <ctime>
-#include <filesystem>
-#include <fstream>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "tests/tools/external/judged.h"
+#include "tests/tools/grade/grading.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/external/sandbox/process_tree.h"
 
 namespace raycheck::tests {
 namespace {
-
-namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr const char* kScene = "scene/examples/probe.toml";
 
@@ -36,22 +28,10 @@ std::string words_of(const std::string& candidate, const std::string& more) {
 /// The same of a program that may have little, in place of a renderer.
 std::string words_of_small(const std::string& name, const std::string& lines,
                            const std::string& more) {
-  const std::string rubric = temporary_file(name + ".toml", R"(
-[limits]
-disk_mib = 24
-file_mib = 8
-memory_mib = 256
-[[form]]
-has = "*.py"
-candidate = "command:python3 {file}"
-[[item]]
-name = "frames"
-points = 1
-[item.functions]
-laws = ["frame"]
-sources = ["course"]
-cases = 1
-)");
+  const std::string rubric = temporary_file(
+      name + ".toml",
+      "[limits]\ndisk_mib = 24\nfile_mib = 8\nmemory_mib = 256\n" +
+          (kFormOfPython + item_of("frames", "points = 1", functions("frame", "course", 1))));
   const std::string program =
       temporary_file(name + ".py", "import os, time\n" + lines + "\ntime.sleep(60)\n");
   const Outcome outcome = run("grade " + rubric + " " + program + " --probe --format json " + more);
@@ -275,9 +255,7 @@ TEST(HostileSupervisor, ThatIsStoppedIsEnded) {
 }
 
 TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
-  const fs::path folder = temporary_file("left", "") + ".d";
-  fs::create_directories(folder);
-  fs::permissions(folder, fs::perms::others_exec, fs::perm_options::add);
+  const fs::path folder = temporary_folder("left");
   const std::string mark = std::to_string(910000000 + getpid());
   const std::string candidate = python_renderer("subprocess.run(['sleep', '" + mark + "'])");
   const std::string other = python_renderer("pass");
@@ -286,15 +264,9 @@ TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
     for (const auto& entry : fs::directory_iterator(folder)) all.push_back(entry.path());
     return all;
   };
-  const pid_t child = fork();
-  if (child == 0) {
-    setenv("TMPDIR", folder.c_str(), 1);
-    const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" +
-                                RAYCHECK_BINARY + "' check " + kScene + " --timeout 60 " +
-                                "--candidate '" + candidate + "' >/dev/null 2>&1";
-    execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
-    _exit(127);
-  }
+  const pid_t child =
+      start_shell("export TMPDIR='" + folder.string() + "' && exec '" RAYCHECK_BINARY "' check " +
+                  kScene + " --timeout 60 --candidate '" + candidate + "' >/dev/null 2>&1");
   ASSERT_TRUE(eventually([&] { return !processes_with(mark).empty(); }));
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
@@ -306,9 +278,7 @@ TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
 }
 
 TEST(HostileEnds, OfRunsRemoveNoFolderThatIsOnlyNamedAsTheirsAre) {
-  const fs::path folder = temporary_file("named", "") + ".d";
-  fs::create_directories(folder);
-  fs::permissions(folder, fs::perms::others_exec, fs::perm_options::add);
+  const fs::path folder = temporary_folder("named");
   const fs::path own = folder / "raycheck-run-week03";
   fs::create_directories(own);
   std::ofstream(own / "notes.txt") << "do not lose";
