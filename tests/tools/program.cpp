@@ -175,11 +175,10 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
   }
 }
 
-const json& found(const json& list, const std::string& key, const json& value) {
-  static const json none;
+json found(const json& list, const std::string& key, const json& value) {
   const auto at =
       std::find_if(list.begin(), list.end(), [&](const json& one) { return one[key] == value; });
-  return at == list.end() ? none : *at;
+  return at == list.end() ? json() : *at;
 }
 
 double number(const json& text) { return std::strtod(text.get<std::string>().c_str(), nullptr); }

@@ -123,7 +123,7 @@ std::string sphere_text(const std::string& centre, const std::string& radius);
 void expect_parts(const std::string& text, const std::vector<std::string>& parts,
                   const char* file = __builtin_FILE(), int line = __builtin_LINE());
 /// The first of a list that has this behind a key; null where there is none.
-const json& found(const json& list, const std::string& key, const json& value);
+json found(const json& list, const std::string& key, const json& value);
 /// A number as reports have it, hexadecimal.
 double number(const json& text);
 /// A report has these values behind its keys; "a/0/b" leads deeper.

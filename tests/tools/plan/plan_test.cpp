@@ -22,7 +22,7 @@ json planned(const std::string& path, const std::string& options = "") {
   return printed_json("plan " + path + " " + options, 0);
 }
 
-const json& item(const json& report, const std::string& name) {
+json item(const json& report, const std::string& name) {
   return found(report["items"], "name", name);
 }
 

@@ -7,7 +7,7 @@ namespace {
 
 json document_of(const std::string& arguments) { return printed_json("view " + arguments, 0); }
 
-const json& panel_of(const json& scene, int i, int j) {
+json panel_of(const json& scene, int i, int j) {
   return found(scene["panels"], "pixel", json{i, j});
 }
 
@@ -27,7 +27,7 @@ json panel_of_given(const std::string& origin, const std::string& direction,
 
 void expect_has_the_very_text_of_explain(const json& scene) {
   for (const auto& [i, j] : {std::pair(1, 1), std::pair(3, 3), std::pair(5, 5)}) {
-    const json& panel = panel_of(scene, i, j);
+    const json panel = panel_of(scene, i, j);
     const std::string command = panel["command"];
     const std::string word = "raycheck ";
     ASSERT_EQ(command.rfind(word, 0), 0u);
@@ -126,12 +126,12 @@ TEST(View, says_what_cannot_be_drawn_to_scale) {
   EXPECT_FALSE(figure["out_of_scale"].get<bool>());
 }
 
-const json& step_of(const json& panel, const std::string& symbol) {
+json step_of(const json& panel, const std::string& symbol) {
   return found(panel["steps"], "symbol", symbol);
 }
 
 void expect_the_microscope_s_grid_is_of_doubles(const json& scene) {
-  const json& grid = panel_of(scene, 3, 3)["microscope"]["grid"];
+  const json grid = panel_of(scene, 3, 3)["microscope"]["grid"];
   ASSERT_EQ(grid.size(), 17u);
   for (std::size_t k = 1; k < grid.size(); ++k) {
     EXPECT_NEAR(number(grid[k]) - number(grid[k - 1]), 1, 1e-4);
@@ -210,7 +210,7 @@ TEST(View, says_what_s_counts_where_a_direction_is_no_unit_vector) {
 }
 
 void expect_the_microscope_of_a_miss_says_why_it_is_wide(const json& scene) {
-  const json& microscope = panel_of(scene, 1, 1)["microscope"];
+  const json microscope = panel_of(scene, 1, 1)["microscope"];
   double nearest = HUGE_VAL;
   for (const json& mark : microscope["marks"]) {
     nearest = std::min(nearest, std::max(std::abs(number(mark["x"])), std::abs(number(mark["y"]))));

@@ -59,12 +59,12 @@ std::uint64_t number_of(std::string_view text) {
 
 std::optional<ProcessState> state_of(pid_t pid) {
   // Counted from the third field: state, ppid, utime to cstime, num_threads, rss.
-  constexpr std::size_t kState = 0, kParent = 1, kTimes = 11, kThreads = 17, kMemory = 21;
+  constexpr std::size_t kState = 0, kParent = 1, kProcessorTimes = 11, kThreads = 17, kMemory = 21;
   const std::vector<std::string> fields =
       stat_fields(start_of("/proc/" + std::to_string(pid) + "/stat"));
   if (fields.size() <= kMemory) return {};
   std::uint64_t ticks = 0;
-  for (std::size_t k = 0; k < 4; ++k) ticks += number_of(fields[kTimes + k]);
+  for (std::size_t k = 0; k < 4; ++k) ticks += number_of(fields[kProcessorTimes + k]);
   ProcessState state;
   state.pid = pid;
   state.parent = static_cast<pid_t>(number_of(fields[kParent]));
