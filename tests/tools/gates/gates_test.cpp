@@ -239,7 +239,7 @@ TEST_P(LongReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
         "ready.sh", "set -e\ncd " + folder.string() + "\nmkdir -p raycheck-reports\nPATH=" +
                         fs::path(RAYCHECK_BINARY).parent_path().string() +
                         ":$PATH\nexport CANDIDATE=library:" + built +
-                        " BASELINE=raycheck.baseline CASES=100 GITHUB_STEP_SUMMARY=summary.md\n" +
+                        " BASELINE=raycheck.baseline CASES=300 GITHUB_STEP_SUMMARY=summary.md\n" +
                         commands.front() + (is_hook ? " --candidate \"$CANDIDATE\"" : "") + "\n");
     run_bash(script, std::string(name) == "none" ? 0 : 1);
   }
