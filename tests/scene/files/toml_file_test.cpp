@@ -98,6 +98,7 @@ TEST(ReadToml, ReadsNumbersExactly) {
                                                     {"\"0x1.8p+3\"", 12},
                                                     {"'0.1'", 0.1},
                                                     {"0x1.23456789abcdefp0", 0x1.23456789abcdfp0},
+                                                    {"0x1_0.8p+0_1", 33},
                                                     {"1_000.000_1", 1000.0001}};
   for (const auto& [text, value] : numbers) {
     expect_bits(radius_read_from(text), value, text);
