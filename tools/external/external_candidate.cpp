@@ -116,7 +116,7 @@ class Conversation {
           .raise(last_);
     }
     if (failed_request_ == request.body()) failure_.raise(last_);
-    const double before = external_.program.spent->seconds();
+    const SpentTime::Time before = external_.program.spent->so_far();
     IdentifiedReply reply;
     try {
       reply = reply_to(request, lines);
@@ -135,7 +135,8 @@ class Conversation {
           !introduction_heard_,
           line};
       if (is_lasting(words.kind)) {
-        external_.answers->keep(request.body(), {words.words, words.kind, spent_since(before)});
+        external_.answers->keep(request.body(), {words.words, words.kind,
+                                                 external_.program.spent->seconds_since(before)});
       }
       fail(request, std::move(words));
     } catch (const ProtocolError& error) {
@@ -185,8 +186,6 @@ class Conversation {
     return external_.lines ? external_.lines->innermost(frames_in(answer)) : std::nullopt;
   }
 
-  double spent_since(double before) const { return external_.program.spent->seconds() - before; }
-
   /// A reply, and the id of its request.
   struct IdentifiedReply {
     std::string id, text;
@@ -201,11 +200,13 @@ class Conversation {
     }
     if (!process_) start();
     process_->allow(share_ * external_.program.limits.seconds);
-    const double before = external_.program.spent->seconds();
+    const SpentTime::Time before = external_.program.spent->so_far();
     std::string text = process_->exchange(
         request.text(), [&](std::string_view line) { return ends_reply(line, request.id()); },
         most_bytes(lines));
-    external_.answers->keep(request.body(), {request.id() + "\n" + text, {}, spent_since(before)});
+    external_.answers->keep(
+        request.body(),
+        {request.id() + "\n" + text, {}, external_.program.spent->seconds_since(before)});
     return {request.id(), std::move(text)};
   }
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "tools/external/pictures/renderer.h"
+#include "tools/external/sandbox/launch.h"
 #include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
@@ -104,6 +105,19 @@ TEST(Reply, EndsWithItsOwnIdAlone) {
   for (const char* line : {"end 12", "error 12 no", "end 12\r"})
     EXPECT_TRUE(ends_reply(line, "12"));
   for (const char* line : {"end 123", "end 1", "ends 12"}) EXPECT_FALSE(ends_reply(line, "12"));
+}
+
+TEST(SpentTime, IsTheSameWhateverWasSpentBefore) {
+  // A sum of doubles would grow by less than 3 from most of these.
+  for (double before : {0.0, 0.007, 0.031, 0.111, 0.188, 1e6}) {
+    SpentTime spent;
+    spent.add(before);
+    const SpentTime::Time start = spent.so_far();
+    for (int k = 0; k < 3; ++k) spent.add(1);
+    EXPECT_EQ(spent.seconds_since(start), 3) << before;
+    for (double none : {-1.0, std::numeric_limits<double>::infinity()}) spent.add(none);
+    EXPECT_GE(spent.seconds_since(start), 3);
+  }
 }
 
 TEST(SphereColours, AreAllDifferentAndNoneIsBlack) {

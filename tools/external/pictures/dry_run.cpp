@@ -101,7 +101,6 @@ class DryRunner {
   static bool is_black(const ReadPicture& picture) {
     return is_uniform(picture) && picture.pixels.front() == Colour{};
   }
-  double spent() const { return renderer_.program.spent->seconds(); }
 
   static Progress progress_of(FailureKind kind) {
     if (kind == FailureKind::kTimeUp) return Progress::kTimeUp;
@@ -122,7 +121,8 @@ class DryRunner {
   Attempt attempt_of(const scene::Scene& scene, const DriverForm& form) {
     Attempt made;
     made.form = form;
-    const double before = spent();
+    const SpentTime& spent = *renderer_.program.spent;
+    const SpentTime::Time before = spent.so_far();
     const std::vector<Colour> white(scene.spheres.size(), {255, 255, 255});
     try {
       made.made = rendered(renderer_, driver_text(scene, form, white), size_);
@@ -136,7 +136,7 @@ class DryRunner {
       made.failure = {error.what(), {}};
       made.progress = Progress::kNoPicture;
     }
-    made.seconds = spent() - before;
+    made.seconds = spent.seconds_since(before);
     return made;
   }
 

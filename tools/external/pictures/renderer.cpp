@@ -209,9 +209,9 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
     }
     return stored_picture(known->text);
   }
-  const double before = spent.seconds();
+  const SpentTime::Time before = spent.so_far();
   const auto keep = [&](const std::string& text, std::optional<FailureKind> failure = {}) {
-    renderer.answers->keep(request, {text, failure, spent.seconds() - before});
+    renderer.answers->keep(request, {text, failure, spent.seconds_since(before)});
   };
   try {
     MadePicture made = picture_by(renderer, driver, size);

@@ -2,9 +2,11 @@
 
 #include <sys/types.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -58,15 +60,25 @@ enum class Sandbox {
 /// why, and what does; and if the folder for temporary files is unusable.
 LayersHere chosen_layers(Sandbox sandbox);
 
-/// A candidate's total CPU time in seconds. A stored answer counts the time it took then, so that
-/// what is asked does not depend on what is stored. Shared by all its processes and threads.
+/// A candidate's total CPU time, in whole nanoseconds: what was spent since some time does not
+/// depend on how much was before. A stored answer counts the time it took then, so that what is
+/// asked does not depend on what is stored. Shared by all its processes and threads.
 class SpentTime {
  public:
-  void add(double seconds) { seconds_.fetch_add(seconds); }
-  double seconds() const { return seconds_.load(); }
+  using Time = std::chrono::nanoseconds;
+  /// `seconds`: of what is not a time (it was stored), at most kMostSeconds are added.
+  void add(double seconds) {
+    const std::chrono::duration<double> added(std::clamp(seconds, 0.0, kMostSeconds));
+    spent_.fetch_add(std::chrono::round<Time>(added).count());
+  }
+  Time so_far() const { return Time(spent_.load()); }
+  double seconds_since(Time before) const {
+    return std::chrono::duration<double>(so_far() - before).count();
+  }
 
  private:
-  std::atomic<double> seconds_{0};
+  static constexpr double kMostSeconds = 1e8;
+  std::atomic<Time::rep> spent_{0};
 };
 
 /// Whether an error comes from the state of the machine (no room, too many open files) and not from

@@ -156,11 +156,11 @@ std::size_t next_way(const BuildPlan& plan, std::size_t way) {
 Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
   const BuildPlan plan = build_plan(submission.files);
   if (plan.attempts.empty()) throw CandidateError(plan.why_none);
-  const double before = options.build_spent->seconds();
+  const SpentTime::Time before = options.build_spent->so_far();
   std::vector<std::string> notes;
   std::string why, said, failed;
   for (std::size_t way = submission.way; way < plan.attempts.size(); ++way) {
-    if (options.build_spent->seconds() - before >= options.build_seconds) break;
+    if (options.build_spent->seconds_since(before) >= options.build_seconds) break;
     const BuildAttempt& attempt = plan.attempts[way];
     try {
       Built made = built_by(attempt, submission, to, options);

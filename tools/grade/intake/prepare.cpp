@@ -185,7 +185,7 @@ class Preparing {
       made_in_ = std::move(to);
     }
     if (!before.empty() && before != made_.what) draws_nothing_.push_back(before);
-    build_seconds_ = options_.build_spent->seconds();
+    build_seconds_ = options_.build_spent->seconds_since({});
     found_.build_words = made_.words;
     found_.notes = made_.notes;
     for (const std::string& other : draws_nothing_) {

@@ -114,7 +114,7 @@ class Judge {
         judged_(std::move(judged)),
         control_(control),
         seed_(seed),
-        before_(judged_.spent ? judged_.spent->seconds() : 0) {
+        before_(judged_.spent ? judged_.spent->so_far() : SpentTime::Time{}) {
     Candidate& candidate = judged_.candidate;
     candidate.declared = rubric.conventions.over(candidate.declared);
     // Valid roots, or a domain, that a submission declares itself would excuse it from what the
@@ -158,7 +158,7 @@ class Judge {
   /// Why to stop asking, if there is a reason.
   ItemReason reason_to_stop() const {
     if (control_.interrupted()) return {.kind = ItemReason::Kind::kInterrupted};
-    if (!judged_.spent || judged_.spent->seconds() - before_ < rubric_.seconds) return {};
+    if (!judged_.spent || judged_.spent->seconds_since(before_) < rubric_.seconds) return {};
     return {.kind = ItemReason::Kind::kTimeUp, .seconds = rubric_.seconds};
   }
 
@@ -238,7 +238,7 @@ class Judge {
   JudgedSubmission judged_;
   const properties::RunControl& control_;
   std::uint64_t seed_;
-  double before_;
+  SpentTime::Time before_;
 };
 
 }  // namespace
