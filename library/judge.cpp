@@ -80,7 +80,7 @@ Verdict verdict_of(const CampaignResult& result, const properties::Law& law,
     for (const auto& worst : result.failure->verdict.worst(1)) {
       broken.discrepancy = tools::discrepancy_text(worst, false);
     }
-    for (const properties::Explanation& one : properties::causes(telling, candidate)) {
+    for (const properties::Explanation& one : properties::causes(law, telling, candidate)) {
       broken.sentences.push_back(one.sentence);
     }
   }

@@ -172,8 +172,9 @@ bool Trial::grown_bound_allows(const MeasuredError& own, double condition,
     return *own.bound > 0 && of.backward().in(precision()).value <= bound(Quantity::kBackwardError);
   }
   // Errors are infinite where the exact value is 0, or the answer is not finite.
-  return std::isfinite(own.error.value) ? own.error.value <= *own.bound * bound_growth(condition)
-                                        : *own.bound > 0 && std::isinf(condition);
+  if (!std::isfinite(own.error.value)) return *own.bound > 0 && std::isinf(condition);
+  return own.error.value <= *own.bound * bound_growth(condition) ||
+         (of.plain && own.error.value <= *own.bound * bound_growth(condition + of.plain()));
 }
 
 Discrepancy Trial::discrepancy_of(Quantity quantity, const Place& place) const {

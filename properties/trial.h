@@ -144,17 +144,18 @@ class Trial : public Answers {
 
   /// Counts an error, and adds a discrepancy when it is above its bound. `condition` and `describe`
   /// are called only then; `describe` fills in what, got and exact. Under `conditioning` every
-  /// error is weighed, by `backward` (a backward error) where kappa is infinite.
+  /// error is weighed, by `backward` (a backward error) where kappa is infinite. `plain` is what
+  /// is added to the condition number for code that promises only ordinary cases.
   template <class Condition, class Describe>
   void measure(Verdict& verdict, const MeasuredError& measured, const Condition& condition,
-               const Describe& describe,
-               const std::function<scene::Measured()>& backward = {}) const {
+               const Describe& describe, const std::function<scene::Measured()>& backward = {},
+               const std::function<double()>& plain = {}) const {
     MeasuredError own = measured;
     own.bound = measured.bound ? measured.bound : bound(measured.quantity);
     own.error = measured.error.in(precision());
     verdict.measured(own.quantity, own.place, own.error.value, *own.bound);
     if (own.error.value <= *own.bound && !options_.conditioning) return;
-    examine(verdict, own, {condition, describe, backward});
+    examine(verdict, own, {condition, describe, backward, plain});
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `excuse` is called
   /// only if neither the stated domain nor a promise of the exact class settles that.
@@ -180,6 +181,7 @@ class Trial : public Answers {
     std::function<double()> condition;
     std::function<void(Discrepancy&)> describe;
     std::function<scene::Measured()> backward;
+    std::function<double()> plain;
   };
 
   bool promises_exactly(Quantity quantity) const;

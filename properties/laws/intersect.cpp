@@ -6,6 +6,14 @@
 #include "reference/ray_error.h"
 
 namespace raycheck::properties {
+
+double plain_condition(const Candidate& candidate, const reference::ExactRay& ray,
+                       const scene::Sphere& sphere, const reference::Intersection& at) {
+  if (candidate.level != Level::kOrdinary) return 0;
+  const reference::TextbookSteps steps = reference::textbook_steps(ray, sphere, at);
+  return steps.distance <= kOrdinaryDistance ? steps.condition : 0;
+}
+
 namespace {
 
 using reference::Enclosure;
@@ -48,6 +56,16 @@ struct Encounter {
   /// The backward error of the answer, for exactly the ray that the candidate was given.
   scene::Measured backward_error() const {
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
+  }
+
+  /// Trial::plain_condition() of s, and of what an error of s is as a share of a length.
+  double plain_condition() const {
+    return properties::plain_condition(trial.candidate(), ray, sphere, *exact);
+  }
+  double plain_condition_over(const Enclosure& length) const {
+    const reference::EnclosedRay enclosed = ray.enclose(256);
+    const Enclosure along = norm(enclosed.point(sphere, *exact) - enclosed.origin());
+    return plain_condition() * (along / length).upper();
   }
 
   Trial& trial;
@@ -148,17 +166,22 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
          reference::parameter_error(at.ray, at.sphere, *at.exact, at.answer->parameter,
                                     trial.precision())},
         [&] { return trial.condition_of_parameter(at.ray_at, at.sphere_at); },
-        [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); });
+        [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); },
+        [&] { return at.plain_condition(); });
   });
   leave_out_without_hits(verdict);
 }
 
 void judge_backward_error(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
-    // This is already a change of the inputs: no condition number magnifies it.
+    // This is already a change of the inputs: no condition number magnifies it, but that of a
+    // formula over their own.
     trial.measure(
         verdict, {Quantity::kBackwardError, at.place(), at.backward_error()}, [] { return 1; },
-        [&](Discrepancy& d) { d.got = {at.answer->parameter}; });
+        [&](Discrepancy& d) { d.got = {at.answer->parameter}; }, {},
+        [&] {
+          return at.plain_condition() / trial.condition_of_parameter(at.ray_at, at.sphere_at);
+        });
   });
   leave_out_without_hits(verdict);
 }
@@ -170,7 +193,7 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const scene::Sphere& sphere = at.sphere;
   const scene::Point3& answer = at.answer->point;
   const auto measure = [&](Quantity quantity, const std::optional<scene::Measured>& error,
-                           const auto& scale) {
+                           const auto& scale, const std::function<double()>& plain) {
     if (!error) return;
     trial.measure(
         verdict, {quantity, at.place(), *error},
@@ -185,12 +208,14 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
           return (size / scale(point - origin, radius)).upper() *
                  (std::isinf(of_point) ? 1 : of_point);
         },
-        [&](Discrepancy& d) { d.got = numbers(answer); });
+        [&](Discrepancy& d) { d.got = numbers(answer); }, {}, plain);
   };
-  measure(Quantity::kSphereResidual, reference::sphere_residual(sphere, answer),
-          [](const Enclosure3&, const Enclosure& radius) { return radius; });
+  measure(
+      Quantity::kSphereResidual, reference::sphere_residual(sphere, answer),
+      [](const Enclosure3&, const Enclosure& radius) { return radius; },
+      [&] { return at.plain_condition_over(Enclosure(sphere.radius, 256)); });
   measure(Quantity::kRayResidual, reference::ray_residual(ray, answer),
-          [](const Enclosure3& along, const Enclosure&) { return norm(along); });
+          [](const Enclosure3& along, const Enclosure&) { return norm(along); }, {});
 }
 
 void judge_hit_point(Trial& trial, Verdict& verdict) {
@@ -204,7 +229,10 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
           d.got = numbers(at.answer->point);
           d.exact = numbers(at.ray.rounded_point(at.sphere, *at.exact, trial.precision()));
         },
-        [&] { return at.backward_error(); });
+        [&] { return at.backward_error(); },
+        [&] {
+          return at.plain_condition_over(norm(at.ray.enclose(256).point(at.sphere, *at.exact)));
+        });
     judge_residuals(trial, verdict, at);
   });
   leave_out_without_hits(verdict);

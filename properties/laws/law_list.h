@@ -19,6 +19,11 @@ extern const std::span<const Law> kPlanLaws;           // plan.cpp
 extern const std::span<const Law> kMetamorphicLaws;    // metamorphic.cpp
 extern const std::span<const Law> kRefusalLaws;        // refusal.cpp
 
+/// What the textbook's formula adds to the condition number of s: 0 where the candidate promises
+/// more than ordinary cases, and beyond kOrdinaryDistance.
+double plain_condition(const Candidate& candidate, const reference::ExactRay& ray,
+                       const scene::Sphere& sphere, const reference::Intersection& at);
+
 /// The coordinates as a list, for reports.
 template <class Triple>
 std::vector<double> numbers(const Triple& value) {

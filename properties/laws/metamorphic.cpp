@@ -106,7 +106,12 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
                ? reference::condition_of_parameter(trial.exact_ray(first.ray), first.sphere(), at)
                : std::numeric_limits<double>::infinity();
   };
-  trial.measure(verdict, {Quantity::kInvariance, place, error, bound}, condition, describe);
+  trial.measure(verdict, {Quantity::kInvariance, place, error, bound}, condition, describe, {},
+                [&] {
+                  return is_hit ? plain_condition(trial.candidate(), trial.exact_ray(first.ray),
+                                                  first.sphere(), at)
+                                : 0;
+                });
 }
 
 void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,

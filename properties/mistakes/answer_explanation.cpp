@@ -83,29 +83,33 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
 /// Relative errors of s above so many roundings of the candidate's format are looked at.
 constexpr double kNoticed = 512;
 
-/// Errors of s that tell of one formula, where every class is right.
+/// Errors of s that tell of one formula.
 struct SmallErrors {
   std::uint64_t wrong = 0;
   double radii = 0;  ///< The least distance of one.
 };
-/// The errors at kIntersect that tell of a formula. Empty if some class is wrong, if the formula
-/// does not allow some error, or if too few tell of it.
-template <class Allows, class IsTelling>
-std::optional<SmallErrors> small_errors(Examination& examination, const Allows& allows,
-                                        const IsTelling& is_telling) {
+/// The errors at kIntersect that tell of a formula. Empty if it does not allow some class or error,
+/// or if too few tell of it.
+template <class AllowsClass, class Allows, class IsTelling>
+std::optional<SmallErrors> small_errors(Examination& examination, const AllowsClass& allows_class,
+                                        const Allows& allows, const IsTelling& is_telling) {
   SmallErrors found;
   for (const Comparison& comparison : examination.at(Step::kIntersect)) {
     const AskedCase& asked = *comparison.asked;
     if (asked.class_alone) return {};
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
       const Answer &answer = comparison.answers[k], &right = comparison.right[k];
-      if (answer.choice != right.choice) return {};
+      const scene::Ray& ray = asked.rays[k % asked.rays.size()];
+      const scene::Sphere& sphere = asked.the_case.scene.spheres[k / asked.rays.size()];
+      if (answer.choice != right.choice) {
+        const auto given = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
+        if (!allows_class(asked, ray, sphere, given)) return {};
+        continue;
+      }
       if (!right.choice) continue;
       const double s = answer.vectors[0].x, exact = right.vectors[0].x;
       const double off = std::abs(s - exact) / exact;
       if (off <= kNoticed * examination.roundoff()) continue;
-      const scene::Ray& ray = asked.rays[k % asked.rays.size()];
-      const scene::Sphere& sphere = asked.the_case.scene.spheres[k / asked.rays.size()];
       if (!allows(asked, ray, sphere, s, off)) return {};
       if (!is_telling(asked, ray, sphere, s)) continue;
       const double radii = norm(sphere.centre - ray.origin) / sphere.radius;
@@ -128,7 +132,7 @@ AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
 /// that cancels. Roundings of d^2 leave that root alone from inside a sphere.
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
   const auto found = small_errors(
-      examination,
+      examination, [](const auto&...) { return false; },
       [&](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double,
           double off) {
         const auto roots = fast::kCross.roots(ray, sphere);
@@ -145,20 +149,20 @@ std::optional<AnswerCause> cancelling_q(Examination& examination) {
   return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", *found);
 }
 
-/// d^2 as a difference that cancels, where that moves no class yet: s loses digits that r^2 - |T x
-/// D|^2 keeps.
+/// d^2 as a difference that cancels: s loses digits that r^2 - |T x D|^2 keeps, also where so much
+/// is in doubt that wrong classes say nothing.
 std::optional<AnswerCause> cancelling_difference(Examination& examination) {
   const bool is_single = examination.is_single();
   const auto within = [](Arithmetic arithmetic) {
     return [arithmetic](const AskedCase& asked, const scene::Ray& ray, const scene::Sphere& sphere,
-                        double s, auto...) {
+                        std::optional<double> s, auto...) {
       return possible_hit(arithmetic, ray, sphere, asked.the_case.scene.conventions).allows(s);
     };
   };
   const auto stable = within(is_single ? Arithmetic::kSingle : Arithmetic::kProduct);
-  const auto found = small_errors(
-      examination, within(is_single ? Arithmetic::kSingleDifference : Arithmetic::kDifference),
-      [&](const auto&... of) { return !stable(of...); });
+  const auto cancels = within(is_single ? Arithmetic::kSingleDifference : Arithmetic::kDifference);
+  const auto found = small_errors(examination, cancels, cancels,
+                                  [&](const auto&... of) { return !stable(of...); });
   if (!found) return {};
   return small_cause(sentence_of(examination, Arithmetic::kDifference, found->radii), *found);
 }

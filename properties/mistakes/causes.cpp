@@ -6,6 +6,7 @@
 #include "properties/case.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
+#include "properties/mistakes/undeclared.h"
 #include "scene/interruption.h"
 
 namespace raycheck::properties {
@@ -29,13 +30,18 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
 
 }  // namespace
 
-std::vector<Explanation> causes(const std::vector<Case>& cases, const Candidate& candidate) {
+std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
+                                const Candidate& candidate) {
   std::vector<Case> asked;
   for (const Case& one : cases) {
     auto rounded = rounded_case(one, candidate.input_format()).the_case;
     if (rounded && is_problem(*rounded, candidate.declared)) asked.push_back(*std::move(rounded));
   }
   try {
+    if (const auto under = right_under(law, asked, candidate)) {
+      return {{"right under " + under->conventions + ", which it does not declare", under->defects,
+               under->defects}};
+    }
     std::vector<Explanation> found = candidate.image
                                          ? explanations(picture_causes(shown(asked, candidate)))
                                          : explanations(answer_causes(asked, candidate));

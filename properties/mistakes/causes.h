@@ -5,6 +5,7 @@
 
 #include "properties/candidate.h"
 #include "properties/case.h"
+#include "properties/laws/law.h"
 #include "properties/mistakes/explanation.h"
 
 namespace raycheck::properties {
@@ -16,7 +17,9 @@ inline constexpr std::int64_t kMostPixelsOfACause = std::int64_t{1} << 16;
 /// Fewer wrong answers than this fit too many explanations to name a mistake.
 inline constexpr std::uint64_t kFewestErrorsOfACause = 3;
 
-/// The classic mistakes that explain a candidate's answers to cases, of which some are wrong.
-std::vector<Explanation> causes(const std::vector<Case>& cases, const Candidate& candidate);
+/// Why a candidate breaks a law on some of these cases: it is right under conventions that it does
+/// not declare (right_under), or the classic mistakes that explain its answers.
+std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
+                                const Candidate& candidate);
 
 }  // namespace raycheck::properties

@@ -1,7 +1,10 @@
 // Condition numbers of single steps: reference/account/condition.h.
 
+#include <limits>
+
 #include "reference/account/condition.h"
 #include "reference/account/internal/condition_impl.h"
+#include "reference/error_measure.h"
 
 namespace raycheck::reference {
 namespace {
@@ -115,6 +118,24 @@ SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere&
   result.root = root_condition(ray, sphere, intersection);
   result.point = hit_point_condition(ray, sphere, intersection);
   return result;
+}
+
+TextbookSteps textbook_steps(const ExactRay& ray, const scene::Sphere& sphere,
+                             const Intersection& intersection) {
+  constexpr int kBits = 256;
+  const EnclosedRay enclosed = ray.enclose(kBits);
+  const Enclosure radius(sphere.radius, kBits);
+  const Enclosure distance = norm(enclose_exactly(sphere.centre) - enclosed.origin());
+  const Enclosure v = enclosed.axial_distance(sphere);
+  const Enclosure d = sqrt(enclosed.half_chord_sq(sphere));
+  const Enclosure s = intersection.root == WhichRoot::kSmaller ? v - d : v + d;
+  const Enclosure squares =
+      Enclosure(2) * distance * abs(v) + distance * distance + radius * radius;
+  const auto upper = [](const Enclosure& value, const Enclosure& over) {
+    return over.contains_zero() ? std::numeric_limits<double>::infinity() : (value / over).upper();
+  };
+  const double by_chord = upper(squares, Enclosure(2) * d * abs(s));
+  return {upper(distance + d, abs(s)) + by_chord, upper(distance, radius)};
 }
 
 double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,

@@ -313,7 +313,7 @@ FoundReport found(const Candidate& candidate) {
       }
     }
     const auto cases = telling_cases(campaign, properties::kCasesOfACause);
-    for (const properties::Explanation& one : properties::causes(cases, candidate)) {
+    for (const properties::Explanation& one : properties::causes(law, cases, candidate)) {
       const auto at = std::find(result.sentences.begin(), result.sentences.end(), one.sentence);
       if (at == result.sentences.end()) result.sentences.push_back(one.sentence);
     }

@@ -67,8 +67,8 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   report.domain = candidate;
   report.implementation = implementation;
   if (!implementation.methods && report.finding == properties::Finding::kBroken) {
-    report.explanations =
-        properties::causes(telling_cases(report.result, properties::kCasesOfACause), candidate);
+    report.explanations = properties::causes(
+        law, telling_cases(report.result, properties::kCasesOfACause), candidate);
   }
   const auto& failure = report.result.failure;
   if (failure && !failure->is_undecided && has_ranges(candidate, failure->verdict)) {

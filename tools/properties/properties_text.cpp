@@ -104,16 +104,54 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
   return text + fmt::format("    {}\n", too_few_text(result));
 }
 
-/// What matters most about someone else's implementation, of the campaigns about it: the mistake
-/// that explains most, or up to which level it is right, unless nothing shows that.
-std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
-  const properties::Explanation* cause = nullptr;
-  std::optional<Level> broken, held;
-  std::string laws, open, failure;
-  for (const CampaignReport* campaign : campaigns) {
-    for (const properties::Explanation& one : campaign->explanations) {
-      if (cause == nullptr || one.explained > cause->explained) cause = &one;
+/// Why laws are broken: the cause of each, the one that explains most answers first, and the laws
+/// that nothing explains: "rows are upside down (20 of 20 wrong answers)" where that explains all.
+std::string causes_text(const std::vector<const CampaignReport*>& broken) {
+  struct Cause {
+    const properties::Explanation* best;
+    std::string laws;
+  };
+  std::vector<Cause> causes;
+  std::string unexplained;
+  for (const CampaignReport* campaign : broken) {
+    const auto& all = campaign->explanations;
+    const auto best = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
+      return a.explained < b.explained;
+    });
+    const auto add_to = [&](std::string& laws) {
+      laws += (laws.empty() ? "" : ", ") + std::string(campaign->law->name);
+    };
+    if (best == all.end()) {
+      add_to(unexplained);
+      continue;
     }
+    auto known = std::find_if(causes.begin(), causes.end(), [&](const Cause& cause) {
+      return cause.best->sentence == best->sentence;
+    });
+    if (known == causes.end()) known = causes.insert(known, {&*best, ""});
+    if (best->explained > known->best->explained) known->best = &*best;
+    add_to(known->laws);
+  }
+  if (causes.empty()) return "breaks " + unexplained;
+  std::stable_sort(causes.begin(), causes.end(), [](const Cause& a, const Cause& b) {
+    return a.best->explained > b.best->explained;
+  });
+  const bool is_all = causes.size() == 1 && unexplained.empty();
+  std::string text;
+  for (const auto& [best, laws] : causes) {
+    text += fmt::format("{}{} ({}{} of {} wrong answers)", text.empty() ? "" : "; ", best->sentence,
+                        is_all ? "" : laws + ": ", best->explained, best->errors);
+  }
+  return text + (unexplained.empty() ? "" : "; unexplained: " + unexplained);
+}
+
+/// What matters most about someone else's implementation, of the campaigns about it: the mistakes
+/// that explain most, or up to which level it is right, unless nothing shows that.
+std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
+  std::optional<Level> broken, held;
+  std::vector<const CampaignReport*> all_broken;
+  std::string open, failure;
+  for (const CampaignReport* campaign : campaigns) {
     const auto add_to = [&](std::string& list) {
       list += (list.empty() ? "" : ", ") + std::string(campaign->law->name);
     };
@@ -129,7 +167,7 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
       failure = campaign->result.failure->verdict.worst(1).front().what;
     }
     if (campaign->finding != Finding::kBroken) continue;
-    add_to(laws);
+    all_broken.push_back(campaign);
     for (const CampaignPart& part : campaign->result.parts) {
       if (part.is_broken())
         broken = std::min(broken.value_or(Level::kExtreme), part.source.level());
@@ -144,9 +182,7 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
           ? fmt::format("right on {} cases; ",
                         name(static_cast<Level>(static_cast<int>(*broken) - 1)))
           : "";
-  if (cause == nullptr) return fmt::format("{}breaks {}", right, laws);
-  return fmt::format("{}{} ({} of {} wrong answers)", right, cause->sentence, cause->explained,
-                     cause->errors);
+  return right + causes_text(all_broken);
 }
 
 /// What became of the cases kept: those that still break their law, or a candidate's that no longer

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <type_traits>
 
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
@@ -16,6 +17,7 @@
 #include "properties/mistakes/causes.h"
 #include "properties/mistakes/mistakes.h"
 #include "properties/search/campaign.h"
+#include "tests/campaigns.h"
 #include "tests/numbers.h"
 
 namespace raycheck::properties {
@@ -63,6 +65,73 @@ Sentences sentences_for(const Candidate& candidate,
     sentences.push_back(explanation.sentence);
   }
   return sentences;
+}
+
+/// Right under one convention, whatever it is told.
+template <class Value>
+Candidate following(Value scene::Conventions::*member, Value value) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, *fast::intersect_methods().front());
+  const auto told = [=](scene::Conventions conventions) {
+    conventions.*member = value;
+    return conventions;
+  };
+  const auto follow = [&](auto& function) {
+    function = [=, answer = function](auto camera_or_rays, const auto& given, auto pixels_or_told) {
+      if constexpr (std::is_convertible_v<decltype(given), scene::Conventions>) {
+        return answer(camera_or_rays, told(given), pixels_or_told);
+      } else {
+        return answer(camera_or_rays, given, told(pixels_or_told));
+      }
+    };
+  };
+  follow(candidate.pixel_points);
+  follow(candidate.pixel_rays);
+  follow(candidate.focal_rays);
+  follow(candidate.intersect);
+  follow(candidate.nearest);
+  if constexpr (std::is_same_v<Value, scene::Origin>) {
+    candidate.pixel_rays = candidate.focal_rays =
+        value == scene::Origin::kPixel ? candidate.pixel_rays : candidate.focal_rays;
+  }
+  return candidate;
+}
+
+struct Undeclared {
+  Candidate candidate;
+  std::string text;
+};
+
+/// Of exact tangents another class is excused: inputs close by have it.
+TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
+  const Undeclared all[] = {
+      {following(&scene::Conventions::rows, scene::Rows::kTopFirst), "rows = top-first"},
+      {following(&scene::Conventions::samples, scene::Samples::kEdges), "samples = edges"},
+      {following(&scene::Conventions::origin, scene::Origin::kFocal), "origin = focal"},
+      {following(&scene::Conventions::root, scene::Root::kNearest), "root = nearest"},
+  };
+  for (const auto& [candidate, text] : all) {
+    SCOPED_TRACE(text);
+    std::size_t broken = 0;
+    const auto judged = laws_that([](const Law& law) { return law.judges_values; });
+    const auto results = run_campaigns(judged, candidate, options_of(400, {}, Level::kOrdinary));
+    for (std::size_t k = 0; k < judged.size(); ++k) {
+      if (results[k].finding() != Finding::kBroken) continue;
+      ++broken;
+      const auto found = causes(*judged[k], telling_cases(results[k], kCasesOfACause), candidate);
+      ASSERT_EQ(found.size(), 1u) << judged[k]->name;
+      EXPECT_EQ(found[0].sentence, "right under " + text + ", which it does not declare");
+      EXPECT_EQ(found[0].explained, found[0].errors);
+      EXPECT_GT(found[0].errors, 0u);
+    }
+    EXPECT_GT(broken, 0u);
+  }
+  // What is right under none is not told so.
+  const Candidate wrong = candidate_of("no ray ever hits a sphere");
+  const auto of_class = laws_named({"class"});
+  const auto result = run_campaigns(of_class, wrong, options_of(400, {}, Level::kOrdinary));
+  for (const Explanation& one : causes(*of_class[0], telling_cases(result[0], 12), wrong)) {
+    EXPECT_EQ(one.sentence.find("declare"), std::string::npos) << one.sentence;
+  }
 }
 
 TEST(Mistakes, HaveSentencesOfTheirOwn) {
@@ -293,7 +362,7 @@ TEST(AnswerExplanation, OfWhatIsMissedFarAwayIsNotWhatWouldBeMissedElsewhere) {
   });
   const CampaignResult result = run_campaign(*find_law("class"), candidate, {});
   ASSERT_EQ(result.finding(), Finding::kBroken);
-  EXPECT_TRUE(causes(telling_cases(result, kCasesOfACause), candidate).empty());
+  EXPECT_TRUE(causes(*find_law("class"), telling_cases(result, kCasesOfACause), candidate).empty());
 }
 
 Sentences sentences_of_roots(const MakeRoots& roots) {
@@ -301,7 +370,8 @@ Sentences sentences_of_roots(const MakeRoots& roots) {
   answer_by(candidate, hits_by({.roots = roots}));
   Sentences sentences;
   const CampaignResult result = run_campaign(*find_law("parameter"), candidate, {});
-  for (const Explanation& one : causes(telling_cases(result, kCasesOfACause), candidate)) {
+  for (const Explanation& one :
+       causes(*find_law("parameter"), telling_cases(result, kCasesOfACause), candidate)) {
     sentences.push_back(one.sentence);
   }
   return sentences;

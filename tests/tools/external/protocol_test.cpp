@@ -132,6 +132,38 @@ TEST(SphereColours, AreAllDifferentAndNoneIsBlack) {
   }
 }
 
+/// As highlights and reflections do near silhouettes.
+TEST(SphereColours, WithWhiteAddedAreNoOthers) {
+  constexpr std::size_t kPure = 9, kMixed = 8, kShown = kPure + kMixed;
+  const auto mixed = [](std::uint8_t channel, std::size_t share) {
+    return static_cast<std::uint8_t>(channel + (255 - channel) * share / (kMixed + 1));
+  };
+  for (const std::size_t count : {5u, 7u, 12u, 13u, 24u, 25u, 60u}) {
+    std::vector<Colour> picture;
+    const SphereColours colours(count);
+    for (const Colour& colour : colours.all()) {
+      picture.insert(picture.end(), kPure, colour);
+      for (std::size_t k = 1; k <= kMixed; ++k) {
+        picture.push_back({mixed(colour.red, k), mixed(colour.green, k), mixed(colour.blue, k)});
+      }
+    }
+    scene::Camera camera;
+    camera.width = std::ssize(picture);
+    camera.height = 1;
+    const auto answer =
+        image_answer({camera.width, 1, picture}, camera, scene::Rows::kBottomFirst, count);
+    std::size_t others = 0;
+    for (std::size_t k = 0; k < picture.size(); ++k) {
+      ASSERT_TRUE(answer[k].has_value());
+      const bool is_own = *answer[k] == k / kShown;
+      ASSERT_TRUE(is_own || k % kShown >= kPure) << count << ", " << k;
+      others += is_own || *answer[k] == properties::kSomeSphere ? 0 : 1;
+    }
+    // Of those with white added.
+    EXPECT_LE(others, count <= 24 ? 0 : count * kMixed / 10) << count;
+  }
+}
+
 TEST(PictureReader, ReadsPpmsWithCommentsAndOtherMaxima) {
   const auto text = parse_picture("P3 # mine\n2 1\n# more\n15\n0 5 15  15 0 3\n", 100);
   EXPECT_EQ(text.width, 2);

@@ -103,8 +103,10 @@ TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
   EXPECT_EQ(report["target"], "rho");
   const json& worst = report["campaigns"][0]["worst"];
   EXPECT_GT(worst["climbed"].get<double>(), worst["random"].get<double>());
-  const std::string floats = "properties --candidate " +
-                             compiled("tests/candidates/float_quadratic.cpp") +
+  std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/float_quadratic.cpp");
+  text.replace(text.find(".precision"), 0, ".level = Level::demanding, ");
+  const std::string floats = "properties --candidate source:" +
+                             temporary_file("demanding.cpp", text) +
                              " --filter parameter --source rays --cases 40 --level extreme ";
   EXPECT_EQ(run(floats).exit_code, 0);
   EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: climbed to"));

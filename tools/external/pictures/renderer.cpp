@@ -184,14 +184,21 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
   }
   const SphereColours colours(spheres);
   properties::ImageAnswer answer(picture.pixels.size());
+  std::vector<std::vector<ShownPixel>> shown(spheres);
   for (std::int64_t j = 0; j < camera.height; ++j) {
     const std::int64_t line = rows == scene::Rows::kTopFirst ? j : camera.height - 1 - j;
     for (std::int64_t i = 0; i < camera.width; ++i) {
       const Colour& colour = picture.pixels[static_cast<std::size_t>(line * camera.width + i)];
       if (colour == habit.background) continue;
-      answer[static_cast<std::size_t>(j * camera.width + i)] =
-          colours.sphere_of(colour, habit).value_or(properties::kSomeSphere);
+      const auto at = static_cast<std::size_t>(j * camera.width + i);
+      answer[at] = properties::kSomeSphere;
+      if (const auto sphere = colours.sphere_of(colour, habit))
+        shown[*sphere].push_back({at, colour});
     }
+  }
+  colours.keep_usual(shown);
+  for (std::size_t sphere = 0; sphere < spheres; ++sphere) {
+    for (const ShownPixel& pixel : shown[sphere]) answer[pixel.at] = sphere;
   }
   return answer;
 }

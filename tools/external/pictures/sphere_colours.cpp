@@ -13,11 +13,26 @@ constexpr double kNearLevel = 0.25;
 /// If channels are all or nothing, there is room for the effect of a gamma or an offset.
 constexpr double kNearAllOrNothing = 0.4;
 
+/// A share of a channel's full value by which hues of one sphere differ, but for their rounding.
+constexpr double kSameHue = 0.02;
+
+/// A colour as shares of its largest channel.
+std::array<double, 3> hue_of(const Colour& colour) {
+  const double most = std::max({colour.red, colour.green, colour.blue});
+  return {colour.red / most, colour.green / most, colour.blue / most};
+}
+
 std::size_t power_of_3(std::size_t base) { return base * base * base; }
 
-/// The fewest levels of a channel that give `count` colours with a full channel.
+/// Up to this many spheres have colours with an empty channel, so that no highlight or reflection,
+/// which adds white, makes one sphere's colour another's.
+constexpr std::size_t kMostPure = 24;
+constexpr std::size_t kPureOfLevel = 6;
+
+/// The fewest levels of a channel that give `count` colours.
 std::size_t levels_for(std::size_t count) {
   std::size_t levels = 2;
+  if (count <= kMostPure) return std::max(levels, 1 + (count + kPureOfLevel - 1) / kPureOfLevel);
   while (power_of_3(levels) - power_of_3(levels - 1) - 1 < count && levels < 256) ++levels;
   return levels;
 }
@@ -29,7 +44,7 @@ SphereColours::SphereColours(std::size_t count) : levels_(levels_for(count)) {
   for (std::size_t code = 0; code < power_of_3(levels) && codes_.size() < count; ++code) {
     const auto [least, most] =
         std::minmax({code / levels / levels, code / levels % levels, code % levels});
-    if (most == levels - 1 && least < most) codes_.push_back(code);
+    if (most == levels - 1 && least < (count <= kMostPure ? 1 : most)) codes_.push_back(code);
   }
   const auto channel = [levels](std::size_t level) {
     return static_cast<std::uint8_t>(
@@ -59,6 +74,29 @@ std::optional<std::size_t> SphereColours::sphere_of(const Colour& colour,
   const auto found = std::lower_bound(codes_.begin(), codes_.end(), code);
   if (found == codes_.end() || *found != code) return {};
   return static_cast<std::size_t>(found - codes_.begin());
+}
+
+void SphereColours::keep_usual(std::vector<std::vector<ShownPixel>>& pixels) const {
+  if (colours_.size() <= kMostPure) return;
+  std::vector<double> shares;
+  for (std::vector<ShownPixel>& its : pixels) {
+    if (its.empty()) continue;
+    std::array<double, 3> usual{};
+    for (std::size_t channel = 0; channel < usual.size(); ++channel) {
+      shares.clear();
+      for (const ShownPixel& one : its) shares.push_back(hue_of(one.colour)[channel]);
+      const auto median = shares.begin() + std::ssize(shares) / 2;
+      std::nth_element(shares.begin(), median, shares.end());
+      usual[channel] = *median;
+    }
+    std::erase_if(its, [&](const ShownPixel& one) {
+      const std::array<double, 3> hue = hue_of(one.colour);
+      const double rounding = 1.0 / std::max({one.colour.red, one.colour.green, one.colour.blue});
+      return !std::equal(hue.begin(), hue.end(), usual.begin(), [&](double x, double y) {
+        return std::abs(x - y) <= kSameHue + rounding;
+      });
+    });
+  }
 }
 
 }  // namespace raycheck::tools

@@ -23,8 +23,15 @@ struct ColourHabit {
   friend bool operator==(const ColourHabit&, const ColourHabit&) = default;
 };
 
+/// A pixel, by its place in an image, and the colour that it shows.
+struct ShownPixel {
+  std::size_t at = 0;
+  Colour colour = {};
+};
+
 /// A colour for each sphere, each with a full channel, so that none is near black even if colours
-/// are read as whole numbers, and none is grey, which would look like a lost colour.
+/// are read as whole numbers, and none is grey, which would look like a lost colour. Of few spheres
+/// each has an empty channel, too: white added to one's colour makes no other's.
 class SphereColours {
  public:
   explicit SphereColours(std::size_t count);
@@ -33,6 +40,9 @@ class SphereColours {
   /// The sphere whose colour a pixel shows, however dimmed; empty if it is near no sphere's:
   /// kSomeSphere.
   std::optional<std::size_t> sphere_of(const Colour& shown, const ColourHabit& habit) const;
+  /// Of so many spheres that white added to one's colour makes another's: leaves out the pixels of
+  /// each whose hue is not that of most of them. They tell a hit and no more. `pixels`: by sphere.
+  void keep_usual(std::vector<std::vector<ShownPixel>>& pixels) const;
 
  private:
   std::size_t levels_;              ///< Of a channel.

@@ -1,0 +1,114 @@
+#include "properties/mistakes/undeclared.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace raycheck::properties {
+namespace {
+
+/// A convention that a candidate may follow whatever it is told.
+struct Followed {
+  std::string text;
+  DeclaredConventions declared;
+};
+
+template <class Value>
+void add(std::string_view name, std::optional<Value> DeclaredConventions::*member,
+         const DeclaredConventions& declared, std::vector<Followed>& all) {
+  if (declared.*member) return;
+  // Not `either`, under which tangents are not judged.
+  for (const Value value : {Value{0}, Value{1}}) {
+    Followed one{std::string(name) + " = " + std::string(scene::name(value)), {}};
+    one.declared.*member = value;
+    all.push_back(std::move(one));
+  }
+}
+
+std::vector<Followed> undeclared(const Candidate& candidate) {
+  const DeclaredConventions& declared = candidate.declared;
+  std::vector<Followed> all;
+  if (candidate.pixel_points || candidate.pixel_rays || candidate.focal_rays) {
+    add("rows", &DeclaredConventions::rows, declared, all);
+    add("samples", &DeclaredConventions::samples, declared, all);
+    add("origin", &DeclaredConventions::origin, declared, all);
+  }
+  add("root", &DeclaredConventions::root, declared, all);
+  add("tangent", &DeclaredConventions::tangent, declared, all);
+  return all;
+}
+
+/// Whether it answers alike, whatever it was told.
+bool same_answers(Trial& one, Trial& other) {
+  const Candidate& candidate = one.candidate();
+  if (one.scene().camera && candidate.pixel_points && one.pixel_points() != other.pixel_points()) {
+    return false;
+  }
+  if (!one.has_rays() || !other.has_rays()) return true;
+  if (one.rays() != other.rays()) return false;
+  for (std::size_t k = 0; candidate.intersect && k < one.scene().spheres.size(); ++k) {
+    const SphereHits &hits = one.hits(k), &others = other.hits(k);
+    if (!std::equal(hits.begin(), hits.end(), others.begin(), others.end(),
+                    [](const RayHit& a, const RayHit& b) {
+                      return a.ray == b.ray && a.hit.parameter == b.hit.parameter;
+                    })) {
+      return false;
+    }
+  }
+  return !candidate.nearest || one.nearest() == other.nearest();
+}
+
+/// The defects that a law finds in some cases together.
+std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
+                            const Candidate& candidate) {
+  std::uint64_t count = 0;
+  for (const Case& one : cases) {
+    count += Trials(one, candidate, {}).apply(law).count(Standing::kDefect);
+  }
+  return count;
+}
+
+/// Whether a candidate answers alike when told to follow these conventions, and rightly.
+bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& candidate,
+              const DeclaredConventions& under) {
+  Candidate following = candidate;
+  following.declared = under.over(candidate.declared);
+  std::uint64_t asked = 0;
+  for (const Case& one : cases) {
+    if (!is_problem(one, following.declared)) continue;
+    Trials told(one, candidate, {}), followed(one, following, {});
+    const Verdict verdict = followed.apply(law);
+    if (verdict.count(Standing::kDefect) > 0) return false;
+    if (!same_answers(told.of(law), followed.of(law))) return false;
+    // Nor is another law broken: the class alone may be right where the root is not.
+    for (const Law& other : laws()) {
+      if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;
+    }
+    asked += verdict.compared() > 0 ? 1 : 0;
+  }
+  return 2 * asked > cases.size();
+}
+
+}  // namespace
+
+std::optional<RightUnder> right_under(const Law& law, const std::vector<Case>& cases,
+                                      const Candidate& candidate) {
+  if (candidate.image) return {};
+  const std::uint64_t defects = count_defects(law, cases, candidate);
+  if (defects == 0) return {};
+  const std::vector<Followed> all = undeclared(candidate);
+  for (const Followed& one : all) {
+    if (is_right(law, cases, candidate, one.declared)) return RightUnder{one.text, defects};
+  }
+  for (std::size_t one = 0; one < all.size(); ++one) {
+    // The other value of the same convention is beside it.
+    for (std::size_t other = (one / 2 + 1) * 2; other < all.size(); ++other) {
+      if (is_right(law, cases, candidate, all[one].declared.over(all[other].declared))) {
+        return RightUnder{all[one].text + " and " + all[other].text, defects};
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace raycheck::properties

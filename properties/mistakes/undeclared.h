@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/case.h"
+#include "properties/laws/law.h"
+
+namespace raycheck::properties {
+
+/// Conventions that a candidate does not declare, and under which it keeps a law that it breaks.
+struct RightUnder {
+  std::string conventions;    ///< "root = nearest"
+  std::uint64_t defects = 0;  ///< Under the conventions that it was asked under.
+};
+
+/// The fewest such conventions, one or two, under which no answer about these cases is a defect,
+/// though the candidate answers alike when it is told to follow them; empty where there are none,
+/// or no defects. Renderers are told nothing: empty for them, too.
+/// Domain: cases of the candidate's format (rounded_case).
+std::optional<RightUnder> right_under(const Law& law, const std::vector<Case>& cases,
+                                      const Candidate& candidate);
+
+}  // namespace raycheck::properties
