@@ -150,6 +150,8 @@ struct Functions {
   /// Who gave no reply some times is asked no more; from now on it is again. Empty: it always
   /// replies.
   std::function<void()> forget_silence;
+  /// What it keeps between questions is lost: it is started anew. Empty: it cannot be.
+  std::function<void()> restart;
 
   /// What it is asked from now on does not depend on what it was asked before.
   void begin_anew() const {

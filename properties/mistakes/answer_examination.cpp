@@ -32,6 +32,12 @@ bool agree(const Answer& a, const Answer& b, double tolerance) {
                     [tolerance](auto& x, auto& y) { return agree(x, y, tolerance); });
 }
 
+bool is_number(const Answer& answer) {
+  return std::all_of(answer.vectors.begin(), answer.vectors.end(), [](const Vector3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+  });
+}
+
 StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
   const auto found = trial.intersect(asked.rays, asked.the_case.scene.spheres, trial.conventions());
   StepAnswers answers;
@@ -158,8 +164,9 @@ bool ends_matter(const AskedCase& asked) {
 
 }  // namespace
 
-Examination::Examination(std::span<const Case> cases, const Candidate& candidate)
-    : candidate_(candidate), others_(other_right_candidates(candidate)) {
+Examination::Examination(std::span<const Case> cases, const Candidate& candidate,
+                         NotNumbers not_numbers)
+    : candidate_(candidate), not_numbers_(not_numbers), others_(other_right_candidates(candidate)) {
   for (const Case& the_case : cases) {
     auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
     if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
@@ -181,6 +188,11 @@ const std::vector<Comparison>& Examination::at(Step step) {
     std::optional<StepAnswers> answers = try_to_ask(step, asked, candidate_);
     if (!answers) continue;
     Comparison comparison = {&asked, std::move(*answers), ask(step, asked, right_).value(), {}};
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      if (is_number(comparison.answers[k]) || !is_number(comparison.right[k])) continue;
+      ++not_number_counts_[static_cast<std::size_t>(step)];
+      if (not_numbers_ == NotNumbers::kLeftOut) comparison.answers[k] = comparison.right[k];
+    }
     if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
       comparison.also_right = ask_others(step, asked);
     }
@@ -194,6 +206,11 @@ std::uint64_t Examination::errors(Step step, double tolerance) {
   for (const Comparison& comparison : at(step))
     count += count_different(comparison, comparison.right, tolerance);
   return count;
+}
+
+std::uint64_t Examination::not_numbers(Step step) {
+  at(step);
+  return not_number_counts_[static_cast<std::size_t>(step)];
 }
 
 std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step last,

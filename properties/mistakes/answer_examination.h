@@ -37,10 +37,14 @@ struct Comparison {
   std::vector<StepAnswers> also_right;
 };
 
+/// What becomes of answers that are no numbers where numbers are right.
+enum class NotNumbers { kWrong, kLeftOut };
+
 /// A candidate's answers to cases; each step is computed on demand.
 class Examination {
  public:
-  Examination(std::span<const Case> cases, const Candidate& candidate);
+  Examination(std::span<const Case> cases, const Candidate& candidate,
+              NotNumbers not_numbers = NotNumbers::kWrong);
 
   const std::vector<Comparison>& at(Step step);
 
@@ -49,6 +53,8 @@ class Examination {
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
 
   std::uint64_t errors(Step step, double tolerance);
+  /// How many answers at a step are no numbers where numbers are right.
+  std::uint64_t not_numbers(Step step);
 
   /// How many answers up to a step are not as a mistake makes them; any number above `most` if
   /// there are more.
@@ -62,6 +68,8 @@ class Examination {
   std::vector<StepAnswers> ask_others(Step step, AskedCase asked) const;
 
   const Candidate& candidate_;
+  NotNumbers not_numbers_;
+  std::array<std::uint64_t, kStepCount> not_number_counts_{};
   const Candidate right_ = right_candidate();
   const std::vector<Candidate> others_;
   std::vector<AskedCase> asked_;

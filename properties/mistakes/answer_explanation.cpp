@@ -219,10 +219,7 @@ bool explains(Examination& examination, const AnswerCause& found, Step step) {
          });
 }
 
-}  // namespace
-
-std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate) {
-  Examination examination(cases, candidate);
+std::vector<AnswerCause> causes_in(Examination& examination) {
   std::vector<AnswerCause> findings = {find_cause(examination, {Step::kFrame, Step::kRay})};
   for (const Step step : {Step::kIntersect, Step::kNearest}) {
     const bool is_known =
@@ -242,6 +239,29 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
   }
   std::erase_if(findings, [](const AnswerCause& found) { return found.alternatives.empty(); });
   return findings;
+}
+
+}  // namespace
+
+std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate) {
+  Examination examination(cases, candidate);
+  std::vector<AnswerCause> found = causes_in(examination);
+  const bool is_all = std::all_of(found.begin(), found.end(), [](const AnswerCause& cause) {
+    const Explanation& one = cause.alternatives.front();
+    return one.explained == one.errors;
+  });
+  if (!found.empty() && is_all) return found;
+  // A defect of its own, which no other cause has to explain.
+  Examination rest(cases, candidate, NotNumbers::kLeftOut);
+  for (std::size_t at = 0; at < kStepCount; ++at) {
+    const auto step = static_cast<Step>(at);
+    const std::uint64_t count = rest.not_numbers(step);
+    if (count == 0) continue;
+    found = causes_in(rest);
+    found.push_back({step, {{"not a number, or infinite", count, count}}});
+    break;
+  }
+  return found;
 }
 
 std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes) {

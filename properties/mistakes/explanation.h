@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace raycheck::properties {
 
@@ -13,6 +14,10 @@ struct Explanation {
   std::uint64_t errors = 0, explained = 0;
   const Mistake* mistake = nullptr;  ///< Of answers, where it is one.
 };
+
+/// Of wrong answers that are right where the same question is the first.
+inline constexpr std::string_view kKeepsState =
+    "answers differently when asked first, and rightly: it keeps something between questions";
 
 /// The least share of the errors that an explanation must explain; a right answer that it
 /// contradicts counts as an unexplained error.

@@ -383,7 +383,10 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
     const std::uint64_t seed = parse_replay(broken.replay).seed;
     LawSearch search(asked, candidate, options, part.source);
     search.replay(seed, !answers_nothing_[number]);
-    if (search.failure) return *std::move(search.failure);
+    if (search.failure) {
+      search.ask_first();
+      return *std::move(search.failure);
+    }
     return Failure{part.source.make(seed), part.verdict, broken.replay};  // interrupted
   };
   std::vector<const CampaignPart*> broken;

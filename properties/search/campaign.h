@@ -100,6 +100,9 @@ struct Failure {
   Verdict verdict;
   std::string replay;
   bool is_undecided = false;
+  /// A candidate that is started anew, and asked about the shrunk case first, is right: what it is
+  /// asked before counts.
+  bool is_of_earlier = false;
 };
 
 /// A law holds only if at least this many answers to each kind of question that it asked, hits for

@@ -75,6 +75,25 @@ void LawSearch::replay(std::uint64_t seed, bool shrinks) {
   });
 }
 
+void LawSearch::ask_first() {
+  const auto worst = failure->verdict.worst(1);
+  // How long an answer takes is another matter.
+  if (!candidate_->restart || (!worst.empty() && worst.front().failed.is_silent)) return;
+  until_interrupted([&] {
+    const auto is_right = [&](const Case& one, Verdict& verdict) {
+      candidate_->restart();
+      verdict = verdict_on(*law_, *candidate_, one, max_error_).verdict;
+      return verdict.holds(strict_);
+    };
+    Verdict verdict(law_->name);
+    if (!is_right(failure->shrunk, verdict)) return;
+    failure->is_of_earlier = true;
+    if (!whole_ || is_right(*whole_, verdict)) return;
+    failure->shrunk = *whole_;
+    failure->verdict = std::move(verdict);
+  });
+}
+
 void LawSearch::replay_undecided(std::uint64_t seed) {
   const auto look = [&](const Case& one) {
     if (!is_of_format(one.scene, candidate_->input_format())) return false;
@@ -175,6 +194,7 @@ void LawSearch::shrink_while(const Breaks& breaks) {
 
 void LawSearch::shrink() {
   if (!failure) return;
+  whole_ = failure->shrunk;
   take_failed_question();
   shrink_while([this](const Case& simpler) {
     return is_of_format(simpler.scene, candidate_->input_format()) && breaks(simpler);

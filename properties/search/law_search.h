@@ -28,6 +28,10 @@ class LawSearch {
   void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);
   /// Judges one case of the source, and shrinks it unless told not to.
   void replay(std::uint64_t seed, bool shrinks = true);
+  /// Whether the failure is one, too, where its case is the first that the candidate is asked about
+  /// after it was started anew; if not, but that of the case before it was shrunk is, it is that
+  /// one.
+  void ask_first();
   /// Shrinks one case of the source that is undecided, as far as it still is.
   void replay_undecided(std::uint64_t seed);
   /// Judges a case, and shrinks it.
@@ -59,6 +63,7 @@ class LawSearch {
   const Candidate* candidate_;
   std::optional<double> max_error_;
   bool strict_;
+  std::optional<Case> whole_;  ///< The failure's case before it was shrunk.
 };
 
 }  // namespace raycheck::properties

@@ -284,6 +284,7 @@ Candidate candidate_of(const KnownReport& report) {
   static_cast<properties::Promises&>(candidate) = mutants::unmutated();
   candidate.refuses = false;
   candidate.level = properties::Level::kOrdinary;
+  candidate.declared.root = scene::Root::kNearest;
   candidate.name = report.mutant;
   properties::answer_by(candidate, [hit = report.hit](Candidate::Rays rays, const Sphere& sphere,
                                                       const Conventions& conventions) {

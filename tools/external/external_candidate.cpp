@@ -164,6 +164,11 @@ class Conversation {
     silences_ = 0;
     failed_request_.clear();
   }
+  /// The next request goes to a fresh process.
+  void restart() {
+    forget_silence();
+    process_.reset();
+  }
   KeptText said() const { return process_ ? process_->said() : KeptText(); }
 
  private:
@@ -359,6 +364,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   Candidate candidate = introduced(external);
   candidate.allow = [talk](double share) { talk->allow(share); };
   candidate.forget_silence = [talk] { talk->forget_silence(); };
+  candidate.restart = [talk] { talk->restart(); };
   add_functions(talk, external.introduction.functions, candidate);
   static_cast<properties::Functions&>(candidate) =
       completed(static_cast<const properties::Functions&>(candidate), candidate.returns);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -66,15 +67,31 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   report.precision = candidate.precision;
   report.domain = candidate;
   report.implementation = implementation;
-  if (!implementation.methods && report.finding == properties::Finding::kBroken) {
+  const auto& failure = report.result.failure;
+  if (report.keeps_state()) {
+    const std::uint64_t wrong = failure->verdict.count(properties::Standing::kDefect);
+    report.explanations = {{std::string(properties::kKeepsState), wrong, wrong}};
+  } else if (!implementation.methods && report.finding == properties::Finding::kBroken) {
     report.explanations = properties::causes(
         law, telling_cases(report.result, properties::kCasesOfACause), candidate);
   }
-  const auto& failure = report.result.failure;
-  if (failure && !failure->is_undecided && has_ranges(candidate, failure->verdict)) {
+  if (failure && !failure->is_undecided && !report.keeps_state() &&
+      has_ranges(candidate, failure->verdict)) {
     report.ranges = ranges_of(law, candidate, failure->shrunk, options.max_error, options.strict);
   }
   return report;
+}
+
+/// What a candidate answers to cases of which it was asked before says nothing of one that keeps
+/// something between questions.
+void leave_out_sentences_about_state(std::vector<CampaignReport>& reports) {
+  std::set<std::string> keep_state;
+  for (const CampaignReport& report : reports) {
+    if (report.keeps_state()) keep_state.insert(report.candidate);
+  }
+  for (CampaignReport& report : reports) {
+    if (!report.keeps_state() && keep_state.contains(report.candidate)) report.explanations.clear();
+  }
 }
 
 /// Of a unit of campaigns, or of a target.
@@ -215,6 +232,7 @@ class Study {
           report_of(*law, judged_[candidate], own, names_[candidate], std::move(result), options_));
       reports.back().worst = std::move(worst_[k]);
     }
+    leave_out_sentences_about_state(reports);
     return reports;
   }
 

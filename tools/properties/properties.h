@@ -62,6 +62,9 @@ struct CampaignReport {
   scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in,
   properties::Domain domain = {};                          ///< and where.
   std::optional<properties::WorstCase> worst = {};         ///< What a target led to.
+
+  /// Whether its failure depends on what the candidate was asked before.
+  bool keeps_state() const { return result.failure && result.failure->is_of_earlier; }
 };
 
 /// An external implementation, which documents no bounds.

@@ -212,7 +212,8 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfNearestSpheresAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInHits, testing::ValuesIn(indices(false)));
 
-/// But for methods that take d^2 as a difference: where it loses digits they are told so.
+/// But for methods that take d^2 as a difference: where it loses digits they are told so. What
+/// overflows is told that it is no number.
 TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
   const std::set<std::string_view> differences = {"quadratic", "stable-quadratic", "lecture",
                                                   "kahan"};
@@ -226,8 +227,9 @@ TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
           for (std::uint64_t seed = 1; seed <= 5; ++seed)
             cases.push_back(source.make(severity, seed));
           for (const std::string& sentence : sentences_for(candidate, cases)) {
-            EXPECT_TRUE(differences.contains(intersect->name) &&
-                        sentence.starts_with("the difference r^2 - "))
+            const bool is_lost = differences.contains(intersect->name) &&
+                                 sentence.starts_with("the difference r^2 - ");
+            EXPECT_TRUE(is_lost || sentence == "not a number, or infinite")
                 << candidate.name << " " << source.name << severity << ": " << sentence;
           }
         }
@@ -294,10 +296,30 @@ TEST(AnswerExplanation, OfWhatIsNoNumberIsThatOfAMistakeThatMakesNone) {
   candidate.pixel_rays = candidate.focal_rays = [](const auto&, const auto&, auto pixels) {
     return std::vector<scene::Ray>(pixels.size(), {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}});
   };
-  EXPECT_EQ(sentences_for(candidate), Sentences());
+  EXPECT_EQ(sentences_for(candidate), Sentences{"not a number, or infinite"});
   candidate.pixel_rays = candidate_of(kLost).pixel_rays;
   candidate.focal_rays = candidate_of(kLost).focal_rays;
   EXPECT_EQ(sentences_for(candidate), Sentences{kLost});
+}
+
+TEST(AnswerExplanation, LosesNoSentenceToAnswersThatAreNoNumbers) {
+  constexpr const char* kWrong = "s >= 0 is not tested: spheres behind the origin are hit";
+  Candidate candidate = candidate_of(kWrong);
+  candidate.nearest = nullptr;
+  const auto all = sentences_for(candidate);
+  candidate.intersect = [count = 0, ask = candidate.intersect](
+                            Candidate::Rays rays, Candidate::Spheres spheres,
+                            const scene::Conventions& conventions) mutable {
+    std::vector<SphereHits> hits = ask(rays, spheres, conventions);
+    for (SphereHits& its : hits) {
+      for (RayHit& one : its) {
+        if (++count % 20 == 0) one.hit = {kNaN, {kNaN, kNaN, kNaN}};
+      }
+    }
+    return hits;
+  };
+  EXPECT_EQ(all, Sentences{kWrong});
+  EXPECT_EQ(sentences_for(candidate), (Sentences{kWrong, "not a number, or infinite"}));
 }
 
 TEST(AnswerExplanation, PassesOverCasesThatTheCandidateFailsOn) {
