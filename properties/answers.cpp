@@ -11,8 +11,8 @@ namespace {
 template <class Given>
 const Given& require_count(const Given& answers, std::size_t expected, const char* what) {
   if (answers.size() != expected) {
-    throw std::runtime_error("candidate gave " + std::to_string(answers.size()) + " " + what +
-                             " where " + std::to_string(expected) + " were asked for");
+    throw CandidateFailed("candidate gave " + std::to_string(answers.size()) + " " + what +
+                          " where " + std::to_string(expected) + " were asked for");
   }
   return answers;
 }
@@ -40,7 +40,7 @@ struct ValidRays {
 void require_in_order(const SphereHits& hits, std::size_t rays) {
   for (std::size_t k = 0; k < hits.size(); ++k) {
     if (hits[k].ray >= rays || (k > 0 && hits[k].ray <= hits[k - 1].ray)) {
-      throw std::runtime_error("candidate gave hits that are not in the order of the rays");
+      throw CandidateFailed("candidate gave hits that are not in the order of the rays");
     }
   }
 }
@@ -60,7 +60,7 @@ const Given& Answers::once(Once<Given>& kept, const Ask& ask) const {
   if (candidate_.allow) candidate_.allow(share_);
   try {
     return kept.answers.emplace(ask());
-  } catch (const std::runtime_error&) {
+  } catch (const NoAnswer&) {
     kept.failure = std::current_exception();
     throw;
   }
@@ -110,8 +110,8 @@ const std::vector<scene::ScenePlan>& Answers::plans() {
       plans.push_back(candidate_.plan(case_.scene, conventions_, wanted));
       const std::size_t spheres = plans.back().spheres.size();
       if (spheres != case_.scene.spheres.size()) {
-        throw std::runtime_error("the plan speaks of " + std::to_string(spheres) + " spheres of " +
-                                 std::to_string(case_.scene.spheres.size()));
+        throw CandidateFailed("the plan speaks of " + std::to_string(spheres) + " spheres of " +
+                              std::to_string(case_.scene.spheres.size()));
       }
     }
     return plans;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "properties/case.h"
+#include "properties/failures.h"
 #include "properties/quantity.h"
 #include "properties/returns.h"
 #include "scene/plan/plan.h"
@@ -108,42 +109,44 @@ struct DeclaredConventions {
 bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
 /// The functions of an implementation; those that it lacks are empty. Functions refuse invalid
-/// input with std::invalid_argument; the what() of any other exception (failures.h) says how they
-/// failed.
-/// Answers come in the order of the questions; an absent hit is a miss.
+/// input with std::invalid_argument; the what() of any other exception says how they failed.
+/// Whoever calls them sees a NoAnswer in place of both. Answers come in the order of the questions;
+/// an absent hit is a miss.
 struct Functions {
   using Pixels = std::span<const scene::Pixel>;
   using Rays = std::span<const scene::Ray>;
   using Spheres = std::span<const scene::Sphere>;
 
-  std::function<FrameAnswer(const scene::Camera&)> frame;
-  std::function<std::vector<scene::Point3>(const scene::Camera&, const scene::Conventions&, Pixels)>
+  CandidateFunction<FrameAnswer(const scene::Camera&)> frame;
+  CandidateFunction<std::vector<scene::Point3>(const scene::Camera&, const scene::Conventions&,
+                                               Pixels)>
       pixel_points;
-  using MakeRays = std::function<std::vector<scene::Ray>(const scene::Camera&,
-                                                         const scene::Conventions&, Pixels)>;
+  using MakeRays = CandidateFunction<std::vector<scene::Ray>(const scene::Camera&,
+                                                             const scene::Conventions&, Pixels)>;
   MakeRays pixel_rays;  ///< From P along the unit direction D.
   MakeRays focal_rays;  ///< From E along the same.
   const MakeRays& rays_from(scene::Origin origin) const {
     return origin == scene::Origin::kPixel ? pixel_rays : focal_rays;
   }
   /// Every ray with every sphere: one list of hits per sphere.
-  std::function<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
+  CandidateFunction<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
   /// A superset of the classes that `intersect`, which this is about, answers on boxes of valid
   /// input. Whoever replaces that one empties or replaces this one.
-  std::function<scene::PossibleClasses(const scene::Box<scene::Ray>&,
-                                       const scene::Box<scene::Sphere>&, scene::HitRule)>
+  CandidateFunction<scene::PossibleClasses(const scene::Box<scene::Ray>&,
+                                           const scene::Box<scene::Sphere>&, scene::HitRule)>
       classes_in;
-  std::function<std::vector<std::optional<std::size_t>>(Rays, Spheres, const scene::Conventions&)>
+  CandidateFunction<std::vector<std::optional<std::size_t>>(Rays, Spheres,
+                                                            const scene::Conventions&)>
       nearest;
   /// What it leaves out of a scene with a camera.
-  std::function<scene::ScenePlan(const scene::Scene&, const scene::Conventions&, scene::Wanted)>
+  CandidateFunction<scene::ScenePlan(const scene::Scene&, const scene::Conventions&, scene::Wanted)>
       plan;
   /// The sphere seen through each pixel of a scene with a camera; empty: none.
-  std::function<std::vector<std::optional<SeenAnswer>>(const scene::Scene&,
-                                                       const scene::Conventions&, Pixels)>
+  CandidateFunction<std::vector<std::optional<SeenAnswer>>(const scene::Scene&,
+                                                           const scene::Conventions&, Pixels)>
       visible;
   /// The whole image of a scene with a camera.
-  std::function<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
+  CandidateFunction<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
   /// What is asked from now on is a part of a batch that failed, and gets this share, in (0, 1], of
   /// the time for an answer. Empty: it has no such limit.
   std::function<void(double share)> allow;

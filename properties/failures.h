@@ -1,19 +1,35 @@
 #pragma once
 
-// What a candidate's functions throw besides std::invalid_argument, which refuses input.
+// What is thrown where a candidate gives no answer, and where raycheck fails itself.
 
 #include <cstdint>
+#include <functional>
+#include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "properties/case.h"
+#include "scene/interruption.h"
+
 namespace raycheck::properties {
 
-/// It would fail whatever it is asked.
-class CandidateUnavailable : public std::runtime_error {
- public:
+/// A candidate gives no answer.
+struct NoAnswer : std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+/// It refuses the question.
+struct CandidateRefused : NoAnswer {
+  using NoAnswer::NoAnswer;
+};
+/// It fails.
+struct CandidateFailed : NoAnswer {
+  using NoAnswer::NoAnswer;
+};
+/// It would fail whatever it is asked.
+struct CandidateUnavailable : CandidateFailed {
+  using CandidateFailed::CandidateFailed;
 };
 
 /// A line of a candidate's own source.
@@ -28,24 +44,84 @@ struct CodeLine {
 };
 
 /// It failed at a known line.
-struct FailedAtLine : std::runtime_error {
-  FailedAtLine(const std::string& what, CodeLine at)
-      : std::runtime_error(what), line(std::move(at)) {}
+struct FailedAtLine : CandidateFailed {
+  FailedAtLine(const std::string& what, CodeLine at) : CandidateFailed(what), line(std::move(at)) {}
   CodeLine line;
 };
 
 /// It gave no reply in time.
-struct NoReply : std::runtime_error {
+struct NoReply : CandidateFailed {
   NoReply(const std::string& what, std::optional<CodeLine> at)
-      : std::runtime_error(what), line(std::move(at)) {}
+      : CandidateFailed(what), line(std::move(at)) {}
   std::optional<CodeLine> line;
 };
 
 /// Its `image` made a picture of another size than the scene's.
-struct OtherSize : std::runtime_error {
+struct OtherSize : CandidateFailed {
   OtherSize(const std::string& what, std::int64_t its_width, std::int64_t its_height)
-      : std::runtime_error(what), width(its_width), height(its_height) {}
+      : CandidateFailed(what), width(its_width), height(its_height) {}
   std::int64_t width, height;
+};
+
+/// raycheck itself fails, whatever the candidate answers: nothing is said of it.
+struct InternalError : std::logic_error {
+  explicit InternalError(const std::string& what, std::optional<Case> on = {})
+      : std::logic_error(what), the_case(std::move(on)) {}
+  std::optional<Case> the_case;  ///< Where it failed, if that is known.
+};
+
+/// Calls what is a candidate's own: whatever it throws is its refusal (std::invalid_argument) or
+/// failure. What is no failure of its own passes through.
+template <class Ask>
+auto asked(const Ask& ask) -> decltype(ask()) {
+  try {
+    return ask();
+  } catch (const NoAnswer&) {
+    throw;
+  } catch (const InternalError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const scene::Interrupted&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    throw CandidateRefused(error.what());
+  } catch (const std::exception& error) {
+    throw CandidateFailed(error.what());
+  } catch (...) {
+    throw CandidateFailed("it throws something that is no std::exception");
+  }
+}
+
+/// Calls what is raycheck's own, between a law and a candidate: only a NoAnswer is the candidate's.
+template <class Ask>
+auto asked_by_us(const Ask& ask) -> decltype(ask()) {
+  try {
+    return ask();
+  } catch (const NoAnswer&) {
+    throw;
+  } catch (const InternalError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InternalError(error.what());
+  }
+}
+
+/// A function of a candidate (asked()).
+template <class Signature>
+class CandidateFunction;
+template <class Answer, class... Arguments>
+class CandidateFunction<Answer(Arguments...)> : public std::function<Answer(Arguments...)> {
+  using Base = std::function<Answer(Arguments...)>;
+
+ public:
+  using Base::Base;
+  using Base::operator=;
+  Answer operator()(Arguments... arguments) const {
+    return asked([&] { return Base::operator()(std::forward<Arguments>(arguments)...); });
+  }
 };
 
 }  // namespace raycheck::properties

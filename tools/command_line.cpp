@@ -8,12 +8,15 @@
 #include <functional>
 #include <iterator>
 #include <new>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "properties/cases/case_text.h"
+#include "properties/failures.h"
 #include "scene/arithmetic.h"
 #include "scene/interruption.h"
 #include "tools/arguments.h"
@@ -21,6 +24,7 @@
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
 #include "tools/report/version.h"
+#include "tools/report/words.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -113,8 +117,21 @@ std::string said_of(const std::exception& error, const CLI::App& command) {
   return is_option ? "--" + text : text;
 }
 
+/// The text of what is raycheck's own failure; `words`: its command line.
+std::string said_of_ours(const std::exception& error, std::span<char* const> words) {
+  std::string text = fmt::format(
+      "raycheck: internal error: {}\nThis is a fault of raycheck, not of what it judges: there is "
+      "no "
+      "verdict. Please report it, with this command:\n ",
+      error.what());
+  for (const char* word : words) text += " " + single_quoted(word);
+  const auto* ours = dynamic_cast<const properties::InternalError*>(&error);
+  if (ours == nullptr || !ours->the_case) return text + "\n";
+  return text + "\nand this case:\n" + properties::scene_text(*ours->the_case, "internal error");
+}
+
 /// The exit code of a command, whatever it throws.
-int outcome_of(const Command& command) {
+int outcome_of(const Command& command, std::span<char* const> words) {
   const std::function<bool()> is_interrupted = interrupted;
   try {
     const scene::Interruptible interruptible(is_interrupted);
@@ -125,6 +142,12 @@ int outcome_of(const Command& command) {
   } catch (const std::exception& error) {
     // After a signal, errors mean nothing.
     if (interrupted()) return end_without_report(*command.app);
+    const bool is_ours = dynamic_cast<const std::logic_error*>(&error) != nullptr &&
+                         dynamic_cast<const std::invalid_argument*>(&error) == nullptr;
+    if (is_ours) {
+      print_error(said_of_ours(error, words));
+      return kExitInternal;
+    }
     print_error(fmt::format("raycheck: {}\n", said_of(error, *command.app)));
     return kExitBadInput;
   }
@@ -186,7 +209,7 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
       return exit_of(error, app);
     }
     for (const Command& command : commands) {
-      if (command.app->parsed()) return outcome_of(command);
+      if (command.app->parsed()) return outcome_of(command, {argv, static_cast<std::size_t>(argc)});
     }
     print_error(fmt::format("raycheck: {} is a command of another program; start it by raycheck\n",
                             app.get_subcommands().front()->get_name()));

@@ -82,6 +82,8 @@ inline constexpr int kExitNothingFound = 0;
 inline constexpr int kExitDiscrepancy = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitNothingChecked = 4;
+/// raycheck itself fails: as EX_SOFTWARE of sysexits.h.
+inline constexpr int kExitInternal = 70;
 /// Plus the signal: the one that interrupted it, or SIGPIPE if nobody reads its output.
 inline constexpr int kExitOfSignal = 128;
 

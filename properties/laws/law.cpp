@@ -247,9 +247,7 @@ LawJudgement judge(const Law& law, Trial& trial) {
     LawJudgement judged{Verdict(law.name)};
     law.judge(trial, judged.verdict);
     return judged;
-  } catch (const std::bad_alloc&) {
-    throw;  // not the candidate's fault
-  } catch (const std::invalid_argument& error) {
+  } catch (const CandidateRefused& error) {
     return judged_failure(law, trial, Wrong::kRefused, error.what());
   } catch (const CandidateUnavailable& error) {
     return judge_unavailable(law, trial, error.what());
@@ -257,8 +255,15 @@ LawJudgement judge(const Law& law, Trial& trial) {
     return judge_apart(law, trial, error.what(), error.line, true);
   } catch (const FailedAtLine& error) {
     return judge_apart(law, trial, error.what(), error.line);
-  } catch (const std::exception& error) {
+  } catch (const CandidateFailed& error) {
     return judge_apart(law, trial, error.what());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const InternalError& error) {
+    throw InternalError(error.what(), Case{trial.scene(), trial.pixels()});
+  } catch (const std::exception& error) {
+    throw InternalError("law " + std::string(law.name) + ": " + error.what(),
+                        Case{trial.scene(), trial.pixels()});
   }
 }
 

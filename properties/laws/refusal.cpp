@@ -63,7 +63,7 @@ void expect_refusal(Trial& trial, Verdict& verdict, const char* what, const Ask&
   Wrong wrong = Wrong::kAnswered;
   try {
     ask();
-  } catch (const std::invalid_argument&) {
+  } catch (const CandidateRefused&) {
     wrong = Wrong::kNot;
   }
   trial.judge(

@@ -93,9 +93,7 @@ std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
   scene::poll();
   try {
     return ask(step, asked, candidate);
-  } catch (const std::runtime_error&) {
-    return {};
-  } catch (const std::invalid_argument&) {
+  } catch (const NoAnswer&) {
     return {};
   }
 }

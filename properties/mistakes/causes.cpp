@@ -47,7 +47,7 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
                                          : explanations(answer_causes(asked, candidate));
     std::erase_if(found, [](const Explanation& one) { return one.errors < kFewestErrorsOfACause; });
     return found;
-  } catch (const std::runtime_error&) {
+  } catch (const NoAnswer&) {
     return {};  // the verdict says that it gives no answer
   } catch (const scene::Interrupted&) {
     return {};

@@ -128,7 +128,7 @@ std::vector<std::optional<Ray>> FaultyView::rays(std::span<const Pixel> pixels) 
     for (std::size_t k = 0; k < made.size(); ++k) {
       if (!is_black[k] && is_ray(made[k])) found[k] = made[k];
     }
-  } catch (const std::invalid_argument&) {
+  } catch (const NoAnswer&) {
     return found;
   }
   return found;

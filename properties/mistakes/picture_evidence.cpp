@@ -35,7 +35,7 @@ std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& c
   } catch (const OtherSize& other) {
     shown.sides_exchanged = other.width == camera.height && other.height == camera.width;
     if (!shown.sides_exchanged) return {};
-  } catch (const std::runtime_error&) {
+  } catch (const NoAnswer&) {
     return {};
   }
   return shown;

@@ -158,6 +158,80 @@ TEST_P(HostileFaults, OfTheSystemMakeNoGradeWrongAndLoseNothing) {
   }
 }
 
+/// An exception of raycheck's own, at so many operations on enclosures.
+Outcome run_throwing(const std::string& arguments, int operation = 0) {
+  const Variable preload("LD_PRELOAD", RAYCHECK_FAULTS);
+  const Variable which("RAYCHECK_THROW", std::to_string(operation));
+  return run(arguments);
+}
+
+void expect_internal(const Outcome& outcome) {
+  EXPECT_EQ(outcome.exit_code, 70) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  expect_parts(outcome.err,
+               {"raycheck: internal error: ", "injected\nThis is a fault of raycheck"});
+}
+
+TEST(InternalErrors, OfLawsAreChargedToNoCandidate) {
+  for (const std::string law :
+       {"frame", "pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero",
+        "density", "square-pixels", "direction", "ray-origin", "class", "parameter",
+        "backward-error", "hit-point", "focal-and-pixel", "scaling", "axes", "look-at", "up"}) {
+    SCOPED_TRACE(law);
+    const Outcome outcome =
+        run_throwing("properties --rays lecture --intersect lecture --cases 60 --filter " + law);
+    expect_internal(outcome);
+    expect_parts(outcome.err, {"internal error: law " + law + ": injected",
+                               "properties' '--rays' 'lecture'", "# internal error"});
+  }
+}
+
+TEST(InternalErrors, EndEveryCommandThatJudges) {
+  const std::string scene = RAYCHECK_SOURCE_DIR "/scene/examples/optical-axis.toml";
+  const std::string page = temporary_folder("internal") + "/page.html";
+  for (const std::string& command : {
+           "check " + scene,
+           "explain " + scene + " --pixel 2,2",
+           "tradeoff " + scene,
+           "view " + scene + " --out " + page,
+           std::string("stress --cases 5"),
+       }) {
+    SCOPED_TRACE(command);
+    expect_internal(run_throwing(command));
+  }
+  EXPECT_FALSE(fs::exists(page));
+}
+
+TEST(InternalErrors, WriteNoUnitNoBaselineAndNoReport) {
+  const std::string asked =
+      "properties --intersect lecture --filter parameter --source distance@9 ";
+  const std::string folder = temporary_folder("units") + "/of", file = folder + ".json";
+  const auto units = [&] {
+    return std::distance(fs::recursive_directory_iterator(folder),
+                         fs::recursive_directory_iterator());
+  };
+  expect_internal(run_throwing(asked + "--out " + folder));
+  const auto before = units();
+  run(asked + "--out " + folder, 1);
+  EXPECT_GT(units(), before);
+  expect_internal(run_throwing("merge --report json=" + file + " " + folder));
+  expect_internal(run_throwing(asked + "--baseline " + file + " --update-baseline"));
+  EXPECT_FALSE(fs::exists(file));
+}
+
+TEST(InternalErrors, OfTheGraderGiveNoPoints) {
+  const FaultyGrading faulty;
+  const Variable preload("LD_PRELOAD", RAYCHECK_FAULTS);
+  const Variable which("RAYCHECK_THROW", "0");
+  const Outcome outcome = faulty.grade("out");
+  EXPECT_EQ(outcome.exit_code, 70) << outcome.err;
+  expect_parts(outcome.err, {"raycheck: internal error: wrong: "});
+  // What was graded before stays.
+  EXPECT_EQ(faulty.grading().file("wrong", "result.json"), "");
+  EXPECT_EQ(faulty.grading().file("drawn", "result.json"), "");
+  faulty.expect_same("right", "result.json", "out");
+}
+
 /// What may fail is failed: this test would not hold if nothing were.
 TEST(HostileFaultsAtAll, AreNoticed) {
   // Four are of the first process, which is tried again as another user where it fails.

@@ -3,6 +3,9 @@
 //   RAYCHECK_FAULT=NAME:K:ERRNO     the K-th call of this name, from 0, fails with this number
 //   RAYCHECK_FAULT_COUNTS=FILE      takes, at the end, a line "NAME COUNT K..." for each name: K is
 //                                   the number of the first call from each place in the program
+//   RAYCHECK_THROW=K                the K-th operation on enclosures, from 0, throws an exception,
+//   as
+//                                   a fault of raycheck would
 // What the program starts has another environment, and no faults.
 
 #include <dirent.h>
@@ -26,6 +29,7 @@
 #include <cstring>
 #include <map>
 #include <mutex>
+#include <stdexcept>
 #include <string_view>
 
 namespace {
@@ -153,3 +157,26 @@ RAYCHECK_FAULTY(ssize_t, sendfile64, "sendfile", -1, (int to, int from, off64_t*
                 to, from, at, size)
 RAYCHECK_FAULTY(int, chown, "chown", -1, (const char* path, uid_t user, gid_t group), path, user,
                 group)
+
+namespace {
+
+void may_throw() {
+  static std::atomic<long> count{0};
+  static const char* const position = std::getenv("RAYCHECK_THROW");
+  if (position == nullptr || std::strcmp(program_invocation_short_name, "raycheck") != 0) return;
+  if (count++ == std::atol(position)) throw std::out_of_range("injected");
+}
+
+}  // namespace
+
+#define RAYCHECK_THROWING(name)                                                            \
+  extern "C" void name(void* z, const void* x, const void* y, long precision) {            \
+    may_throw();                                                                           \
+    static const auto real = next<void (*)(void*, const void*, const void*, long)>(#name); \
+    real(z, x, y, precision);                                                              \
+  }
+
+RAYCHECK_THROWING(arb_add)
+RAYCHECK_THROWING(arb_sub)
+RAYCHECK_THROWING(arb_mul)
+RAYCHECK_THROWING(arb_div)

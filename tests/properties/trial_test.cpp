@@ -27,6 +27,39 @@ Case camera_case() {
   return result;
 }
 
+template <class Answer, class... Arguments>
+void fail(CandidateFunction<Answer(Arguments...)>& function) {
+  function = [](Arguments...) -> Answer { throw InternalError("injected"); };
+}
+
+/// Of laws, and of what stands between them and a candidate.
+TEST(Trial, ChargesNoInternalErrorToTheCandidate) {
+  Candidate candidate = direct_cross();
+  fail(candidate.frame), fail(candidate.pixel_points), fail(candidate.pixel_rays);
+  fail(candidate.focal_rays), fail(candidate.intersect), fail(candidate.nearest);
+  fail(candidate.plan), fail(candidate.visible);
+  const Case given = camera_case();
+  int tried = 0;
+  for (const Law& law : laws()) {
+    Trial trial(given, candidate);
+    if (law.per == Per::kImage || !scene_suits(law.needs, trial)) continue;
+    EXPECT_THROW(apply(law, trial), InternalError) << law.name;
+    ++tried;
+  }
+  EXPECT_EQ(tried, 28);
+}
+
+/// Whatever a candidate's own function throws.
+TEST(Trial, TakesWhatACandidateThrowsForItsFailure) {
+  Candidate candidate = direct_cross();
+  candidate.intersect = [](auto&&...) -> std::vector<SphereHits> { throw 7; };
+  const Case given = camera_case();
+  Trial trial(given, candidate);
+  const Verdict verdict = apply(*find_law("class"), trial);
+  ASSERT_FALSE(verdict.holds());
+  EXPECT_EQ(verdict.worst(1).front().wrong, Wrong::kFailed);
+}
+
 TEST(Trial, AsksTheCandidateOnceForAllLaws) {
   Candidate candidate = direct_cross();
   int points = 0, rays = 0, hits = 0;

@@ -58,7 +58,7 @@ std::vector<properties::Explanation> explained(const CandidateReport& report,
     const SceneCases some(scene, kChunk);
     const Case rays = some.from(0, std::min<std::uint64_t>(kChunk, some.rays_judged()));
     return properties::explanations(properties::answer_causes(std::span(&rays, 1), candidate));
-  } catch (const std::runtime_error&) {
+  } catch (const properties::NoAnswer&) {
     return {};  // the verdict says that it gives no answer
   } catch (const scene::Interrupted&) {
     return {};

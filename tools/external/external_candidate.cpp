@@ -34,7 +34,7 @@ struct AnswerFailure {
     }
     if (kind == FailureKind::kTimeUp) throw properties::NoReply(words, line);
     if (line) throw properties::FailedAtLine(words, *line);
-    throw std::runtime_error(words);
+    throw properties::CandidateFailed(words);
   }
 };
 
@@ -73,8 +73,10 @@ class Pictures {
     } catch (const properties::OtherSize& error) {
       fail(error.what(), FailureKind::kBadReply);
       failure_->size = error;
-    } catch (const std::exception& error) {
+    } catch (const PictureError& error) {
       fail(error.what(), FailureKind::kBadReply);
+    } catch (const std::system_error& error) {
+      fail(error.what(), FailureKind::kSystem);
     }
   }
 
@@ -107,6 +109,36 @@ class Conversation {
   template <class Read>
   auto ask(std::string_view function, const scene::Conventions& conventions, std::size_t lines,
            const std::function<void(Request&)>& fill, const Read& read) {
+    return properties::asked_by_us(
+        [&] { return read_reply(function, conventions, lines, fill, read); });
+  }
+
+  Introduction introduce() {
+    if (const auto known = external_.answers->find(std::string(kGreeting))) {
+      return parse_introduction(known->text);
+    }
+    start();
+    return introduction_;
+  }
+  /// From now on requests have this share of the time for a reply.
+  void allow(double share) { share_ = share; }
+  /// Requests without a reply count no more.
+  void forget_silence() {
+    silent_shares_ = 0;
+    silences_ = 0;
+    failed_request_.clear();
+  }
+  /// The next request goes to a fresh process.
+  void restart() {
+    forget_silence();
+    process_.reset();
+  }
+  KeptText said() const { return process_ ? process_->said() : KeptText(); }
+
+ private:
+  template <class Read>
+  auto read_reply(std::string_view function, const scene::Conventions& conventions,
+                  std::size_t lines, const std::function<void(Request&)>& fill, const Read& read) {
     Request request(next_id(), function, conventions);
     fill(request);
     if (silent_shares_ >= kMostSilences) {
@@ -149,29 +181,6 @@ class Conversation {
     }
   }
 
-  Introduction introduce() {
-    if (const auto known = external_.answers->find(std::string(kGreeting))) {
-      return parse_introduction(known->text);
-    }
-    start();
-    return introduction_;
-  }
-  /// From now on requests have this share of the time for a reply.
-  void allow(double share) { share_ = share; }
-  /// Requests without a reply count no more.
-  void forget_silence() {
-    silent_shares_ = 0;
-    silences_ = 0;
-    failed_request_.clear();
-  }
-  /// The next request goes to a fresh process.
-  void restart() {
-    forget_silence();
-    process_.reset();
-  }
-  KeptText said() const { return process_ ? process_->said() : KeptText(); }
-
- private:
   /// Unpredictable, so that no reply can be prepared before its request.
   std::string next_id() { return fmt::format("{:016x}", ids_()); }
 
@@ -245,7 +254,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   candidate.declared.origin = external.renderer->origin;
   candidate.image = [pictures = external.pictures, last](const scene::Scene& scene,
                                                          const scene::Conventions& conventions) {
-    return pictures->of(scene, conventions.rows, last);
+    return properties::asked_by_us([&] { return pictures->of(scene, conventions.rows, last); });
   };
   return judged_in(external.precision, std::move(candidate));
 }

@@ -213,8 +213,14 @@ class ClassRun {
     one.grade.seed =
         options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
     one.grade.isolation = layers_;
-    one.outside = grade_one(submission, control, alone, one.grade);
-    if (own_) write(submission, one.grade);
+    try {
+      one.outside = grade_one(submission, control, alone, one.grade);
+      if (own_) write(submission, one.grade);
+    } catch (const std::logic_error& error) {
+      const auto* const ours = dynamic_cast<const properties::InternalError*>(&error);
+      throw properties::InternalError(fmt::format("{}: {}", submission.name, error.what()),
+                                      ours != nullptr ? ours->the_case : std::nullopt);
+    }
     return one;
   }
 
@@ -257,6 +263,8 @@ class ClassRun {
     } catch (const scene::Interrupted&) {
       // The next run grades it.
       refuse(rubric_, {"raycheck was interrupted before anything was asked", ""}, grade);
+    } catch (const std::logic_error&) {  // raycheck's own
+      throw;
     } catch (const std::exception& error) {
       surroundings->blame(error.what());
     }

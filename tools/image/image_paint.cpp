@@ -59,7 +59,7 @@ std::vector<properties::NearestHitError> errors_of(properties::Trial& trial,
     return properties::nearest_hit_errors(trial, seen);
   } catch (const properties::CandidateUnavailable& error) {
     return failed(error.what());
-  } catch (const std::runtime_error& error) {
+  } catch (const properties::NoAnswer& error) {
     if (trial.ray_count() <= 1 || search.is_over()) {
       ++search.found;
       return failed(error.what());

@@ -228,7 +228,7 @@ Clocked clocked(MethodCost& cost, const Find& find, const Calls& singles, const 
     found.scalar = timed_calls(prepare, singles, judged);
     cost.is_called_here = !cost.method.methods;
     return found;
-  } catch (const std::runtime_error& error) {
+  } catch (const properties::NoAnswer& error) {
     cost.not_timed = fmt::format("not timed: {}", error.what());
   } catch (const std::invalid_argument& error) {
     cost.not_timed = fmt::format("not timed: {}", error.what());

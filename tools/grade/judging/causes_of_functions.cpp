@@ -34,7 +34,7 @@ std::vector<Case> cases_of(const ItemTrial& trial) {
 std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candidate& candidate) {
   try {
     return properties::answer_causes(cases, candidate);
-  } catch (const std::runtime_error&) {
+  } catch (const properties::NoAnswer&) {
     return {};
   }
 }
@@ -80,7 +80,7 @@ bool are_alike(const scene::Ray& a, const scene::Ray& b) {
 std::optional<std::vector<scene::Ray>> rays_of(Trial& trial) {
   try {
     return trial.rays();
-  } catch (const std::runtime_error&) {
+  } catch (const properties::NoAnswer&) {
     return {};
   }
 }

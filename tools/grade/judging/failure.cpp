@@ -59,7 +59,7 @@ bool is_made_by(const properties::Fault& fault, const Case& the_case, const Cand
   try {
     return properties::count_otherwise(candidate.image(scene, scene.conventions),
                                        properties::predicted(fault, scene)) <= 1;
-  } catch (const std::runtime_error&) {
+  } catch (const properties::NoAnswer&) {
     return false;
   }
 }
@@ -77,7 +77,7 @@ template <class Ask>
 auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
   try {
     return ask();
-  } catch (const std::exception&) {
+  } catch (const properties::NoAnswer&) {
     return {};
   }
 }
@@ -127,7 +127,7 @@ std::optional<ComparedPictures> compared_pictures(const Case& the_case, const Ex
   ComparedPictures pictures;
   try {
     pictures.got = who.candidate.image(the_case.scene, conventions);
-  } catch (const std::runtime_error&) {
+  } catch (const properties::NoAnswer&) {
     return {};
   }
   pictures.exact = properties::exact_image(the_case.scene, conventions);

@@ -125,7 +125,7 @@ std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
     if (answer.size() == count) {
       std::transform(answer.begin(), answer.end(), picture.begin(), pixel_of);
     }
-  } catch (const std::runtime_error&) {  // the findings say how it failed
+  } catch (const properties::NoAnswer&) {  // the findings say how it failed
   }
   return picture;
 }
@@ -154,7 +154,7 @@ void answer(const scene::Scene& scene, const properties::Candidate& candidate, s
     for (std::size_t k = 0; k < rows.size(); ++k) {
       rows[k] = nearest[k] ? static_cast<std::int32_t>(*nearest[k]) : kNoSphere;
     }
-  } catch (const std::runtime_error&) {
+  } catch (const properties::NoAnswer&) {
     std::fill(rows.begin(), rows.end(), kFailedPixel);
   }
 }
