@@ -120,7 +120,12 @@ class CandidateFunction<Answer(Arguments...)> : public std::function<Answer(Argu
   using Base::Base;
   using Base::operator=;
   Answer operator()(Arguments... arguments) const {
-    return asked([&] { return Base::operator()(std::forward<Arguments>(arguments)...); });
+    return asked([&] { return as_is(std::forward<Arguments>(arguments)...); });
+  }
+  /// What it throws passes through, untranslated: for whoever expects it, since each throw takes
+  /// time.
+  Answer as_is(Arguments... arguments) const {
+    return Base::operator()(std::forward<Arguments>(arguments)...);
   }
 };
 

@@ -88,7 +88,7 @@ constexpr double bound_growth(double condition) {
 /// Where a sphere's centre lies within so many radii of a ray's origin, errors of code that
 /// promises no more than ordinary cases may grow with the condition number of the textbook's
 /// formula, too (reference::textbook_steps); farther away that formula's errors are defects.
-inline constexpr double kOrdinaryDistance = 0x1p15;
+inline constexpr double kOrdinaryDistance = 0x1p10;
 
 /// A class error is excused when a relative change of the inputs by this much may flip the exact
 /// class: what the roundings of a handful of operations amount to. (A method in another precision

@@ -62,7 +62,13 @@ template <class Ask>
 void expect_refusal(Trial& trial, Verdict& verdict, const char* what, const Ask& ask) {
   Wrong wrong = Wrong::kAnswered;
   try {
-    ask();
+    try {
+      ask();
+    } catch (const std::invalid_argument&) {
+      wrong = Wrong::kNot;
+    } catch (...) {
+      asked([] { throw; });
+    }
   } catch (const CandidateRefused&) {
     wrong = Wrong::kNot;
   }
@@ -78,19 +84,19 @@ void spoil_cameras(Trial& trial, Verdict& verdict) {
   const auto ask_pixels = [&](const scene::Camera& camera, const char* what) {
     for (const auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
       if (*make) {
-        expect_refusal(trial, verdict, what, [&] { (*make)(camera, conventions, pixels); });
+        expect_refusal(trial, verdict, what, [&] { make->as_is(camera, conventions, pixels); });
       }
     }
     if (candidate.pixel_points) {
       expect_refusal(trial, verdict, what,
-                     [&] { candidate.pixel_points(camera, conventions, pixels); });
+                     [&] { candidate.pixel_points.as_is(camera, conventions, pixels); });
     }
   };
   for (const auto& spoiling : kCameraSpoilings) {
     scene::Camera camera = *trial.scene().camera;
     spoiling.spoil(camera);
     if (candidate.frame) {
-      expect_refusal(trial, verdict, spoiling.what, [&] { candidate.frame(camera); });
+      expect_refusal(trial, verdict, spoiling.what, [&] { candidate.frame.as_is(camera); });
     }
     ask_pixels(camera, spoiling.what);
   }
@@ -104,7 +110,8 @@ void spoil_cameras(Trial& trial, Verdict& verdict) {
 void spoil_intersections(Trial& trial, Verdict& verdict) {
   const auto ask = [&](const char* what, const scene::Ray& ray, const scene::Sphere& sphere) {
     expect_refusal(trial, verdict, what, [&] {
-      trial.candidate().intersect(std::span(&ray, 1), std::span(&sphere, 1), trial.conventions());
+      trial.candidate().intersect.as_is(std::span(&ray, 1), std::span(&sphere, 1),
+                                        trial.conventions());
     });
   };
   const scene::Ray ray =

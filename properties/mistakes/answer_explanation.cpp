@@ -160,11 +160,15 @@ std::optional<AnswerCause> cancelling_difference(Examination& examination) {
     };
   };
   const auto stable = within(is_single ? Arithmetic::kSingle : Arithmetic::kProduct);
-  const auto cancels = within(is_single ? Arithmetic::kSingleDifference : Arithmetic::kDifference);
+  const Arithmetic difference = is_single ? Arithmetic::kSingleDifference : Arithmetic::kDifference;
+  const auto cancels = within(difference);
   const auto found = small_errors(examination, cancels, cancels,
                                   [&](const auto&... of) { return !stable(of...); });
   if (!found) return {};
-  return small_cause(sentence_of(examination, Arithmetic::kDifference, found->radii), *found);
+  AnswerCause cause =
+      small_cause(sentence_of(examination, Arithmetic::kDifference, found->radii), *found);
+  cause.roundings = difference;
+  return cause;
 }
 
 /// At the first step of a part that has errors.

@@ -58,12 +58,15 @@ bool same_answers(Trial& one, Trial& other) {
   return !candidate.nearest || one.nearest() == other.nearest();
 }
 
-/// The defects that a law finds in some cases together.
+/// The defects that a law finds in some cases together; 0 where the candidate fails on one.
 std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
                             const Candidate& candidate) {
   std::uint64_t count = 0;
   for (const Case& one : cases) {
-    count += Trials(one, candidate, {}).apply(law).count(Standing::kDefect);
+    const Verdict verdict = Trials(one, candidate, {}).apply(law);
+    const auto worst = verdict.worst(1);
+    if (!worst.empty() && worst.front().wrong == Wrong::kFailed) return 0;
+    count += verdict.count(Standing::kDefect);
   }
   return count;
 }

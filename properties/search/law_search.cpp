@@ -76,9 +76,10 @@ void LawSearch::replay(std::uint64_t seed, bool shrinks) {
 }
 
 void LawSearch::ask_first() {
+  // How long an answer takes is another matter, and so is what fails whatever it is asked.
   const auto worst = failure->verdict.worst(1);
-  // How long an answer takes is another matter.
-  if (!candidate_->restart || (!worst.empty() && worst.front().failed.is_silent)) return;
+  const bool is_silent = !worst.empty() && worst.front().failed.is_silent;
+  if (!candidate_->restart || is_silent || fails_always(failure->verdict)) return;
   until_interrupted([&] {
     const auto is_right = [&](const Case& one, Verdict& verdict) {
       candidate_->restart();

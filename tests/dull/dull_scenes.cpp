@@ -163,7 +163,7 @@ std::vector<Dull> dull_refusals(const Candidate& right) {
     function = [ask = function](const auto&... asked) {
       try {
         return ask(asked...);
-      } catch (const std::invalid_argument&) {
+      } catch (const properties::CandidateRefused&) {
         return typename std::decay_t<decltype(function)>::result_type{};
       }
     };

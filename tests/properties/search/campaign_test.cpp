@@ -63,7 +63,7 @@ TEST(Campaign, TakesAPartAsItIsWhateverOthersThereAre) {
 
 /// In one pass, by units in any order, each candidate asked once for all laws.
 TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
-  CampaignOptions some = options_of(5 * kUnitCases, {"rays", "tangency@9"});
+  CampaignOptions some = options_of(5 * kUnitCases, {"rays", "distance@9"});
   std::vector<const Law*> laws;
   for (const char* name : {"class", "nearest-root", "parameter", "hit-point"}) {
     laws.push_back(find_law(name));

@@ -100,10 +100,11 @@ TEST(StressCommand, and_tradeoff_write_their_pages) {
 
 TEST(WorstCommand, finds_an_input_that_check_accepts) {
   const std::string path = temporary_file("worst.toml", "");
-  const Outcome result = run(
-      "worst --method intersect/quadratic --family rays --by rho --cases 200 --steps 400 --save " +
-          path,
-      1);
+  const Outcome result =
+      run("worst --method intersect/quadratic --family distance --by rho --cases 200 --steps 400 "
+          "--save " +
+              path,
+          1);
   expect_parts(result.out, {"unstable", "0x1"});
   EXPECT_EQ(run("check " + path + " --intersect quadratic").exit_code, 1);
 }

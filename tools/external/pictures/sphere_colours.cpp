@@ -25,8 +25,9 @@ std::array<double, 3> hue_of(const Colour& colour) {
 std::size_t power_of_3(std::size_t base) { return base * base * base; }
 
 /// Up to this many spheres have colours with an empty channel, so that no highlight or reflection,
-/// which adds white, makes one sphere's colour another's.
-constexpr std::size_t kMostPure = 24;
+/// which adds white, makes one sphere's colour another's; more would take more levels, which a
+/// gamma exchanges.
+constexpr std::size_t kMostPure = 12;
 constexpr std::size_t kPureOfLevel = 6;
 
 /// The fewest levels of a channel that give `count` colours.
