@@ -31,7 +31,7 @@ bool is_of_units(const CLI::Option& option) {
   return option.count() > 0 && !is_called("--out") && !is_called("--shard") &&
          !is_called("--merged") &&
          std::none_of(std::begin(kReportOptions), std::end(kReportOptions),
-                      [&](const ReportOption& one) { return is_called(one.name); });
+                      [&](const NamedOption& one) { return is_called(one.name); });
 }
 
 /// The file in quotes that a line of C or C++ includes; empty where it includes none.
@@ -87,6 +87,12 @@ CampaignIdentity identity_of(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!is_of_units(*option)) continue;
     const bool is_flag = option->get_items_expected_max() == 0;
+    const bool is_known =
+        option->get_positional() ||
+        std::any_of(std::begin(kUnitOptions), std::end(kUnitOptions), [&](const NamedOption& one) {
+          return one.name == option->get_name() && one.has_value != is_flag;
+        });
+    if (!is_known) throw std::logic_error(option->get_name() + " is none of kUnitOptions");
     for (const std::string& value : option->results()) {
       if (!option->get_positional()) campaign.arguments.push_back(option->get_name());
       if (!is_flag) campaign.arguments.push_back(value);

@@ -23,26 +23,41 @@ void add_shards(CLI::App& command, ShardArguments& arguments);
 void add_shards_inside(CLI::App& command, ShardArguments& arguments,
                        const std::string& by_default = "all");
 
-/// An option that no unit depends on: how a report is shown, how fast, and what isolates a
-/// candidate. `merge` takes it itself, not from the campaign.
-struct ReportOption {
+struct NamedOption {
   const char* name;
   bool has_value;
 };
-inline constexpr ReportOption kReportOptions[] = {{"--format", true},
-                                                  {"--report", true},
-                                                  {"--view", true},
-                                                  {"--certificates", true},
-                                                  {"--save", true},
-                                                  {"--top", true},
-                                                  {"--threads", true},
-                                                  {"--jobs", true},
-                                                  {"--corpus", true},
-                                                  {"--sandbox", true},
-                                                  {"--i-know", false},
-                                                  {"--baseline", true},
-                                                  {"--update-baseline", false},
-                                                  {"--strict-baseline", false}};
+/// Options that no unit depends on: how a report is shown, how fast, and what isolates a candidate.
+/// `merge` takes them itself, not from the campaign.
+inline constexpr NamedOption kReportOptions[] = {{"--format", true},
+                                                 {"--report", true},
+                                                 {"--view", true},
+                                                 {"--certificates", true},
+                                                 {"--save", true},
+                                                 {"--top", true},
+                                                 {"--threads", true},
+                                                 {"--jobs", true},
+                                                 {"--corpus", true},
+                                                 {"--sandbox", true},
+                                                 {"--i-know", false},
+                                                 {"--baseline", true},
+                                                 {"--update-baseline", false},
+                                                 {"--strict-baseline", false}};
+
+/// Options that units depend on: all that a shard may write into its folder, besides what stands
+/// without a name, and that `merge` takes from one.
+inline constexpr NamedOption kUnitOptions[] = {
+    {"--filter", true},      {"--cases", true},       {"--seed", true},
+    {"--rays", true},        {"--source", true},      {"--intersect", true},
+    {"--candidate", true},   {"--read", true},        {"--level", true},
+    {"--include", true},     {"--timeout", true},     {"--bounds", true},
+    {"--target", true},      {"--precision", true},   {"--image-change", true},
+    {"--t-threshold", true}, {"--origin", true},      {"--dialect", true},
+    {"--keep-going", true},  {"--max-ulp", true},     {"--family", true},
+    {"--method", true},      {"--severity", true},    {"--quantity", true},
+    {"--by", true},          {"--steps", true},       {"--searches", true},
+    {"--pixels", true},      {"--secret-file", true}, {"--strict", false},
+    {"--all", false}};
 
 /// The units asked for, told on standard error; null: nothing is kept.
 /// Domain: arguments of add_shards() that are parsed.

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -35,20 +36,26 @@ int run_merge(const MergeArguments& arguments) {
         fmt::format("{}: is of the command {}, which this version does not have",
                     arguments.folders.front(), campaign.command));
   }
-  for (const ReportOption& option : kReportOptions) {
-    // No shard writes these: somebody else did, to have them done here.
-    const auto& all = campaign.arguments;
-    if (std::none_of(all.begin(), all.end(), [&](const std::string& argument) {
-          return argument.starts_with(option.name);
-        })) {
+  std::vector<std::string> words = {"raycheck", campaign.command};
+  const auto& all = campaign.arguments;
+  for (auto argument = all.begin(); argument != all.end(); ++argument) {
+    if (!argument->starts_with("-")) {
+      words.push_back(*argument);
       continue;
     }
-    throw std::invalid_argument(
-        fmt::format("{}: its campaign has {}, which is for merge to be given",
-                    arguments.folders.front(), option.name));
+    const auto known = std::find_if(std::begin(kUnitOptions), std::end(kUnitOptions),
+                                    [&](const NamedOption& one) { return one.name == *argument; });
+    const bool lacks_value =
+        known != std::end(kUnitOptions) && known->has_value && std::next(argument) == all.end();
+    if (known == std::end(kUnitOptions) || lacks_value) {
+      throw std::invalid_argument(
+          fmt::format("{}: its campaign has {}, which no shard writes: the folder was changed",
+                      arguments.folders.front(), *argument));
+    }
+    // In one word: what a value begins with makes it no option.
+    words.push_back(known->has_value ? *argument + "=" + *std::next(argument) : *argument);
+    if (known->has_value) ++argument;
   }
-  std::vector<std::string> words = {"raycheck", campaign.command};
-  words.insert(words.end(), campaign.arguments.begin(), campaign.arguments.end());
   for (const std::string& folder : arguments.folders) words.push_back("--merged=" + folder);
   for (const auto& [option, values] : arguments.passed) {
     for (const std::string& value : values) words.push_back(option + "=" + value);
@@ -72,7 +79,7 @@ CommandRun add_merge(CLI::App& command) {
   command.add_option("FOLDER", given->folders, "what shards kept by --out")
       ->required()
       ->type_name("FOLDER");
-  for (const ReportOption& option : kReportOptions) {
+  for (const NamedOption& option : kReportOptions) {
     const std::string meaning = "as of the command whose campaign it is";
     if (option.has_value) {
       command.add_option(option.name, given->passed[option.name], meaning)

@@ -24,8 +24,8 @@ TEST(SinglePrecision, passes_all_laws_where_floats_are_good_of_their_kind) {
 }
 
 TEST(SinglePrecision, tells_a_textbook_formula_in_its_own_units) {
-  const json campaign =
-      report_of("properties --filter parameter --level demanding", float_textbook(), 1)["campaigns"][0];
+  const json campaign = report_of("properties --filter parameter --level demanding",
+                                  float_textbook(), 1)["campaigns"][0];
   expect_values(
       campaign,
       {{"finding", "broken"}, {"precision", "single"}, {"quantities/0/unit", "ulp of float"}});

@@ -213,18 +213,40 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
 }
 
 /// What somebody else put into it is not done.
-TEST_F(Merge, takes_no_options_of_reports_from_a_folder) {
-  const std::string file = folder + "/campaign.json";
-  nlohmann::json campaign = nlohmann::json::parse(contents(file));
-  campaign["arguments"].push_back("--view=victim.html");
-  std::ofstream(file) << campaign.dump();
+TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
+  const std::string file = folder + "/campaign.json", victim = temporary_file("victim", "mine");
+  const nlohmann::json whole = nlohmann::json::parse(contents(file));
+  const auto forge = [&](const std::string& command, const std::vector<std::string>& arguments,
+                         bool has_digest = true) {
+    nlohmann::json campaign = whole;
+    campaign["command"] = command;
+    for (const std::string& one : arguments) campaign["arguments"].push_back(one);
+    // With the digest that goes with it.
+    const tools::CampaignIdentity forged = {command, campaign["arguments"], campaign["version"],
+                                            campaign["files"]};
+    if (has_digest) campaign["digest"] = forged.digest();
+    std::ofstream(file) << campaign.dump();
+  };
+  forge("properties", {"--view=victim.html"}, false);
   expect_refused("merge " + folder, file + ": is truncated or was changed");
-  // With the digest that goes with it.
-  tools::CampaignIdentity forged = {campaign["command"], campaign["arguments"], campaign["version"],
-                                    campaign["files"]};
-  campaign["digest"] = forged.digest();
-  std::ofstream(file) << campaign.dump();
-  expect_refused("merge " + folder, "its campaign has --view, which is for merge to be given");
+  for (const std::vector<std::string>& added :
+       std::vector<std::vector<std::string>>{{"--view", victim},
+                                             {"--view=" + victim},
+                                             {"--package", victim},
+                                             {"--help"},
+                                             {"-h"},
+                                             {"--out", victim},
+                                             {"--save", victim},
+                                             {"--filter=" + victim},
+                                             {"--filter"}}) {
+    forge(added[0] == "--package" ? "grade" : "properties", added);
+    expect_refused("merge " + folder, "its campaign has " + added[0] +
+                                          ", which no shard writes: the folder was changed");
+  }
+  // The value of an option is no option.
+  forge("properties", {"--level", "--view=" + victim});
+  expect_refused("merge " + folder, "--level");
+  EXPECT_EQ(contents(victim), "mine");
 }
 
 /// A candidate that hangs on some cases: whatever was asked before, and by however many threads.
