@@ -92,6 +92,10 @@ void require_valid(const Candidate& candidate) {
     throw std::invalid_argument(fmt::format(
         "candidate {}: it has no function, so that nothing can be judged", candidate.name));
   }
+  require_one_of(static_cast<int>(candidate.returns), properties::kReturnsNames.size(), "returns");
+  require_one_of(static_cast<int>(candidate.precision), 2, "precision");
+  require_one_of(static_cast<int>(candidate.directions), 2, "directions");
+  require_one_of(static_cast<int>(candidate.roots), 3, "roots");
   const double smallest = candidate.smallest_length, largest = candidate.largest_length;
   if (!(smallest >= 0) || !std::isfinite(smallest)) {
     throw std::invalid_argument(

@@ -9,15 +9,18 @@
 #include "scene/validate.h"
 
 namespace raycheck::library {
-namespace {
 
-/// Which of the enumerators it is. Errors: std::invalid_argument naming the field.
-template <class Seen>
-int place_of(Seen seen, std::size_t count, std::string_view field) {
-  const int place = static_cast<int>(seen);
+int require_one_of(int place, std::size_t count, std::string_view field) {
   if (place >= 0 && static_cast<std::size_t>(place) < count) return place;
   throw std::invalid_argument(
       fmt::format("{} = {}: it has {} values, from 0 on", field, place, count));
+}
+
+namespace {
+
+template <class Seen>
+int place_of(Seen seen, std::size_t count, std::string_view field) {
+  return require_one_of(static_cast<int>(seen), count, field);
 }
 
 /// The public enumerators are the internal ones, preceded by as_asked.

@@ -39,6 +39,9 @@ inline std::vector<Sphere> spheres(std::span<const scene::Sphere> list) {
 scene::Camera camera(const Camera& c);
 Camera camera(const scene::Camera& c);
 
+/// The place of an enumerator among so many. Errors: std::invalid_argument naming the field.
+int require_one_of(int place, std::size_t count, std::string_view field);
+
 /// as_asked becomes the default.
 scene::Conventions conventions(const Conventions& c);
 Conventions conventions(const scene::Conventions& c);

@@ -129,6 +129,10 @@ Verdict judge(const Candidate& candidate, const std::string& law_name, const std
   if (options.cases < 1) {
     throw std::invalid_argument(fmt::format("cases = {}: give at least 1", options.cases));
   }
+  if (options.max_error && !(*options.max_error >= 0)) {
+    throw std::invalid_argument(
+        fmt::format("max_error = {}: must be 0 or more", *options.max_error));
+  }
   asked.cases = options.cases;
   asked.seed = options.seed;
   asked.max_error = options.max_error;

@@ -34,9 +34,11 @@ void put(std::string& bytes, std::uint64_t number) {
   for (; number >= 0x80; number >>= 7) bytes += static_cast<char>(number | 0x80);
   bytes += static_cast<char>(number);
 }
-std::uint64_t take(std::string::const_iterator& at) {
+std::uint64_t take(std::string::const_iterator& at, std::string::const_iterator end) {
+  constexpr int kBits = std::numeric_limits<std::uint64_t>::digits;
   std::uint64_t number = 0;
   for (int shift = 0;; shift += 7) {
+    if (at == end || shift >= kBits) throw std::invalid_argument("bins: is truncated");
     const auto byte = static_cast<unsigned char>(*at++);
     number |= static_cast<std::uint64_t>(byte & 0x7f) << shift;
     if (byte < 0x80) return number;
@@ -117,9 +119,9 @@ void QuantileSketch::unpack(const std::string& bins) {
   waiting_.clear();
   std::uint64_t key = 0;
   for (auto at = bins.begin(); at != bins.end();) {
-    key += take(at);
+    key += take(at, bins.end());
     const double end = std::bit_cast<double>(std::rotl(key, kZeros));
-    bins_.push_back({end, take(at)});
+    bins_.push_back({end, take(at, bins.end())});
   }
 }
 

@@ -67,7 +67,7 @@ class QuantileSketch {
   static void count(std::vector<Bin>& bins, std::span<const Bin> others);
   /// The same in two or three bytes a bin.
   std::string packed() const;
-  /// Domain: what packed() made.
+  /// Errors: std::invalid_argument where it ends within a number.
   void unpack(const std::string& bins);
 
   std::vector<Bin> bins_;        ///< Sorted.

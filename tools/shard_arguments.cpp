@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// To be changed with whatever changes what units have, or what their cases are, between releases.
-constexpr std::string_view kUnitShape = "units 2";
+constexpr std::string_view kUnitShape = "units 3";
 
 bool is_of_units(const CLI::Option& option) {
   const auto is_called = [&](const char* name) { return option.check_name(name); };

@@ -121,7 +121,10 @@ struct Verdict {
   /// All of it in lines: the sentence, the discrepancy, the replay string and the shrunk scene.
   std::string text;
 
-  /// The law holds or does not apply: it is not broken, undecided or judged too rarely.
+  /// It was judged, and the law holds.
+  bool holds() const { return finding == Finding::holds; }
+  /// The law holds or does not apply: it is not broken, undecided or judged too rarely. True also
+  /// of a candidate that lacks what the law is about: nothing was judged then.
   bool passes() const {
     return finding == Finding::holds || finding == Finding::left_out ||
            finding == Finding::not_judged;

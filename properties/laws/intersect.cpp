@@ -58,7 +58,7 @@ struct Encounter {
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
-  /// Trial::plain_condition() of s, and of what an error of s is as a share of a length.
+  /// plain_condition() of s, and of what an error of s is as a share of a length.
   double plain_condition() const {
     return properties::plain_condition(trial.candidate(), ray, sphere, *exact);
   }

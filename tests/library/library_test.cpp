@@ -304,6 +304,10 @@ TEST(Judge, AsksOnlyAboutWhatThereIs) {
   EXPECT_TRUE(refused([](Candidate& c) { c.smallest_length = 10, c.largest_length = 1; }));
   EXPECT_TRUE(refused([](Candidate& c) { c.level = static_cast<Level>(99); }));
   EXPECT_TRUE(refused([](Candidate& c) { c.declares.root = static_cast<Root>(99); }));
+  EXPECT_TRUE(refused([](Candidate& c) { c.returns = static_cast<Returns>(99); }));
+  EXPECT_TRUE(refused([](Candidate& c) { c.precision = static_cast<Precision>(2); }));
+  EXPECT_TRUE(refused([](Candidate& c) { c.directions = static_cast<Directions>(-1); }));
+  EXPECT_TRUE(refused([](Candidate& c) { c.roots = static_cast<Roots>(3); }));
   EXPECT_TRUE(refused([](Candidate& c) {
     c.roots = Roots::declared;
     c.declares.valid.t_min = std::nan("");
@@ -312,6 +316,20 @@ TEST(Judge, AsksOnlyAboutWhatThereIs) {
   EXPECT_THROW(judge(frames, "nothing"), std::invalid_argument);
   EXPECT_THROW(judge(frames, "class", "nowhere"), std::invalid_argument);
   EXPECT_THROW(replay(frames, "nothing"), std::invalid_argument);
+  for (const double bound : {-1.0, std::nan("")}) {
+    EXPECT_THROW(judge(frames, "frame", "", {.max_error = bound}), std::invalid_argument) << bound;
+  }
+  const Verdict left_out = judge(frames, "class");
+  EXPECT_TRUE(left_out.passes());
+  EXPECT_FALSE(left_out.holds());
+}
+
+TEST(Judge, OutlivesWhateverACandidateThrows) {
+  Candidate candidate("throws");
+  candidate.intersect = [](const auto&...) -> std::optional<Hit> { throw 7; };
+  const Verdict verdict = judge(candidate, "class", "rays");
+  EXPECT_EQ(verdict.finding, Finding::broken);
+  EXPECT_NE(verdict.text.find("no std::exception"), std::string::npos) << verdict.text;
 }
 
 /// The good tracer's answers, s off by a share, rounded to floats.

@@ -8,6 +8,8 @@ namespace raycheck::tools {
 namespace {
 
 constexpr int kQuickly = 1;  ///< zlib's level
+/// No deflated byte stands for more.
+constexpr std::size_t kMostGrowth = 1032;
 
 }  // namespace
 
@@ -22,6 +24,7 @@ std::string packed(const std::string& text) {
 }
 
 std::string unpacked(const std::string& bytes, std::size_t size) {
+  if (size > kMostGrowth * (bytes.size() + 1)) return "";
   std::string text(size, '\0');
   uLongf made = size;
   const int result = uncompress(reinterpret_cast<Bytef*>(text.data()), &made,

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <atomic>
-#include <cereal/archives/portable_binary.hpp>
 #include <cereal/types/array.hpp>
 #include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
@@ -11,13 +10,15 @@
 #include <cereal/types/utility.hpp>
 #include <cereal/types/vector.hpp>
 #include <cstdint>
-#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "properties/archive.h"
 #include "properties/run_control.h"
 #include "tools/run/in_order.h"
+#include "tools/shards/unit_archive.h"
 #include "tools/shards/units.h"
 
 namespace raycheck::tools {
@@ -25,18 +26,17 @@ namespace raycheck::tools {
 /// The same on every machine; doubles keep every bit.
 template <class Result>
 std::string to_bytes(const Result& result) {
-  std::ostringstream bytes;
-  cereal::PortableBinaryOutputArchive archive(bytes);
+  UnitWriter archive;
   archive(result);
-  return std::move(bytes).str();
+  return std::move(archive.bytes);
 }
-/// Domain: what to_bytes() made.
+/// Errors: std::invalid_argument where the bytes are not what to_bytes() makes of some result.
 template <class Result>
-Result from_bytes(const std::string& bytes) {
-  std::istringstream in(bytes);
+Result from_bytes(std::string_view bytes) {
   Result result;
-  cereal::PortableBinaryInputArchive archive(in);
+  UnitReader archive(bytes);
   archive(result);
+  if (!archive.is_done()) throw std::invalid_argument("there is more than a result");
   return result;
 }
 
@@ -53,7 +53,13 @@ void run_units(std::int64_t count, Units* units, const properties::RunControl& c
       static_cast<std::int64_t>(mine.size()), control,
       [&](std::int64_t k) {
         const std::int64_t unit = mine[static_cast<std::size_t>(k)];
-        if (const auto bytes = units->read(unit)) return from_bytes<Result>(*bytes);
+        if (const auto bytes = units->read(unit)) {
+          try {
+            return from_bytes<Result>(*bytes);
+          } catch (const std::invalid_argument& error) {
+            units->refuse(unit, error.what());
+          }
+        }
         Result result = make(unit);
         if (!control.interrupted()) units->write(unit, to_bytes(result));
         return result;

@@ -24,10 +24,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kUnitEnding = ".unit";
+/// Of a file in a folder of units.
+constexpr std::uintmax_t kMostUnitBytes = std::uintmax_t{256} << 20;
 
 std::string bytes_of(const fs::path& file) {
   if (!fs::is_regular_file(file)) {
     throw std::invalid_argument(fmt::format("{}: is no file", file.string()));
+  }
+  if (fs::file_size(file) > kMostUnitBytes) {
+    throw std::invalid_argument(fmt::format("{}: is larger than the {} MiB that one may have",
+                                            file.string(), kMostUnitBytes >> 20));
   }
   std::ifstream in(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
@@ -218,6 +224,11 @@ std::optional<std::string> Units::read(std::int64_t unit) const {
     if (is_merged_) throw;
     return std::nullopt;
   }
+}
+
+void Units::refuse(std::int64_t unit, const std::string& why) const {
+  throw std::invalid_argument(
+      fmt::format("{}: does not hold what a unit has: {}", files_.at(unit).front().string(), why));
 }
 
 void Units::write(std::int64_t unit, const std::string& result) const {

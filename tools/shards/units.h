@@ -54,6 +54,8 @@ class Units {
   /// Errors, to be merged: std::invalid_argument naming the file that is damaged, or two that
   /// contradict each other.
   std::optional<std::string> read(std::int64_t unit) const;
+  /// Throws std::invalid_argument that names the file of a unit that was read.
+  [[noreturn]] void refuse(std::int64_t unit, const std::string& why) const;
   /// Errors: std::runtime_error.
   void write(std::int64_t unit, const std::string& result) const;
 

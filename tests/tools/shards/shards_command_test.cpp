@@ -9,7 +9,9 @@
 #include <random>
 
 #include "properties/quantile_sketch.h"
+#include "properties/search/campaign.h"
 #include "tests/tools/program.h"
+#include "tools/implementations/built_in.h"
 #include "tools/shards/run_units.h"
 #include "tools/shards/units.h"
 
@@ -159,6 +161,10 @@ TEST_F(Merge, names_a_unit_that_is_truncated_or_changed) {
   const std::string whole = contents(unit);
   std::string tampered = whole;
   tampered[whole.size() / 2] ^= 1;
+  // Not read at all.
+  fs::resize_file(unit, std::uintmax_t{20} << 30);
+  expect_refused("merge " + folder,
+                 unit.string() + ": is larger than the 256 MiB that one may have");
   std::string longer = whole;
   longer.insert(longer.find('\n'), "0");  // the size that it states
   for (const std::string& bytes :
@@ -383,6 +389,40 @@ TEST(Units, keep_every_bit_of_a_sketch) {
   const auto again = tools::from_bytes<properties::QuantileSketch>(tools::to_bytes(sketch));
   EXPECT_TRUE(again == sketch);
   EXPECT_EQ(again.quantile(0.999), sketch.quantile(0.999));
+}
+
+/// Results with every kind of part, of which any bytes may be others: nothing worse than a refusal.
+TEST(Units, refuse_bytes_that_are_no_result) {
+  using Result = std::vector<properties::CampaignPart>;
+  properties::CampaignOptions some;
+  some.cases = 20;
+  some.level = properties::Level::kExtreme;
+  const properties::Candidate lecture = tools::candidate_of(tools::find_pair("lecture"));
+  const Result made = properties::run_campaign(*properties::find_law("class"), lecture, some).parts;
+  const std::string whole = tools::to_bytes(made);
+  EXPECT_EQ(tools::to_bytes(tools::from_bytes<Result>(whole)), whole);
+  const auto is_refused = [](const std::string& bytes) {
+    try {
+      tools::from_bytes<Result>(bytes);
+      return false;
+    } catch (const std::invalid_argument&) {
+      return true;
+    }
+  };
+  EXPECT_TRUE(is_refused(whole + '\0'));
+  for (std::size_t size = 0; size < whole.size(); size += 1 + size / 50) {
+    EXPECT_TRUE(is_refused(whole.substr(0, size))) << size;
+  }
+  // So many parts, and a count that no memory holds.
+  EXPECT_TRUE(is_refused(std::string(8, '\xff') + whole.substr(8)));
+  std::mt19937_64 random(1);
+  std::size_t refused = 0;
+  for (int k = 0; k < 20000; ++k) {
+    std::string other = whole;
+    other[random() % other.size()] = static_cast<char>(random());
+    refused += is_refused(other) ? 1 : 0;
+  }
+  EXPECT_GT(refused, 100u);
 }
 
 }  // namespace

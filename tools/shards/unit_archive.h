@@ -1,0 +1,110 @@
+#pragma once
+
+// Results of units as bytes: little-endian numbers one after the other, and before a list how many
+// elements it has. What is read is not trusted: no count above the bytes that are left is believed.
+
+#include <algorithm>
+#include <bit>
+#include <cereal/cereal.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace raycheck::tools {
+
+class UnitWriter : public cereal::OutputArchive<UnitWriter, cereal::AllowEmptyClassElision> {
+ public:
+  UnitWriter() : OutputArchive(this) {}
+
+  std::string bytes;
+
+  void put(const void* from, std::size_t size, std::size_t of_number) {
+    const auto* const first = static_cast<const char*>(from);
+    for (std::size_t k = 0; k < size; k += of_number) {
+      bytes.append(first + k, of_number);
+      if constexpr (std::endian::native == std::endian::big) {
+        std::reverse(bytes.end() - static_cast<std::ptrdiff_t>(of_number), bytes.end());
+      }
+    }
+  }
+};
+
+class UnitReader : public cereal::InputArchive<UnitReader, cereal::AllowEmptyClassElision> {
+ public:
+  explicit UnitReader(std::string_view bytes) : InputArchive(this), left_(bytes) {}
+
+  bool is_done() const { return left_.empty(); }
+
+  /// Throws std::invalid_argument where fewer bytes are left.
+  void take(void* to, std::size_t size, std::size_t of_number) {
+    require(size);
+    auto* const first = static_cast<char*>(to);
+    std::memcpy(first, left_.data(), size);
+    if constexpr (std::endian::native == std::endian::big) {
+      for (std::size_t k = 0; k < size; k += of_number) {
+        std::reverse(first + k, first + k + of_number);
+      }
+    }
+    left_.remove_prefix(size);
+  }
+  /// Of a list, each of whose elements takes a byte or more.
+  void require(std::uint64_t count) const {
+    if (count > left_.size()) throw std::invalid_argument("it ends too early");
+  }
+
+ private:
+  std::string_view left_;
+};
+
+template <class Number>
+requires std::is_arithmetic_v<Number>
+void save(UnitWriter& archive, const Number& number) {
+  archive.put(&number, sizeof number, sizeof number);
+}
+template <class Number>
+requires std::is_arithmetic_v<Number>
+void load(UnitReader& archive, Number& number) {
+  if constexpr (std::is_same_v<Number, bool>) {
+    std::uint8_t byte = 0;
+    archive.take(&byte, 1, 1);
+    if (byte > 1) throw std::invalid_argument("a truth value is neither 0 nor 1");
+    number = byte == 1;
+  } else {
+    archive.take(&number, sizeof number, sizeof number);
+  }
+}
+template <class Numbers>
+void save(UnitWriter& archive, const cereal::BinaryData<Numbers>& data) {
+  using Number = std::remove_pointer_t<Numbers>;
+  archive.put(data.data, static_cast<std::size_t>(data.size), sizeof(Number));
+}
+template <class Numbers>
+void load(UnitReader& archive, cereal::BinaryData<Numbers>& data) {
+  using Number = std::remove_pointer_t<Numbers>;
+  archive.take(data.data, static_cast<std::size_t>(data.size), sizeof(Number));
+}
+template <class Value>
+void save(UnitWriter& archive, const cereal::NameValuePair<Value>& pair) {
+  archive(pair.value);
+}
+template <class Value>
+void load(UnitReader& archive, cereal::NameValuePair<Value>& pair) {
+  archive(pair.value);
+}
+template <class Count>
+void save(UnitWriter& archive, const cereal::SizeTag<Count>& count) {
+  archive(count.size);
+}
+template <class Count>
+void load(UnitReader& archive, cereal::SizeTag<Count>& count) {
+  archive(count.size);
+  archive.require(count.size);
+}
+
+}  // namespace raycheck::tools
+
+CEREAL_SETUP_ARCHIVE_TRAITS(raycheck::tools::UnitReader, raycheck::tools::UnitWriter)
