@@ -48,6 +48,17 @@ std::vector<scene::Pixel> pixels_of(std::string text) {
   return pixels;
 }
 
+/// Throws std::invalid_argument that names the file and a pixel outside of its camera's image.
+void require_inside(const Case& the_case, const fs::path& file) {
+  const auto& camera = *the_case.scene.camera;
+  for (const scene::Pixel& one : the_case.pixels) {
+    if (one.i >= 0 && one.j >= 0 && one.i < camera.width && one.j < camera.height) continue;
+    throw std::invalid_argument(
+        fmt::format("corpus {}: pixel ({}, {}) is outside of its image of {} x {} pixels",
+                    file.string(), one.i, one.j, camera.width, camera.height));
+  }
+}
+
 std::vector<fs::path> files_in(const std::string& folder) {
   std::vector<fs::path> files;
   std::error_code none;
@@ -106,6 +117,7 @@ std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
           fmt::format("corpus {}: has a camera and names no pixels; a line '# pixels: (I, J)' does",
                       file.string()));
     }
+    if (the_case.scene.camera) require_inside(the_case, file);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
       const auto result =
           run_case(**law, candidates[k], the_case, options.max_error, options.strict);

@@ -95,6 +95,10 @@ TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
   text.replace(text.find("# law:"), 6, "# low:");
   std::ofstream(files[0]) << text;
   expect_refused(again, files[0] + ": names no law");
+  std::ofstream(files[0]) << "# law: direction\n# pixels: (0, 0) (3, 9)\n"
+                          << contents(RAYCHECK_SOURCE_DIR "/scene/examples/optical-axis.toml");
+  const std::string outside = files[0] + ": pixel (3, 9) is outside of its image of ";
+  expect_refused("properties --corpus " + fs::path(files[0]).parent_path().string(), outside);
 }
 
 TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
