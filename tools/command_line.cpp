@@ -68,6 +68,25 @@ bool is_same(const std::string& a, const std::string& b) {
   return !a.empty() && !error && one == other;
 }
 
+/// Throws std::invalid_argument if a file lies in a folder of units, which it could be one of.
+void require_no_unit(const CLI::App& command, const Written& file) {
+  for (const char* name : {"--merged", "--out"}) {
+    const CLI::Option* const option = command.get_option_no_throw(name);
+    if (option == nullptr || option == file.option) continue;
+    for (const std::string& folder : option->results()) {
+      std::error_code error;
+      const fs::path inside = fs::weakly_canonical(folder, error);
+      const fs::path path = fs::weakly_canonical(file.path, error);
+      if (std::mismatch(inside.begin(), inside.end(), path.begin(), path.end()).first !=
+          inside.end()) {
+        continue;
+      }
+      throw std::invalid_argument(fmt::format("{} {}: lies in {}, which holds units; give another",
+                                              file.named_by, file.path, folder));
+    }
+  }
+}
+
 /// Throws std::invalid_argument if a file that one option writes is also named by another argument
 /// of the command, also through links: to be read (also as a word of a candidate), or written.
 /// Domain: a command whose arguments are parsed.
@@ -80,6 +99,7 @@ void require_written_apart(const CLI::App& command) {
       throw std::invalid_argument(
           fmt::format("{} {}: the file is named twice", one->named_by, one->path));
     }
+    require_no_unit(command, *one);
     std::error_code error;
     if (!fs::is_regular_file(one->path, error)) continue;
     for (const CLI::Option* option : command.get_options()) {

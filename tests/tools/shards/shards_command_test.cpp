@@ -177,6 +177,16 @@ TEST_F(Merge, names_a_unit_that_is_truncated_or_changed) {
   }
 }
 
+TEST_F(Merge, writes_nothing_over_what_it_merges) {
+  const std::string file = folder + "/campaign.json", whole = contents(file);
+  for (const std::string& written :
+       {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml"}) {
+    expect_refused("merge " + folder + " " + written, "which holds units");
+  }
+  EXPECT_EQ(contents(file), whole);
+  run("merge " + folder, 0);
+}
+
 TEST_F(Merge, names_what_belongs_to_another_campaign) {
   const std::string other = fresh_folder("another");
   run(kAsked + " --seed 2 --out " + other, 0);
