@@ -47,6 +47,12 @@ void require_in_order(const SphereHits& hits, std::size_t rays) {
 
 }  // namespace
 
+void require_sphere(std::size_t index, std::size_t count) {
+  if (index < count) return;
+  throw CandidateFailed("it names sphere " + std::to_string(index) + " of " +
+                        std::to_string(count) + ", counted from 0");
+}
+
 Answers::Answers(const Case& the_case, const Candidate& candidate, double share)
     : case_(the_case),
       candidate_(candidate),
@@ -137,7 +143,10 @@ std::vector<std::optional<std::size_t>> Answers::rank(
   const auto answers = candidate_.nearest(valid.rays, spheres, conventions_);
   require_count(answers, valid.rays.size(), "nearest spheres");
   std::vector<std::optional<std::size_t>> result(rays.size());
-  for (std::size_t k = 0; k < answers.size(); ++k) result[valid.indices[k]] = answers[k];
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    if (answers[k]) require_sphere(*answers[k], spheres.size());
+    result[valid.indices[k]] = answers[k];
+  }
   return result;
 }
 

@@ -72,6 +72,9 @@ class Answers {
   Once<std::vector<scene::ScenePlan>> plans_;
 };
 
+/// Throws CandidateFailed where a candidate names a sphere that there is not.
+void require_sphere(std::size_t index, std::size_t count);
+
 /// The hit of a ray among a sphere's; null where it misses.
 const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray);
 

@@ -38,6 +38,7 @@ Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
 void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected expected,
                   const std::function<Excuse()>& excuse) {
   const bool got_some = choice.got == kSomeSphere;
+  if (choice.got && !got_some) require_sphere(*choice.got, trial.scene().spheres.size());
   const Index sphere = choice.exact ? Index(choice.exact->index) : got_some ? Index() : choice.got;
   trial.judge(
       verdict,
@@ -96,7 +97,7 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
       errors[ray].standing = standing_of(trial, ray, got);
     } else if (got) {
       const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
-      if (hit == nullptr) throw std::runtime_error("candidate misses the sphere it sees");
+      if (hit == nullptr) throw CandidateFailed("candidate misses the sphere it sees");
       const reference::ExactRay& exact = trial.exact_ray(ray);
       errors[ray].ulp =
           reference::parameter_error(exact, spheres[*got],

@@ -28,7 +28,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
   const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
   const std::int64_t width = camera.width;
   if (image.size() != static_cast<std::size_t>(width * camera.height)) {
-    throw std::runtime_error("image: pixels are missing");
+    throw CandidateFailed("image: pixels are missing");
   }
   const SpheresMet met = spheres_met(trial);
   std::size_t unidentified = 0;

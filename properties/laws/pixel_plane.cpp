@@ -38,7 +38,7 @@ class PlaneAnswers {
                     : reference::ExactCamera(camera, trial.conventions())),
         pixels_(std::move(pixels)),
         points_(trial.candidate().pixel_points(camera, trial.conventions(), pixels_)) {
-    if (points_.size() != pixels_.size()) throw std::runtime_error("pixel points are missing");
+    if (points_.size() != pixels_.size()) throw CandidateFailed("pixel points are missing");
   }
 
   std::size_t size() const { return pixels_.size(); }

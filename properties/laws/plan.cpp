@@ -269,8 +269,8 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
     const SpherePlan& said = statement.said();
     if (said.left_out) continue;
     if (!statements.image().contains(said.pixels)) {
-      throw std::runtime_error("the rectangle of sphere " + std::to_string(k) +
-                               " is not inside the image");
+      throw CandidateFailed("the rectangle of sphere " + std::to_string(k) +
+                            " is not inside the image");
     }
     for (const Pixel& pixel : statements.outside(statement)) {
       const Intersection at =

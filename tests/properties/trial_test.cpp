@@ -60,6 +60,25 @@ TEST(Trial, TakesWhatACandidateThrowsForItsFailure) {
   EXPECT_EQ(verdict.worst(1).front().wrong, Wrong::kFailed);
 }
 
+/// Nor what it answers.
+TEST(Trial, TakesASphereThatThereIsNotForItsFailure) {
+  Candidate candidate = direct_cross();
+  candidate.nearest = [](Candidate::Rays rays, auto&&...) {
+    return std::vector<std::optional<std::size_t>>(rays.size(), 2);
+  };
+  candidate.visible = [](auto&&, auto&&, Candidate::Pixels pixels) {
+    return std::vector<std::optional<SeenAnswer>>(pixels.size(), SeenAnswer{2, 1});
+  };
+  candidate.image = [](auto&&...) { return ImageAnswer(9, 2); };
+  const Case given = camera_case();
+  for (const char* law : {"nearest-sphere", "visible-sphere", "image"}) {
+    Trial trial(given, candidate);
+    const Verdict verdict = apply(*find_law(law), trial);
+    ASSERT_FALSE(verdict.holds()) << law;
+    EXPECT_EQ(verdict.worst(1).front().wrong, Wrong::kFailed) << law;
+  }
+}
+
 TEST(Trial, AsksTheCandidateOnceForAllLaws) {
   Candidate candidate = direct_cross();
   int points = 0, rays = 0, hits = 0;
