@@ -39,7 +39,7 @@ inline std::vector<Sphere> spheres(std::span<const scene::Sphere> list) {
 scene::Camera camera(const Camera& c);
 Camera camera(const scene::Camera& c);
 
-/// The place of an enumerator among so many. Errors: std::invalid_argument naming the field.
+/// The index of an enumerator, below `count`. Errors: std::invalid_argument naming the field.
 int require_one_of(int place, std::size_t count, std::string_view field);
 
 /// as_asked becomes the default.

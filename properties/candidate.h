@@ -110,8 +110,8 @@ bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
 /// The functions of an implementation; those that it lacks are empty. Functions refuse invalid
 /// input with std::invalid_argument; the what() of any other exception says how they failed.
-/// Whoever calls them sees a NoAnswer in place of both. Answers come in the order of the questions;
-/// an absent hit is a miss.
+/// CandidateFunction throws a NoAnswer in place of both. Answers come in the order of the
+/// questions; an absent hit is a miss.
 struct Functions {
   using Pixels = std::span<const scene::Pixel>;
   using Rays = std::span<const scene::Ray>;

@@ -70,10 +70,10 @@ struct InternalError : std::logic_error {
   std::optional<Case> the_case;  ///< Where it failed, if that is known.
 };
 
-/// Calls what is a candidate's own: whatever it throws is its refusal (std::invalid_argument) or
-/// failure. What is no failure of its own passes through.
-template <class Ask>
-auto asked(const Ask& ask) -> decltype(ask()) {
+/// Calls `ask`. An exception that already has a meaning passes through; any other is passed to
+/// `translate`, which throws what it means.
+template <class Ask, class Translate>
+auto translated(const Ask& ask, const Translate& translate) -> decltype(ask()) {
   try {
     return ask();
   } catch (const NoAnswer&) {
@@ -84,29 +84,33 @@ auto asked(const Ask& ask) -> decltype(ask()) {
     throw;
   } catch (const scene::Interrupted&) {
     throw;
-  } catch (const std::invalid_argument& error) {
-    throw CandidateRefused(error.what());
   } catch (const std::exception& error) {
-    throw CandidateFailed(error.what());
+    translate(&error);
+    throw;
   } catch (...) {
-    throw CandidateFailed("it throws something that is no std::exception");
+    translate(nullptr);
+    throw;
   }
 }
 
-/// Calls what is raycheck's own, between a law and a candidate: only a NoAnswer is the candidate's.
+/// Calls a candidate's function: std::invalid_argument is a refusal, any other exception a failure.
+template <class Ask>
+auto asked(const Ask& ask) -> decltype(ask()) {
+  return translated(ask, [](const std::exception* error) {
+    if (error == nullptr) throw CandidateFailed("it throws something that is not a std::exception");
+    if (dynamic_cast<const std::invalid_argument*>(error) != nullptr) {
+      throw CandidateRefused(error->what());
+    }
+    throw CandidateFailed(error->what());
+  });
+}
+
+/// Calls raycheck's code between a law and a candidate: only a NoAnswer is the candidate's.
 template <class Ask>
 auto asked_by_us(const Ask& ask) -> decltype(ask()) {
-  try {
-    return ask();
-  } catch (const NoAnswer&) {
-    throw;
-  } catch (const InternalError&) {
-    throw;
-  } catch (const std::bad_alloc&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InternalError(error.what());
-  }
+  return translated(ask, [](const std::exception* error) {
+    if (error != nullptr) throw InternalError(error->what());
+  });
 }
 
 /// A function of a candidate (asked()).

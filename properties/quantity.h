@@ -85,7 +85,7 @@ constexpr double bound_growth(double condition) {
   return condition > kModerateCondition ? condition / kModerateCondition : 1;
 }
 
-/// Where a sphere's centre lies within so many radii of a ray's origin, errors of code that
+/// Where a sphere's centre lies within this number of radii of a ray's origin, errors of code that
 /// promises no more than ordinary cases may grow with the condition number of the textbook's
 /// formula, too (reference::textbook_steps); farther away that formula's errors are defects.
 inline constexpr double kOrdinaryDistance = 0x1p10;

@@ -68,7 +68,7 @@ bool is_same(const std::string& a, const std::string& b) {
   return !a.empty() && !error && one == other;
 }
 
-/// Throws std::invalid_argument if a file lies in a folder of units, which it could be one of.
+/// Throws std::invalid_argument if a file to write lies in a folder of units: it could replace one.
 void require_no_unit(const CLI::App& command, const Written& file) {
   for (const char* name : {"--merged", "--out"}) {
     const CLI::Option* const option = command.get_option_no_throw(name);
@@ -81,8 +81,9 @@ void require_no_unit(const CLI::App& command, const Written& file) {
           inside.end()) {
         continue;
       }
-      throw std::invalid_argument(fmt::format("{} {}: lies in {}, which holds units; give another",
-                                              file.named_by, file.path, folder));
+      throw std::invalid_argument(
+          fmt::format("{} {}: lies in {}, which holds units; give a file in another folder",
+                      file.named_by, file.path, folder));
     }
   }
 }
@@ -137,12 +138,12 @@ std::string said_of(const std::exception& error, const CLI::App& command) {
   return is_option ? "--" + text : text;
 }
 
-/// The text of what is raycheck's own failure; `words`: its command line.
+/// The message of an internal error; `words`: the command line.
 std::string said_of_ours(const std::exception& error, std::span<char* const> words) {
   std::string text = fmt::format(
-      "raycheck: internal error: {}\nThis is a fault of raycheck, not of what it judges: there is "
+      "raycheck: internal error: {}\nThis is a fault of raycheck, not of what it judges; it gives "
       "no "
-      "verdict. Please report it, with this command:\n ",
+      "verdict. Please report it with this command:\n ",
       error.what());
   for (const char* word : words) text += " " + single_quoted(word);
   const auto* ours = dynamic_cast<const properties::InternalError*>(&error);

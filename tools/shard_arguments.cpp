@@ -92,7 +92,7 @@ CampaignIdentity identity_of(const CLI::App& command) {
         std::any_of(std::begin(kUnitOptions), std::end(kUnitOptions), [&](const NamedOption& one) {
           return one.name == option->get_name() && one.has_value != is_flag;
         });
-    if (!is_known) throw std::logic_error(option->get_name() + " is none of kUnitOptions");
+    if (!is_known) throw std::logic_error(option->get_name() + " is missing in kUnitOptions");
     for (const std::string& value : option->results()) {
       if (!option->get_positional()) campaign.arguments.push_back(option->get_name());
       if (!is_flag) campaign.arguments.push_back(value);

@@ -255,12 +255,12 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
     return one.explained == one.errors;
   });
   if (!found.empty() && is_all) return found;
-  // A defect of its own, which no other cause has to explain.
-  Examination rest(cases, candidate, NotNumbers::kLeftOut);
   for (std::size_t at = 0; at < kStepCount; ++at) {
     const auto step = static_cast<Step>(at);
-    const std::uint64_t count = rest.not_numbers(step);
+    const std::uint64_t count = examination.not_numbers(step);
     if (count == 0) continue;
+    // A separate defect, which no other cause has to explain.
+    Examination rest(cases, candidate, NotNumbers::kLeftOut);
     found = causes_in(rest);
     found.push_back({step, {{"not a number, or infinite", count, count}}});
     break;

@@ -17,8 +17,8 @@ struct RightUnder {
 };
 
 /// The fewest such conventions, one or two, under which no answer about these cases is a defect,
-/// though the candidate answers alike when it is told to follow them; empty where there are none,
-/// or no defects. Renderers are told nothing: empty for them, too.
+/// though the candidate gives the same answers when it is asked to follow them. Empty if no such
+/// conventions exist, if there are no defects, and for renderers, which are not given conventions.
 /// Domain: cases of the candidate's format (rounded_case).
 std::optional<RightUnder> right_under(const Law& law, const std::vector<Case>& cases,
                                       const Candidate& candidate);

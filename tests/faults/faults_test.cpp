@@ -158,7 +158,7 @@ TEST_P(HostileFaults, OfTheSystemMakeNoGradeWrongAndLoseNothing) {
   }
 }
 
-/// An exception of raycheck's own, at so many operations on enclosures.
+/// Runs raycheck with an exception thrown at the `operation`-th operation on enclosures.
 Outcome run_throwing(const std::string& arguments, int operation = 0) {
   const Variable preload("LD_PRELOAD", RAYCHECK_FAULTS);
   const Variable which("RAYCHECK_THROW", std::to_string(operation));

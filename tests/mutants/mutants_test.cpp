@@ -141,6 +141,16 @@ TEST(SmallFaults, BreakTheirLaws) {
   }
 }
 
+/// What the textbook's formula may lose on ordinary cases hides no larger error.
+TEST(SmallFaults, BreakTheirLawsWhereOnlyOrdinaryCasesArePromised) {
+  Candidate candidate = careful_candidate("s-2^-36", {.s = 0x1p-36});
+  candidate.level = Level::kOrdinary;
+  for (const CampaignResult& result : run_campaigns(laws_named({"parameter", "backward-error"}),
+                                                    candidate, at(Level::kOrdinary))) {
+    EXPECT_TRUE(result.failure);
+  }
+}
+
 /// Cases of each law and seed: one or two of each severity of each source.
 constexpr int kCasesOfSeed = 100;
 

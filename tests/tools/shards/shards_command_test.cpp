@@ -7,11 +7,14 @@
 
 #include <limits>
 #include <random>
+#include <regex>
+#include <set>
 
 #include "properties/quantile_sketch.h"
 #include "properties/search/campaign.h"
 #include "tests/tools/program.h"
 #include "tools/implementations/built_in.h"
+#include "tools/shard_arguments.h"
 #include "tools/shards/run_units.h"
 #include "tools/shards/units.h"
 
@@ -180,9 +183,11 @@ TEST_F(Merge, names_a_unit_that_is_truncated_or_changed) {
 TEST_F(Merge, writes_nothing_over_what_it_merges) {
   const std::string file = folder + "/campaign.json", whole = contents(file);
   for (const std::string& written :
-       {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml"}) {
+       {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml",
+        "--report json=" + folder + "//./campaign.json"}) {
     expect_refused("merge " + folder + " " + written, "which holds units");
   }
+  expect_refused("merge " + folder + "/ --report json=" + file, "which holds units");
   EXPECT_EQ(contents(file), whole);
   run("merge " + folder, 0);
 }
@@ -387,6 +392,23 @@ TEST(Units, that_contradict_each_other_are_named) {
   }
 }
 
+/// An option that neither table has would end every shard that is given it.
+TEST(Units, depend_on_options_that_are_known) {
+  std::set<std::string> known = {"--help",   "--out",     "--shard", "--replay",
+                                 "--target", "--package", "--probe", "--for"};
+  for (const tools::NamedOption& one : tools::kReportOptions) known.insert(one.name);
+  for (const tools::NamedOption& one : tools::kUnitOptions) known.insert(one.name);
+  const std::regex option("\\n +(?:-[a-z],)?(--[a-z-]+)");
+  for (const char* command : {"properties", "stress", "worst", "check", "grade"}) {
+    const std::string help = run(std::string(command) + " --help", 0).out;
+    std::size_t count = 0;
+    for (std::sregex_iterator at(help.begin(), help.end(), option), end; at != end; ++at, ++count) {
+      EXPECT_TRUE(known.contains((*at)[1])) << command << " " << (*at)[1];
+    }
+    EXPECT_GT(count, 10u) << command;
+  }
+}
+
 TEST(Units, keep_every_bit_of_a_sketch) {
   properties::QuantileSketch sketch;
   const double kTiny = std::numeric_limits<double>::denorm_min();
@@ -423,7 +445,7 @@ TEST(Units, refuse_bytes_that_are_no_result) {
   for (std::size_t size = 0; size < whole.size(); size += 1 + size / 50) {
     EXPECT_TRUE(is_refused(whole.substr(0, size))) << size;
   }
-  // So many parts, and a count that no memory holds.
+  // A number of parts that no memory holds.
   EXPECT_TRUE(is_refused(std::string(8, '\xff') + whole.substr(8)));
   std::mt19937_64 random(1);
   std::size_t refused = 0;

@@ -98,6 +98,13 @@ TEST(StressCommand, and_tradeoff_write_their_pages) {
   }
 }
 
+/// Every family has the first severity, and one of them the last.
+TEST(StressCommand, takes_severities_that_one_family_reaches) {
+  const std::string asked = "stress --family distance,scale --method cross --cases 1 --severity ";
+  run(asked + "0..20", 0);
+  expect_refused(asked + "16..20", "severity 16..20: the severities of distance are 0..15");
+}
+
 TEST(WorstCommand, finds_an_input_that_check_accepts) {
   const std::string path = temporary_file("worst.toml", "");
   const Outcome result =

@@ -40,8 +40,9 @@ class SphereColours {
   /// The sphere whose colour a pixel shows, however dimmed; empty if it is near no sphere's:
   /// kSomeSphere.
   std::optional<std::size_t> sphere_of(const Colour& shown, const ColourHabit& habit) const;
-  /// Of so many spheres that white added to one's colour makes another's: leaves out the pixels of
-  /// each whose hue is not that of most of them. They tell a hit and no more. `pixels`: by sphere.
+  /// With more spheres than have pure colours, white added to one colour can make another: removes
+  /// from each sphere's pixels those whose hue differs from the median. They show only a hit.
+  /// `pixels`: by sphere.
   void keep_usual(std::vector<std::vector<ShownPixel>>& pixels) const;
 
  private:

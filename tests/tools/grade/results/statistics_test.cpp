@@ -29,6 +29,8 @@ TEST(MistakeStatistics, CountAMistakeAloneAndBesideAnotherOnce) {
   EXPECT_EQ(statistics[1].sentence, "a");
   EXPECT_EQ(statistics[1].students.size(), 1u);
   EXPECT_EQ(statistics[2].sentence, "c");
+  EXPECT_EQ(statistics[0].items, 4);
+  EXPECT_EQ(statistics[1].items, 2);
 }
 
 }  // namespace
