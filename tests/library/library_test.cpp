@@ -329,7 +329,7 @@ TEST(Judge, OutlivesWhateverACandidateThrows) {
   candidate.intersect = [](const auto&...) -> std::optional<Hit> { throw 7; };
   const Verdict verdict = judge(candidate, "class", "rays");
   EXPECT_EQ(verdict.finding, Finding::broken);
-  EXPECT_NE(verdict.text.find("no std::exception"), std::string::npos) << verdict.text;
+  EXPECT_NE(verdict.text.find("not a std::exception"), std::string::npos) << verdict.text;
 }
 
 /// The good tracer's answers, s off by a share, rounded to floats.
