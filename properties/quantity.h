@@ -87,7 +87,8 @@ constexpr double bound_growth(double condition) {
 
 /// Where a sphere's centre lies within this number of radii of a ray's origin, errors of code that
 /// promises no more than ordinary cases may grow with the condition number of the textbook's
-/// formula, too (reference::textbook_steps); farther away that formula's errors are defects.
+/// formula, too (reference::textbook_condition); farther away that formula's errors are defects. So
+/// for directions where the condition number of (P - E)/|P - E| by P and E is at most this.
 inline constexpr double kOrdinaryDistance = 0x1p10;
 
 /// A class error is excused when a relative change of the inputs by this much may flip the exact

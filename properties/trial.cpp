@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "properties/case.h"
+#include "reference/account/condition.h"
 #include "reference/account/nearby_choice.h"
 #include "reference/account/nearby_valid.h"
 #include "reference/ray_error.h"
@@ -20,6 +21,12 @@ namespace {
 /// A part of a batch has its share of the time for a reply, and no less than this one; what is
 /// asked alone has all of it.
 constexpr double kLeastShare = 0.1;
+
+/// By how much the change that excuses a decision grows with plain_change(): a quarter of it, as
+/// one of 4 u would that r has to make up for in place of all inputs.
+double plain_growth(const Candidate& candidate, const RayAnswer& answer) {
+  return std::max(1.0, plain_change(candidate, answer.ray, answer.sphere) / 4);
+}
 
 std::shared_ptr<TrialPart> part_of(const Trial& whole, std::size_t from, std::size_t to) {
   const bool by_ray = whole.ray_count() > 1;
@@ -169,7 +176,9 @@ bool Trial::grown_bound_allows(const MeasuredError& own, double condition,
                                const Particulars& of) const {
   if (candidate().is_unconditional[static_cast<std::size_t>(own.quantity)]) return false;
   if (std::isinf(condition) && of.backward) {
-    return *own.bound > 0 && of.backward().in(precision()).value <= bound(Quantity::kBackwardError);
+    return *own.bound > 0 &&
+           (of.backward().in(precision()).value <= bound(Quantity::kBackwardError) ||
+            (of.plain && std::isinf(of.plain())));
   }
   // Errors are infinite where the exact value is 0, or the answer is not finite.
   if (!std::isfinite(own.error.value)) return *own.bound > 0 && std::isinf(condition);
@@ -213,16 +222,24 @@ void Trial::examine(Verdict& verdict, const MeasuredError& own, const Particular
   verdict.add(std::move(discrepancy));
 }
 
+double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
+                    const scene::Sphere& sphere) {
+  if (candidate.level != Level::kOrdinary) return 0;
+  const double distance = reference::distance_in_radii(ray, sphere);
+  return distance <= kOrdinaryDistance ? (3 * distance * distance + 1) / 2 : 0;
+}
+
 reference::Neighbourhood Trial::neighbourhood(double relative_change) const {
   return {conventions().root, conventions().tangent, relative_change, conventions().valid};
 }
 
 Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
-  const reference::Neighbourhood around = neighbourhood(excused_change());
   std::optional<Excuse> weakest;
   for (const RayAnswer& answer : answers) {
     scene::poll();
     if (!is_wrong(answer, conventions(), candidate())) continue;
+    const reference::Neighbourhood around =
+        neighbourhood(excused_change() * plain_growth(candidate(), answer));
     Excuse one = excuse_of(nearby(answer, around, candidate().returns), around.relative_change);
     if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
     if (weakest->standing() == Standing::kDefect) break;

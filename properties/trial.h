@@ -79,6 +79,12 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
   return {ray, sphere, hit == nullptr ? std::nullopt : std::optional(hit->parameter)};
 }
 
+/// How many roundings of the inputs those of the textbook's v^2 - |T|^2 + r^2 amount to, as a
+/// change of r: at most (2 |T||v| + |T|^2 + r^2)/2r^2. 0 where the candidate promises more than
+/// ordinary cases, and beyond kOrdinaryDistance.
+double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
+                    const scene::Sphere& sphere);
+
 /// Whether the answer is a hit that the interval excludes by which it is judged, a comparison of
 /// doubles (reference::is_outside) that no change of inputs excuses: of an s that the candidate
 /// itself returned, not of one that follows from a distance or a point. The exact root `at`,
@@ -167,7 +173,8 @@ class Trial : public Answers {
   }
 
   /// The excuse for answers that are wrong or contradict each other: for each wrong one, inputs
-  /// within excused_change() of its own for which it is right. If one has none, there is no excuse.
+  /// within excused_change() of its own for which it is right, or within what plain_change() makes
+  /// of that. If one has none, there is no excuse.
   Excuse excuse(std::initializer_list<RayAnswer> answers) const;
   /// Where a witness is searched.
   reference::Neighbourhood neighbourhood(double relative_change) const;

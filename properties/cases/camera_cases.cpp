@@ -144,8 +144,9 @@ constexpr CaseSource kCameraSourceTable[] = {
     {"plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras},
     {"crowds", "ordinary cameras and spheres that hide one another", true, {}, crowds},
     {"far-camera", "ordinary cameras and spheres in view, all 10^k from the world's origin", true,
-     // The lecture's P - E loses directions from @1 on; code that never forms it breaks nothing.
-     Dial{"log10 of the distance from the world's origin", 10, 15, 4, 15}, far_camera},
+     // The lecture's P - E loses directions beyond what ordinary code may from @2 on; code that
+     // never forms it breaks nothing.
+     Dial{"log10 of the distance from the world's origin", 10, 15, 1, 15}, far_camera},
     {"camera-scale", "cameras and spheres in view, every length times 2^k or 2^-k", true,
      // right.cpp breaks `scaling` from @391 on, the laws of the camera from @510 on; see scale.
      Dial{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, camera_scale},

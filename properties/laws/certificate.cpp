@@ -23,7 +23,9 @@ bool is_certain(const Law& law, const Candidate& candidate, const scene::Box<Cas
       has_points) {
     return false;
   }
-  const double change = excused_change(candidate.unit_roundoff);
+  const double change =
+      excused_change(candidate.unit_roundoff) *
+      (candidate.level == Level::kOrdinary ? kOrdinaryDistance * kOrdinaryDistance : 1);
   for (std::size_t k = 0; k < least.rays.size(); ++k) {
     const scene::Box<scene::Ray> rays = {least.rays[k], greatest.rays[k]};
     for (std::size_t m = 0; m < least.spheres.size(); ++m) {

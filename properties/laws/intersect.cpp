@@ -10,8 +10,9 @@ namespace raycheck::properties {
 double plain_condition(const Candidate& candidate, const reference::ExactRay& ray,
                        const scene::Sphere& sphere, const reference::Intersection& at) {
   if (candidate.level != Level::kOrdinary) return 0;
-  const reference::TextbookSteps steps = reference::textbook_steps(ray, sphere, at);
-  return steps.distance <= kOrdinaryDistance ? steps.condition : 0;
+  return reference::distance_in_radii(ray, sphere) <= kOrdinaryDistance
+             ? reference::textbook_condition(ray, sphere, at)
+             : 0;
 }
 
 namespace {
@@ -58,14 +59,26 @@ struct Encounter {
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
-  /// plain_condition() of s, and of what an error of s is as a share of a length.
+  /// plain_change() of this ray and sphere.
+  double plain_change() const { return properties::plain_change(trial.candidate(), ray, sphere); }
+  /// plain_condition() of s: infinite where s is right for inputs that are changed by no more.
   double plain_condition() const {
-    return properties::plain_condition(trial.candidate(), ray, sphere, *exact);
+    const double change = plain_change();
+    if (change == 0) return 0;
+    const double bound = trial.bound(Quantity::kBackwardError) * bound_growth(change);
+    if (backward_error().in(trial.precision()).value <= bound) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
+    return std::isinf(condition) ? 0 : condition;
   }
+  /// What an error of s is as a share of a length. At a tangent Q slides along the sphere.
   double plain_condition_over(const Enclosure& length) const {
+    const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
+    if (std::isinf(condition)) return plain_change();
     const reference::EnclosedRay enclosed = ray.enclose(256);
     const Enclosure along = norm(enclosed.point(sphere, *exact) - enclosed.origin());
-    return plain_condition() * (along / length).upper();
+    return condition * (along / length).upper();
   }
 
   Trial& trial;
@@ -179,9 +192,7 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
     trial.measure(
         verdict, {Quantity::kBackwardError, at.place(), at.backward_error()}, [] { return 1; },
         [&](Discrepancy& d) { d.got = {at.answer->parameter}; }, {},
-        [&] {
-          return at.plain_condition() / trial.condition_of_parameter(at.ray_at, at.sphere_at);
-        });
+        [&] { return at.plain_change(); });
   });
   leave_out_without_hits(verdict);
 }
@@ -231,6 +242,9 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         },
         [&] { return at.backward_error(); },
         [&] {
+          const double of_s = at.plain_condition();
+          // Then the residuals hold Q to its ray and its sphere.
+          if (std::isinf(of_s)) return of_s;
           return at.plain_condition_over(norm(at.ray.enclose(256).point(at.sphere, *at.exact)));
         });
     judge_residuals(trial, verdict, at);

@@ -10,6 +10,14 @@ scene::UnitVector3 direction_of(const scene::Ray& ray) {
   return {ray.direction.x, ray.direction.y, ray.direction.z};
 }
 
+/// What the lecture's P - E, with P computed as E + n W + ..., adds to the condition number of D: 0
+/// where the candidate promises more than ordinary cases, and beyond kOrdinaryDistance.
+double plain_condition(const Candidate& candidate, const reference::ExactRay& ray) {
+  if (candidate.level != Level::kOrdinary) return 0;
+  const double condition = reference::stage_conditions(ray).direction;
+  return condition <= kOrdinaryDistance ? condition : 0;
+}
+
 void judge_unit_direction(Trial& trial, Verdict& verdict) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const scene::UnitVector3 got = direction_of(trial.rays()[k]);
@@ -34,7 +42,8 @@ void judge_direction(Trial& trial, Verdict& verdict) {
         [&](Discrepancy& d) {
           d.got = numbers(got);
           d.exact = numbers(ray.rounded_direction(trial.precision()));
-        });
+        },
+        {}, [&] { return plain_condition(trial.candidate(), ray); });
   }
 }
 

@@ -57,16 +57,15 @@ SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere&
                                        const Intersection& intersection);
 
 /// What the textbook's formula, which is the lecture's, makes of roundings: v = T.D,
-/// d^2 = v^2 - |T|^2 + r^2, s = v -+ d, or the same as a quadratic equation.
-struct TextbookSteps {
-  /// Of s, with respect to T.D, v^2, |T|^2, r^2 and d as independent operands: the sum
-  /// (|T| + d + (2 |T||v| + |T|^2 + r^2) / 2d) / |s|.
-  double condition = 0;
-  double distance = 0;  ///< |T|/r: from the ray's origin to the centre, in radii.
-};
+/// d^2 = v^2 - |T|^2 + r^2, s = v -+ d, or the same as a quadratic equation: the condition number
+/// of s with respect to T.D, v^2, |T|^2, r^2 and d as independent operands, the sum
+/// (|T| + d + (2 |T||v| + |T|^2 + r^2) / 2d) / |s|.
 /// Domain: as condition_of_parameter. Infinite at an exact tangent, and where s = 0.
-TextbookSteps textbook_steps(const ExactRay& ray, const scene::Sphere& sphere,
-                             const Intersection& intersection);
+double textbook_condition(const ExactRay& ray, const scene::Sphere& sphere,
+                          const Intersection& intersection);
+
+/// |T|/r, from the ray's origin to the sphere's centre, rounded up. Infinite for a point.
+double distance_in_radii(const ExactRay& ray, const scene::Sphere& sphere);
 
 /// For Q computed as L + s D, a step of every method that itself magnifies errors by |L|/|Q|: the
 /// condition number of Q plus that of the step.

@@ -120,22 +120,36 @@ SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere&
   return result;
 }
 
-TextbookSteps textbook_steps(const ExactRay& ray, const scene::Sphere& sphere,
-                             const Intersection& intersection) {
-  constexpr int kBits = 256;
-  const EnclosedRay enclosed = ray.enclose(kBits);
-  const Enclosure radius(sphere.radius, kBits);
-  const Enclosure distance = norm(enclose_exactly(sphere.centre) - enclosed.origin());
+namespace {
+
+constexpr int kTextbookBits = 256;
+
+Enclosure distance_of(const EnclosedRay& ray, const scene::Sphere& sphere) {
+  return norm(enclose_exactly(sphere.centre) - ray.origin());
+}
+
+double upper_ratio(const Enclosure& value, const Enclosure& over) {
+  return over.contains_zero() ? std::numeric_limits<double>::infinity() : (value / over).upper();
+}
+
+}  // namespace
+
+double textbook_condition(const ExactRay& ray, const scene::Sphere& sphere,
+                          const Intersection& intersection) {
+  const EnclosedRay enclosed = ray.enclose(kTextbookBits);
+  const Enclosure radius(sphere.radius, kTextbookBits);
+  const Enclosure distance = distance_of(enclosed, sphere);
   const Enclosure v = enclosed.axial_distance(sphere);
   const Enclosure d = sqrt(enclosed.half_chord_sq(sphere));
   const Enclosure s = intersection.root == WhichRoot::kSmaller ? v - d : v + d;
   const Enclosure squares =
       Enclosure(2) * distance * abs(v) + distance * distance + radius * radius;
-  const auto upper = [](const Enclosure& value, const Enclosure& over) {
-    return over.contains_zero() ? std::numeric_limits<double>::infinity() : (value / over).upper();
-  };
-  const double by_chord = upper(squares, Enclosure(2) * d * abs(s));
-  return {upper(distance + d, abs(s)) + by_chord, upper(distance, radius)};
+  return upper_ratio(distance + d, abs(s)) + upper_ratio(squares, Enclosure(2) * d * abs(s));
+}
+
+double distance_in_radii(const ExactRay& ray, const scene::Sphere& sphere) {
+  return upper_ratio(distance_of(ray.enclose(kTextbookBits), sphere),
+                     Enclosure(sphere.radius, kTextbookBits));
 }
 
 double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,

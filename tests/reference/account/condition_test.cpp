@@ -485,15 +485,15 @@ TEST(StageCondition, OfATangentsRootIsThatOfV) {
 }
 
 /// s = 9: (|T| + d + (2 |T||v| + |T|^2 + r^2)/2d)/|s| = (10 + 1 + (200 + 100 + 1)/2)/9.
-TEST(TextbookSteps, AreThoseOfTheFormulaByHand) {
+TEST(TextbookCondition, IsThatOfTheFormulaByHand) {
   const ExactRay ray(scene::Ray{{-10, 0, 0}, {2, 0, 0}});
-  const auto near = textbook_steps(ray, kUnit, {HitClass::kHit, WhichRoot::kSmaller});
-  expect_condition(near.condition, Big(11 + 150.5) / 9, "s");
-  expect_condition(near.distance, Big(10), "radii");
-  const auto far = textbook_steps(ray, kUnit, {HitClass::kHit, WhichRoot::kLarger});
-  expect_condition(far.condition, Big(11 + 150.5) / 11, "s");
+  expect_condition(textbook_condition(ray, kUnit, {HitClass::kHit, WhichRoot::kSmaller}),
+                   Big(11 + 150.5) / 9, "s");
+  expect_condition(textbook_condition(ray, kUnit, {HitClass::kHit, WhichRoot::kLarger}),
+                   Big(11 + 150.5) / 11, "s");
+  expect_condition(distance_in_radii(ray, kUnit), Big(10), "radii");
   const ExactRay touching(scene::Ray{{-5, 1, 0}, {1, 0, 0}});
-  EXPECT_EQ(textbook_steps(touching, kUnit, kTangent).condition, kInfinity);
+  EXPECT_EQ(textbook_condition(touching, kUnit, kTangent), kInfinity);
 }
 
 }  // namespace

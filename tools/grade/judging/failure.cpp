@@ -145,6 +145,13 @@ WrongAnswer wrong_answer(const Discrepancy& d) {
   return answer;
 }
 
+bool is_right_when_first(const FailedCase& failed, const Examinee& who) {
+  if (failed.failure || !who.candidate.restart) return false;
+  who.candidate.restart();
+  Trial trial(failed.item_case.the_case, who.candidate, who.options());
+  return apply(*failed.broken, trial).holds();
+}
+
 Case simplest(const FailedCase& first, const Examinee& who, const properties::Fault& fault,
               const std::function<bool()>& is_late) {
   const Case& from = first.item_case.the_case;

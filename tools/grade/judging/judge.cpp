@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <string>
 #include <utility>
 #include <variant>
 
 #include "properties/cases/random.h"
+#include "properties/mistakes/explanation.h"
 #include "scene/interruption.h"
 #include "tools/grade/judging/item_trial.h"
 #include "tools/grade/results/result.h"
@@ -132,9 +134,12 @@ class Judge {
     for (std::size_t k = 0; k < rubric_.items.size(); ++k) trials.push_back(try_item_at(k));
     std::vector<ItemCause> causes(trials.size());
     try {
-      causes = judged_.pictures
-                   ? causes_of_pictures(rubric_, judged_.form_known, judged_.dialect, trials)
-                   : causes_of_functions(rubric_, judged_.candidate, trials);
+      // What depends on earlier questions tells no formula.
+      if (!name_kept_state(trials)) {
+        causes = judged_.pictures
+                     ? causes_of_pictures(rubric_, judged_.form_known, judged_.dialect, trials)
+                     : causes_of_functions(rubric_, judged_.candidate, trials);
+      }
     } catch (const scene::Interrupted&) {
       // Then they are unknown.
     }
@@ -217,6 +222,22 @@ class Judge {
       grade.reason = {.kind = ItemReason::Kind::kNeeds, .item = needed, .state = found->state};
       return;
     }
+  }
+
+  /// Names it in each item whose first failure is right when a fresh process is asked about it
+  /// first.
+  bool name_kept_state(std::vector<ItemTrial>& trials) const {
+    bool is_kept = false;
+    for (std::size_t k = 0; k < trials.size(); ++k) {
+      if (trials[k].failed.empty()) continue;
+      const FailedCase& first = trials[k].failed.front();
+      if (!is_right_when_first(first, examinee(rubric_.items[k]))) continue;
+      trials[k].grade.mistakes = {{{std::string(properties::kKeepsState)}}};
+      trials[k].grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
+      trials[k].failed.clear();
+      is_kept = true;
+    }
+    return is_kept;
   }
 
   /// The smallest case of an item's first failure.
