@@ -1,15 +1,9 @@
 // Which classes a method can answer on a box, against its answers in it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 #include "fast/intersect.h"
 #include "properties/cases/random.h"
 #include "tests/method_names.h"
+#include "tests/testing.h"
 
 namespace raycheck::fast {
 namespace {

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "examples/tracer.h"
-#include "tests/has.h"
 #include "tests/numbers.h"
+#include "tests/testing.h"
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/has.h"
+#include "tests/testing.h"
 
 namespace raycheck::tests {
 

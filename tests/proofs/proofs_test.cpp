@@ -3,15 +3,7 @@
 // on, by a solver of real arithmetic.
 
 #include <fmt/core.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
 
 #include "proofs/bounds.h"
 #include "reference/visibility/visibility_bound.h"

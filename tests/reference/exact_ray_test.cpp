@@ -4,17 +4,11 @@
 
 #include "reference/exact_ray.h"
 
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <stdexcept>
-
 #include "reference/exact_camera.h"
 #include "reference/interval_ray.h"
-#include "tests/has.h"
-#include "tests/numbers.h"
 #include "tests/reference/lecture_formulas.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

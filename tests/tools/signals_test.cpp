@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <random>
 #include <thread>
 
 #include "tests/tools/program.h"

@@ -1,21 +1,13 @@
 // Whether a family's dial sets what it says, measured from the doubles of its cases with
 // enclosures, never with the generator's own arithmetic.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <ostream>
-#include <string>
-#include <vector>
-
 #include "properties/cases/case_source.h"
 #include "properties/trial.h"
 #include "reference/enclosure.h"
 #include "reference/exact_camera.h"
 #include "reference/exact_ray.h"
 #include "tests/names.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

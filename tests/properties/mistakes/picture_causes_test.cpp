@@ -3,19 +3,12 @@
 
 #include "properties/mistakes/picture_causes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <random>
-#include <string>
-#include <utility>
-
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "properties/candidates/fast_candidate.h"
 #include "properties/case.h"
 #include "scene/files/scene_file.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

@@ -1,17 +1,10 @@
 #include "reference/account/closed_form.h"
 
-#include <gtest/gtest.h>
-
 #include <cctype>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "tests/has.h"
 #include "tests/reference/big_float.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

@@ -4,17 +4,10 @@
 
 #include "reference/account/condition.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "tests/reference/big_float.h"
 #include "tests/reference/lecture_formulas.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

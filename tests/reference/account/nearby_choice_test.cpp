@@ -4,17 +4,10 @@
 
 #include "reference/account/nearby_choice.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <boost/multiprecision/gmp.hpp>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <stdexcept>
-#include <vector>
 
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

@@ -1,12 +1,6 @@
 #include "reference/account/proof.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

@@ -144,7 +144,6 @@ TEST(Contracts, are_told_first_what_matters_most) {
   // In C++, where shrinking what they break takes next to no time.
   const auto in_cpp = [&](const std::string& name, const std::string& body) {
     return first(compiled(temporary_file(name + ".cpp", R"(#include <raycheck/candidate.hpp>
-#include <stdexcept>
 using namespace raycheck;
 static std::optional<Hit> intersect(const Ray& ray, const Sphere&, const Conventions&) {
   const Vector o = ray.origin, d = ray.direction;

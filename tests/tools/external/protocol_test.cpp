@@ -1,10 +1,6 @@
 #include "tools/external/protocol/protocol.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
+#include "tests/testing.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/report/picture_file.h"

@@ -178,7 +178,6 @@ TEST(OwnUnits, AreAskedAboutFloatsAlone) {
   const std::string library = compiled(temporary_file("floats_alone.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <unistd.h>
-#include <initializer_list>
 using namespace raycheck;
 static std::optional<Hit> intersect(const Ray& r, const Sphere& s, const Conventions&) {
   for (const double x : {r.origin.x, r.origin.y, r.origin.z, r.direction.x, r.direction.y,

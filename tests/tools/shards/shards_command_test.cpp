@@ -5,10 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <limits>
-#include <random>
 #include <regex>
-#include <set>
 
 #include "properties/quantile_sketch.h"
 #include "properties/search/campaign.h"

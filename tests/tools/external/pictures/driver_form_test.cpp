@@ -3,16 +3,9 @@
 
 #include "tools/external/pictures/driver_form.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+
+#include "tests/testing.h"
 
 namespace raycheck::tools {
 namespace {
