@@ -9,9 +9,7 @@ namespace raycheck::fast {
 namespace {
 
 using properties::Random;
-using scene::Box;
-using scene::Ray;
-using scene::Sphere;
+using namespace scene;
 
 struct Question {
   Ray ray;

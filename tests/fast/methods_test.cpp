@@ -12,12 +12,7 @@
 namespace raycheck::fast {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
-using scene::Pixel;
-using scene::Ray;
-using scene::Sphere;
-using scene::UnitVector3;
+using namespace scene;
 
 Rays batch_of(const std::vector<Ray>& given) {
   Rays rays;

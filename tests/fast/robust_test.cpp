@@ -20,11 +20,7 @@ namespace {
 using properties::Random;
 using reference::HitClass;
 using reference::numbers_of;
-using scene::HitRule;
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
-using scene::Tangent;
+using namespace scene;
 
 /// What was compared, so that no test passes for want of cases.
 struct RobustAudit {

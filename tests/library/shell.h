@@ -2,13 +2,6 @@
 
 #include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-
 #include "tests/testing.h"
 
 namespace raycheck::tests {

@@ -13,12 +13,7 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Box;
-using scene::Camera;
-using scene::Conventions;
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
+using namespace scene;
 
 /// Compares the engines on one ray and two spheres.
 void expect_engines_agree(const ExactRay& ray, const Sphere& first, const Sphere& second, int& hits,

@@ -11,10 +11,7 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
+using namespace scene;
 using Number = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
 using Vector = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::Vector_3;
 static_assert(std::is_same_v<Number, CORE::Expr>);

@@ -13,9 +13,7 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Scene;
-using scene::Sphere;
+using namespace scene;
 
 /// Spheres at a billionth of a length from the eye, at ten times as much, and so on: what is
 /// compared with a fixed small number loses the first of them.

@@ -14,10 +14,7 @@
 namespace raycheck::tests {
 namespace {
 
-using properties::Case;
-using properties::Discrepancy;
-using properties::Quantity;
-using properties::Wrong;
+using namespace properties;
 using scene::Precision;
 
 /// About 6600 bits, in which products of four floats' sums are exact; so are square roots and

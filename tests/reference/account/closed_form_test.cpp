@@ -9,9 +9,7 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
-using scene::Ray;
-using scene::Sphere;
+using namespace scene;
 
 /// The value of a closed form, and of a printed one: sums of products and quotients of integers,
 /// parentheses and square roots. Anything else throws std::runtime_error.

@@ -12,9 +12,7 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
-using scene::Ray;
-using scene::Sphere;
+using namespace scene;
 
 std::array<Big, 3> coordinates_of(const Big3& v) { return {v.x, v.y, v.z}; }
 

@@ -12,10 +12,7 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
-using scene::Tangent;
+using namespace scene;
 using What = FirstMet::What;
 using Fraction = boost::multiprecision::mpq_rational;
 using Spheres = std::vector<Sphere>;

@@ -5,10 +5,7 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
+using namespace scene;
 
 void expect_dyadic(const Dyadic& got, const char* integer, std::int64_t exponent) {
   EXPECT_EQ(got.integer, integer);

@@ -9,10 +9,7 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Culling;
-using scene::Ends;
-using scene::Root;
-using scene::TUnit;
+using namespace scene;
 
 constexpr double kNoEnd = kInfinity, kNearby = 16 * 0x1p-53;
 
