@@ -1,7 +1,15 @@
 // What tests of the built program are written with.
 #pragma once
 
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <thread>
 
 #include "tests/testing.h"
 

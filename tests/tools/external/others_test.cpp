@@ -1,8 +1,6 @@
 // Other people's candidates where raycheck's methods are compared: stress, worst, tradeoff, explain
 // and image.
 
-#include <unistd.h>
-
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
@@ -60,6 +58,7 @@ TEST(OthersTradeoff, are_not_timed_where_they_answer_otherwise_or_fail) {
   const std::string source = temporary_file("otherwise.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <unistd.h>
+#include <string>
 using namespace raycheck;
 static std::optional<Hit> intersect(const Ray&, const Sphere&, const Conventions&) {
   char name[4096] = {};
@@ -87,6 +86,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
 TEST(OthersTradeoff, are_told_which_roots_count_where_they_are_timed) {
   const std::string source = temporary_file("roots.cpp", R"(
 #include <raycheck/candidate.hpp>
+#include <cmath>
 using namespace raycheck;
 static std::optional<Hit> intersect(const Ray&, const Sphere&, const Conventions& asked) {
   if (asked.valid.t_min != 0 || !std::isinf(asked.valid.t_max)) return std::nullopt;
