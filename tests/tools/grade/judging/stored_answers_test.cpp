@@ -13,9 +13,7 @@ namespace raycheck::tests {
 namespace {
 
 using properties::ImageAnswer;
-using scene::Camera;
-using scene::Scene;
-using scene::Vector3;
+using namespace scene;
 using tools::Rubric;
 
 constexpr std::uint64_t kStoredSeeds = 1000;
