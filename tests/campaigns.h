@@ -1,12 +1,7 @@
 #pragma once
 
-#include <initializer_list>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "properties/search/campaign.h"
+#include "tests/standard.h"
 
 namespace raycheck {
 

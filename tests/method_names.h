@@ -2,13 +2,9 @@
 
 // How tests of each intersection method are called: by the method, not by its address.
 
-#include <gtest/gtest.h>
-
-#include <ostream>
-#include <string>
-
 #include "fast/intersect.h"
 #include "tests/names.h"
+#include "tests/testing.h"
 
 namespace raycheck::fast {
 

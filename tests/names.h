@@ -2,11 +2,7 @@
 
 // How tests of each of a list are called: by its names.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
+#include "tests/testing.h"
 
 namespace raycheck {
 

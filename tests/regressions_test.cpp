@@ -1,22 +1,13 @@
 // The cases that taught something: each file of tests/regressions/ is judged by every law. The
 // exact answers here were computed apart from this project, with rational arithmetic.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <map>
 #include <regex>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "tests/names.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

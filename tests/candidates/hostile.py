@@ -1,6 +1,7 @@
 """Candidates that cheat or fail, each when it is first asked to intersect: hostile.py HOW [FILE]."""
 import mmap
 import os
+import pathlib
 import socket
 import sys
 import time
@@ -45,16 +46,6 @@ def preload():
         file.write("/tmp/evil.so\n")
 
 
-def write_outside():
-    with open(sys.argv[2], "w") as file:
-        file.write("I was here\n")
-
-
-def read_secret():
-    with open(sys.argv[2]) as file:
-        file.read()
-
-
 def on_and_on():
     while True:
         say(b"0 0 1 0 0 1\n" * 1000)
@@ -79,8 +70,8 @@ HOW = {
     "output": on_and_on,
     "memory": lambda: refused(take_memory),
     "fork": lambda: refused(fork_on_and_on),
-    "write": lambda: refused(write_outside),
-    "read": lambda: refused(read_secret),
+    "write": lambda: refused(lambda: pathlib.Path(sys.argv[2]).write_text("I was here\n")),
+    "read": lambda: refused(pathlib.Path(sys.argv[2]).read_text),
     "preload": lambda: refused(preload),
     "socket": lambda: refused(socket.socket),
     "parent": lambda: refused(see_others),

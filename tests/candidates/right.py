@@ -1,7 +1,12 @@
-"""A candidate that is right, in Python: rays, intersections and the nearest sphere."""
+"""A candidate, and a submission, that is right as it stands, in Python: rays, intersections and the
+nearest sphere. A first line MISTAKE = "far_root" makes it wrong in the one way of that name."""
 import math
 
 import raycheck_candidate as rc
+
+MISTAKE = globals().get("MISTAKE", "none")
+if MISTAKE not in ("none", "axes_dropped", "far_root", "first_sphere_wins"):
+    raise ValueError(f"no such mistake: {MISTAKE}")
 
 
 def add(a, b):
@@ -25,28 +30,34 @@ def cross(a, b):
 
 
 def unit(a):
-    return times(1 / math.hypot(*a), a)
+    length = math.hypot(*a)
+    return tuple(x / length for x in a)
 
 
 def frame(camera):
     w = unit(sub(camera.eye, camera.look_at))
     u = unit(cross(camera.up, w))
-    return u, cross(w, u), w
+    if MISTAKE == "axes_dropped":
+        return 3 * ((0.0, 0.0, 0.0),)
+    # An up vector near W leaves U askew.
+    v = unit(cross(w, u))
+    return cross(v, w), v, w
 
 
 def position(low, high, index, count, samples):
     share = (index + 0.5) / count if samples == "centres" else index / (count - 1)
-    return low + (high - low) * share
+    return low + share * (high - low)
 
 
 def sight(camera, asked, pixel):
+    """P - E, without the rounding of P."""
     i, j = pixel
     u, v, w = frame(camera)
     if asked.rows == "top-first":
         j = camera.height - 1 - j
     alpha = position(camera.left, camera.right, i, camera.width, asked.samples)
     beta = position(camera.bottom, camera.top, j, camera.height, asked.samples)
-    return add(times(camera.near, w), add(times(alpha, u), times(beta, v)))
+    return add(add(times(camera.near, w), times(alpha, u)), times(beta, v))
 
 
 def pixel_point(camera, asked, pixel):
@@ -70,18 +81,19 @@ def intersect(ray, sphere, asked):
     discriminant = a * r * r - dot(moment, moment)
     if discriminant < 0 or (discriminant == 0 and asked.tangent == "miss"):
         return None
-    root = math.sqrt(discriminant)
-    q = b + root if b >= 0 else b - root
+    q = b + math.copysign(math.sqrt(discriminant), b)
     distance = math.hypot(*to)
     roots = sorted((q / a, (distance - r) * (distance + r) / q if q else 0.0))
     s = roots[0]
-    if s < 0 and asked.root == "nearest":
+    if (s < 0 and asked.root == "nearest") or MISTAKE == "far_root":
         s = roots[1]
     return None if s < 0 else (s, add(origin, times(s, d)))
 
 
 def nearest(ray, spheres, asked):
     hits = ((intersect(ray, sphere, asked), k) for k, sphere in enumerate(spheres))
+    if MISTAKE == "first_sphere_wins":
+        return next((k for hit, k in hits if hit), None)
     return min(((hit[0], k) for hit, k in hits if hit), default=(None, None))[1]
 
 

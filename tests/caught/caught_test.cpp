@@ -1,13 +1,8 @@
 // Parts of docs/what-is-caught.md, worked out again.
 
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <iterator>
-#include <string>
-
 #include "fast/intersect.h"
 #include "tests/caught/page.h"
+#include "tests/testing.h"
 
 namespace raycheck::caught {
 namespace {

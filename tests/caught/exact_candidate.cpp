@@ -9,19 +9,7 @@
 namespace raycheck::caught {
 namespace {
 
-using properties::Candidate;
-using properties::FrameAnswer;
-using properties::SphereHits;
-using reference::Enclosure;
-using reference::ExactCamera;
-using reference::ExactRay;
-using scene::Camera;
-using scene::Conventions;
-using scene::Pixel;
-using scene::Point3;
-using scene::Ray;
-using scene::Scene;
-using scene::Sphere;
+using namespace reference;
 
 constexpr int kBits = 256;
 

@@ -1,17 +1,13 @@
 #pragma once
 
-#include <cstddef>
-#include <deque>
-#include <functional>
-#include <memory>
-#include <optional>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "properties/candidate.h"
+#include "tests/standard.h"
 
 namespace raycheck::caught {
+
+// What they are made of.
+using namespace properties;
+using namespace scene;
 
 /// How a ray meets a sphere.
 struct Sighting {

@@ -1,18 +1,11 @@
 #include "tests/caught/first_severity.h"
 
-#include <stdexcept>
-#include <string>
-
 #include "properties/truth.h"
 #include "tests/caught/places.h"
 
 namespace raycheck::caught {
 
 using mutants::Mutant;
-using properties::Case;
-using properties::CaseSource;
-using properties::Law;
-using properties::Trial;
 
 std::vector<FirstCaught> first_caught(const CaseSource& source, std::span<const Mutant> mutants) {
   std::vector<FirstCaught> result;

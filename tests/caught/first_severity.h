@@ -1,12 +1,9 @@
 #pragma once
 
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "tests/mutants/mutants.h"
+#include "tests/standard.h"
 
 namespace raycheck::caught {
 

@@ -1,10 +1,5 @@
 #include "tests/caught/known_reports.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
-
 #include "fast/intersect.h"
 #include "properties/candidates/fast_candidate.h"
 #include "properties/mistakes/causes.h"
@@ -15,15 +10,6 @@ namespace raycheck::caught {
 namespace {
 
 using fast::Roots;
-using properties::Candidate;
-using properties::Hit;
-using properties::hit_at;
-using properties::meets;
-using properties::usual_choice;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
-using scene::Vector3;
 
 double dot(const Vector3& u, const Vector3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
 double norm(const Vector3& v) { return std::hypot(v.x, v.y, v.z); }

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "properties/candidate.h"
 #include "properties/mistakes/altered_hits.h"
+#include "tests/standard.h"
 
 namespace raycheck::caught {
+
+// What they are made of.
+using namespace properties;
+using namespace scene;
 
 /// A report about rays and spheres from the tracker of a library, and its mutant.
 struct KnownReport {

@@ -1,18 +1,10 @@
 #include "tests/caught/page.h"
 
-#include <algorithm>
-#include <map>
-#include <sstream>
-#include <stdexcept>
-
 #include "tests/caught/places.h"
 #include "tests/dull/judged.h"
 
 namespace raycheck::caught {
 namespace {
-
-using properties::CaseSource;
-using properties::Law;
 
 std::string line_of(const std::vector<std::string>& cells) {
   std::string line = "|";

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "properties/cases/case_source.h"
 #include "tests/caught/first_severity.h"
 #include "tests/caught/known_reports.h"
 #include "tests/caught/resolution.h"
+#include "tests/standard.h"
 
 namespace raycheck::caught {
 

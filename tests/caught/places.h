@@ -1,11 +1,9 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "properties/cases/case_source.h"
 #include "properties/cases/random.h"
 #include "properties/laws/law.h"
+#include "tests/standard.h"
 
 namespace raycheck::caught {
 

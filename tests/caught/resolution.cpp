@@ -1,29 +1,11 @@
 #include "tests/caught/resolution.h"
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include "properties/cases/random.h"
 #include "properties/truth.h"
 #include "tests/caught/places.h"
 
 namespace raycheck::caught {
 namespace {
-
-using properties::Candidate;
-using properties::Case;
-using properties::CaseSource;
-using properties::FrameAnswer;
-using properties::HitAnswer;
-using properties::Law;
-using properties::SphereHits;
-using properties::Trial;
-using scene::Camera;
-using scene::Point3;
-using scene::Ray;
-using scene::UnitVector3;
-using scene::Vector3;
 
 template <class Triple>
 Triple times(double factor, const Triple& v) {

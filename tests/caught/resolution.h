@@ -1,16 +1,10 @@
 #pragma once
 
-#include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
-
 #include "properties/candidate.h"
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "tests/caught/exact_candidate.h"
+#include "tests/standard.h"
 
 namespace raycheck::caught {
 

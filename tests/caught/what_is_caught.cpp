@@ -3,13 +3,6 @@
 
 #include <cstdio>
 #include <ctime>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <map>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "tests/caught/page.h"
 

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <bit>
-#include <cstdint>
-#include <initializer_list>
-#include <string_view>
-#include <vector>
-
 #include "properties/candidate.h"
 #include "properties/cases/random.h"
+#include "tests/standard.h"
 
 namespace raycheck::dull {
+
+// What they are made of.
+using namespace properties;
+using namespace scene;
 
 /// A right candidate, but for one part that does not compute what it is asked.
 struct Dull {
@@ -26,6 +25,19 @@ std::vector<Dull> all_dull(const properties::Candidate& right);
 std::vector<Dull> dull_hits(const properties::Candidate& right);
 std::vector<Dull> dull_rays(const properties::Candidate& right);
 std::vector<Dull> dull_scenes(const properties::Candidate& right);
+
+/// A candidate under another name.
+inline Candidate renamed(Candidate candidate, std::string name) {
+  candidate.name = std::move(name);
+  return candidate;
+}
+
+/// Lists, one after the other.
+inline std::vector<Dull> joined(std::vector<Dull> all,
+                                std::initializer_list<std::vector<Dull>> lists) {
+  for (const std::vector<Dull>& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
 
 /// Random numbers that depend on what was asked alone.
 inline properties::Random random_of(std::initializer_list<double> asked) {

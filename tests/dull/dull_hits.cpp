@@ -1,10 +1,5 @@
 // What says dull things of rays and spheres.
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <utility>
-
 #include "properties/mistakes/altered_hits.h"
 #include "reference/exact_ray.h"
 #include "tests/dull/dull.h"
@@ -13,13 +8,7 @@
 namespace raycheck::dull {
 namespace {
 
-using properties::Candidate;
-using properties::Hit;
-using properties::HitAnswer;
 using reference::ExactRay;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
 
 using Answer = std::function<Hit(const Ray&, const Sphere&, const Conventions&)>;
 
@@ -166,8 +155,7 @@ class Before {
 };
 
 Candidate answering_before(const Candidate& right) {
-  Candidate candidate = right;
-  candidate.name = "previous-hits";
+  Candidate candidate = renamed(right, "previous-hits");
   properties::answer_by(candidate, [before = std::make_shared<Before>(right)](
                                        const auto&... asked) { return before->answer(asked...); });
   return candidate;
@@ -175,8 +163,7 @@ Candidate answering_before(const Candidate& right) {
 
 Candidate ranking(const Candidate& right, std::string name,
                   const std::function<std::size_t(std::size_t)>& choose) {
-  Candidate candidate = right;
-  candidate.name = std::move(name);
+  Candidate candidate = renamed(right, std::move(name));
   candidate.nearest = [choose](Candidate::Rays rays, Candidate::Spheres spheres, const auto&) {
     std::vector<std::optional<std::size_t>> answers(rays.size());
     if (spheres.empty()) return answers;
@@ -189,26 +176,21 @@ Candidate ranking(const Candidate& right, std::string name,
 }  // namespace
 
 std::vector<Dull> dull_hits(const Candidate& right) {
-  std::vector<Dull> all = dull_classes(right);
-  for (Dull& more : dull_values(right)) all.push_back(std::move(more));
-  all.push_back({"the answer to the question before",
-                 {"class", "parameter", "hit-point", "backward-error", "nearest-sphere"},
-                 answering_before(right)});
-  all.push_back({"the first sphere, whatever the ray",
-                 {"nearest-sphere"},
-                 ranking(right, "first-sphere", [](std::size_t) { return std::size_t{0}; })});
-  all.push_back({"the last sphere, whatever the ray",
-                 {"nearest-sphere"},
-                 ranking(right, "last-sphere", [](std::size_t count) { return count - 1; })});
-  return all;
+  return joined(dull_classes(right),
+                {dull_values(right),
+                 {{"the answer to the question before",
+                   {"class", "parameter", "hit-point", "backward-error", "nearest-sphere"},
+                   answering_before(right)},
+                  {"the first sphere, whatever the ray",
+                   {"nearest-sphere"},
+                   ranking(right, "first-sphere", [](std::size_t) { return std::size_t{0}; })},
+                  {"the last sphere, whatever the ray",
+                   {"nearest-sphere"},
+                   ranking(right, "last-sphere", [](std::size_t count) { return count - 1; })}}});
 }
 
 std::vector<Dull> all_dull(const Candidate& right) {
-  std::vector<Dull> all = dull_hits(right);
-  for (std::vector<Dull> more : {dull_rays(right), dull_scenes(right)}) {
-    for (Dull& one : more) all.push_back(std::move(one));
-  }
-  return all;
+  return joined(dull_hits(right), {dull_rays(right), dull_scenes(right)});
 }
 
 }  // namespace raycheck::dull

@@ -1,25 +1,10 @@
 // What says dull things of cameras: axes, pixel points, rays.
 
-#include <functional>
-#include <memory>
-#include <string>
-#include <utility>
-
 #include "tests/dull/dull.h"
 #include "tests/numbers.h"
 
 namespace raycheck::dull {
 namespace {
-
-using properties::Candidate;
-using properties::FrameAnswer;
-using scene::Camera;
-using scene::Conventions;
-using scene::Pixel;
-using scene::Point3;
-using scene::Ray;
-using scene::UnitVector3;
-using scene::Vector3;
 
 /// What was made for the question before another.
 template <class Asked, class Answer>
@@ -40,8 +25,7 @@ class BeforeRays {
 
 Candidate with_frame(const Candidate& right, std::string name,
                      const std::function<FrameAnswer(const Camera&)>& frame) {
-  Candidate candidate = right;
-  candidate.name = std::move(name);
+  Candidate candidate = renamed(right, std::move(name));
   candidate.frame = frame;
   return candidate;
 }
@@ -85,8 +69,7 @@ std::vector<Dull> dull_frames(const Candidate& right) {
 using MakePoint = std::function<Point3(const Camera&, const Pixel&)>;
 
 Candidate with_points(const Candidate& right, std::string name, const MakePoint& make) {
-  Candidate candidate = right;
-  candidate.name = std::move(name);
+  Candidate candidate = renamed(right, std::move(name));
   candidate.pixel_points = [make](const Camera& camera, const Conventions&,
                                   Candidate::Pixels pixels) {
     std::vector<Point3> points;
@@ -131,8 +114,7 @@ std::vector<Dull> dull_points(const Candidate& right) {
 using MakeRay = std::function<Ray(const Camera&, const Pixel&)>;
 
 Candidate with_rays(const Candidate& right, std::string name, const MakeRay& make) {
-  Candidate candidate = right;
-  candidate.name = std::move(name);
+  Candidate candidate = renamed(right, std::move(name));
   candidate.pixel_rays = candidate.focal_rays = [make](const Camera& camera, const Conventions&,
                                                        Candidate::Pixels pixels) {
     std::vector<Ray> rays;
@@ -143,8 +125,7 @@ Candidate with_rays(const Candidate& right, std::string name, const MakeRay& mak
 }
 
 Candidate with_previous_rays(const Candidate& right) {
-  Candidate candidate = right;
-  candidate.name = "previous-rays";
+  Candidate candidate = renamed(right, "previous-rays");
   using Rays = std::vector<Ray>;
   for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
     *make = [ask = *make, before = std::make_shared<BeforeRays<Camera, Rays>>()](
@@ -193,11 +174,7 @@ std::vector<Dull> dull_ray_makers(const Candidate& right) {
 }  // namespace
 
 std::vector<Dull> dull_rays(const Candidate& right) {
-  std::vector<Dull> all = dull_frames(right);
-  for (std::vector<Dull> more : {dull_points(right), dull_ray_makers(right)}) {
-    for (Dull& one : more) all.push_back(std::move(one));
-  }
-  return all;
+  return joined(dull_frames(right), {dull_points(right), dull_ray_makers(right)});
 }
 
 }  // namespace raycheck::dull

@@ -1,30 +1,16 @@
 // What says dull things of whole scenes: which sphere is seen, which pixels a sphere may be in,
 // what is no scene at all.
 
-#include <functional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-
 #include "tests/dull/dull.h"
 
 namespace raycheck::dull {
 namespace {
 
-using properties::Candidate;
-using properties::ImageAnswer;
-using properties::SeenAnswer;
-using scene::Conventions;
-using scene::Pixel;
-using scene::Scene;
-using scene::SpherePlan;
-
 using See = std::function<std::optional<std::size_t>(const Scene&, const Pixel&)>;
 
 /// Through every pixel, and in every image.
 Candidate seeing(const Candidate& right, std::string name, const See& see) {
-  Candidate candidate = right;
-  candidate.name = std::move(name);
+  Candidate candidate = renamed(right, std::move(name));
   candidate.visible = [see](const Scene& scene, const Conventions&, Candidate::Pixels pixels) {
     std::vector<std::optional<SeenAnswer>> answers;
     for (const Pixel& pixel : pixels) {
@@ -71,8 +57,7 @@ std::vector<Dull> dull_sights(const Candidate& right) {
       {"every pixel of an image shows some sphere, none can tell which",
        {"image"},
        [&] {
-         Candidate candidate = right;
-         candidate.name = "image-of-some";
+         Candidate candidate = renamed(right, "image-of-some");
          candidate.image = [](const Scene& scene, const Conventions&) {
            const auto pixels = scene.camera->width * scene.camera->height;
            return ImageAnswer(static_cast<std::size_t>(pixels), properties::kSomeSphere);
@@ -85,8 +70,7 @@ std::vector<Dull> dull_sights(const Candidate& right) {
 /// The right plan, with something else said of every sphere.
 Candidate planning(const Candidate& right, std::string name,
                    const std::function<void(const Scene&, SpherePlan&)>& say) {
-  Candidate candidate = right;
-  candidate.name = std::move(name);
+  Candidate candidate = renamed(right, std::move(name));
   candidate.plan = [make = right.plan, say](const Scene& scene, const Conventions& conventions,
                                             scene::Wanted wanted) {
     scene::ScenePlan plan = make(scene, conventions, wanted);
@@ -174,12 +158,10 @@ std::vector<Dull> dull_refusals(const Candidate& right) {
       "class",          "nearest-root",    "parameter",      "backward-error", "hit-point",
       "nearest-sphere", "visible-sphere",  "image",          "plan-left-out",  "plan-rectangles",
       "plan-roots",     "focal-and-pixel"};
-  Candidate refusing = right;
-  refusing.name = "refuses-all";
+  Candidate refusing = renamed(right, "refuses-all");
   change_parts(refusing, refuse);
   change_wholes(refusing, refuse);
-  Candidate answering = right;
-  answering.name = "refuses-nothing";
+  Candidate answering = renamed(right, "refuses-nothing");
   change_parts(answering, answer);
   return {{"everything is refused", std::move(all_but_refusal), std::move(refusing)},
           {"nothing is refused", {"refusal"}, std::move(answering)}};
@@ -188,11 +170,7 @@ std::vector<Dull> dull_refusals(const Candidate& right) {
 }  // namespace
 
 std::vector<Dull> dull_scenes(const Candidate& right) {
-  std::vector<Dull> all = dull_sights(right);
-  for (std::vector<Dull> more : {dull_plans(right), dull_refusals(right)}) {
-    for (Dull& one : more) all.push_back(std::move(one));
-  }
-  return all;
+  return joined(dull_sights(right), {dull_plans(right), dull_refusals(right)});
 }
 
 }  // namespace raycheck::dull

@@ -1,12 +1,7 @@
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
-
 #include "tests/caught/places.h"
 #include "tests/dull/judged.h"
 #include "tests/names.h"
+#include "tests/testing.h"
 
 namespace raycheck::dull {
 namespace {

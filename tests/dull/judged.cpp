@@ -1,19 +1,10 @@
 #include "tests/dull/judged.h"
 
-#include <algorithm>
-#include <stdexcept>
-
 #include "properties/truth.h"
 #include "tests/caught/places.h"
 
 namespace raycheck::dull {
 namespace {
-
-using properties::Case;
-using properties::ChosenSource;
-using properties::Law;
-using properties::Trial;
-using properties::Verdict;
 
 Judgement judgement(const Verdict& verdict) {
   if (!verdict.holds()) return Judgement::kBroken;

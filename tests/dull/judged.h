@@ -1,16 +1,10 @@
 #pragma once
 
-#include <cstddef>
-#include <memory>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "tests/caught/exact_candidate.h"
 #include "tests/dull/dull.h"
+#include "tests/standard.h"
 
 namespace raycheck::dull {
 

@@ -1,23 +1,15 @@
 // Which classes a method can answer on a box, against its answers in it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <utility>
-#include <vector>
-
 #include "fast/intersect.h"
 #include "properties/cases/random.h"
 #include "tests/method_names.h"
+#include "tests/testing.h"
 
 namespace raycheck::fast {
 namespace {
 
 using properties::Random;
-using scene::Box;
-using scene::Ray;
-using scene::Sphere;
+using namespace scene;
 
 struct Question {
   Ray ray;

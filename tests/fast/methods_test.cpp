@@ -1,31 +1,18 @@
 // What every method, exact ones among them, and every one that makes rays does beyond what the laws
 // say of its answers: batches, refusals, ranking.
 
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "fast/camera_frame.h"
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "properties/candidates/reference_methods.h"
 #include "properties/cases/case_source.h"
-#include "tests/has.h"
 #include "tests/method_names.h"
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::fast {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
-using scene::Pixel;
-using scene::Ray;
-using scene::Sphere;
-using scene::UnitVector3;
+using namespace scene;
 
 Rays batch_of(const std::vector<Ray>& given) {
   Rays rays;

@@ -3,13 +3,7 @@
 
 #include "fast/internal/robust.h"
 
-#include <gtest/gtest.h>
 #include <hwy/targets.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <string>
 
 #include "fast/intersect.h"
 #include "properties/cases/case_source.h"
@@ -17,8 +11,8 @@
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 #include "scene/validate.h"
-#include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::fast {
 namespace {
@@ -26,11 +20,7 @@ namespace {
 using properties::Random;
 using reference::HitClass;
 using reference::numbers_of;
-using scene::HitRule;
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
-using scene::Tangent;
+using namespace scene;
 
 /// What was compared, so that no test passes for want of cases.
 struct RobustAudit {

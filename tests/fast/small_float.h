@@ -8,13 +8,8 @@
 #define RAYCHECK_TESTS_FAST_SMALL_FLOAT_H_
 #endif
 
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-
 #include "fast/internal/robust_guess.h"
+#include "tests/standard.h"
 
 #pragma GCC diagnostic ignored "-Wpsabi"  // No other file is passed such numbers.
 

@@ -1,12 +1,7 @@
 #pragma once
+#include "tests/standard.h"
 
 // Inputs of formats of few bits, what their formulas require, and what is right by integers.
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <vector>
 
 namespace raycheck::fast {
 

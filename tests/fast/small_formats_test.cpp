@@ -14,19 +14,11 @@
 #define HWY_DISABLED_TARGETS (~(HWY_AVX2 | HWY_BASELINE_TARGETS))
 #include "tests/fast/small_formats.h"
 
-#include <gtest/gtest.h>
 #include <hwy/foreach_target.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <span>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "fast/internal/robust_guess.h"
 #include "tests/fast/small_float.h"
+#include "tests/testing.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {

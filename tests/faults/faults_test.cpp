@@ -1,11 +1,8 @@
 // A system call of `raycheck grade` fails once: no grade is wrong, nothing is lost, and something
 // is said. What is not finished is finished by the next run.
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
-#include <regex>
 
 #include "tests/tools/grade/grading.h"
 
@@ -26,20 +23,11 @@ constexpr const char* kNames[] = {"right", "wrong", "drawn"};
 class FaultyGrading {
  public:
   FaultyGrading() {
-    rubric_ = grading_.write("rubric.toml", std::string("reply_seconds = 5\n") + kFormsOfBuilt + R"(
-[[item]]
-name = "hits"
-points = 10
-[item.functions]
-laws = ["class"]
-rays = "given"
-sources = ["rays"]
-cases = 5
-[item.pictures]
-judge = "mask"
-sources = ["course"]
-cases = 1
-)");
+    const std::string hits =
+        functions("class", "rays", 5, kGivenRays) +
+        "[item.pictures]\njudge = \"mask\"\nsources = [\"course\"]\ncases = 1\n";
+    rubric_ = grading_.write("rubric.toml", std::string("reply_seconds = 5\n") + kFormsOfBuilt +
+                                                item_of("hits", "points = 10", hits));
     folders_ = {grading_.submit_built("right", "rays.cpp", "none"),
                 grading_.submit_built("wrong", "rays.cpp", "no_test_for_t"),
                 grading_.submit_built("drawn", "rt.cpp", "none")};

@@ -1,13 +1,7 @@
 // What fuzzers start from, and what they once failed on, read by an ordinary build.
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <string>
-
 #include "tests/fuzz/targets.h"
+#include "tests/testing.h"
 
 namespace raycheck::tests {
 namespace {

@@ -1,16 +1,6 @@
 // The examples as someone else builds them, against an installed tree.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "tests/library/shell.h"
 

@@ -1,13 +1,7 @@
 // The Debian packages: made of the build, unpacked where nothing was, and used as someone else
 // does.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
 #include "tests/library/shell.h"
 

@@ -2,14 +2,7 @@
 
 #include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
-#include <string>
-
-#include "tests/has.h"
+#include "tests/testing.h"
 
 namespace raycheck::tests {
 

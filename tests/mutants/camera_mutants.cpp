@@ -1,32 +1,14 @@
-#include <cmath>
-#include <functional>
-#include <string>
-#include <utility>
 
 #include "tests/mutants/mutants.h"
 
 namespace raycheck::mutants {
 namespace {
 
-using properties::Candidate;
-using properties::FrameAnswer;
-using scene::Camera;
-using scene::Conventions;
-using scene::Point3;
-using scene::Ray;
-using scene::Vector3;
-
 Vector3 scaled(double factor, const Vector3& v) {
   return {factor * v.x, factor * v.y, factor * v.z};
 }
 
 double length(const Vector3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
-
-Candidate named(std::string name) {
-  Candidate candidate = unmutated();
-  candidate.name = std::move(name);
-  return candidate;
-}
 
 Candidate with_guarded_W() {
   Candidate candidate = named("guarded-W");

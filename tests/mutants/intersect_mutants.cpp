@@ -1,9 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <tuple>
-#include <utility>
 
 #include "fast/intersect.h"
 #include "properties/candidates/fast_candidate.h"
@@ -13,28 +7,11 @@
 namespace raycheck::mutants {
 namespace {
 
-using properties::answer_by;
-using properties::AskSphere;
-using properties::Candidate;
-using properties::Hit;
-using properties::hit_at;
-using properties::hits_of;
-using scene::Conventions;
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
-
-Candidate intersecting(std::string name) {
-  Candidate candidate = unmutated();
-  candidate.name = std::move(name);
-  return candidate;
-}
-
 AskSphere unmutated_hits() { return hits_of(unmutated()); }
 
 /// Spheres changed before they are intersected.
 Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> change) {
-  Candidate candidate = intersecting(std::move(name));
+  Candidate candidate = named(std::move(name));
   answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
                                                          const Conventions& by) {
     return base(rays, change(sphere), by);
@@ -46,7 +23,7 @@ Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> cha
 Candidate with_hits(std::string name,
                     std::function<Hit(const Ray&, const Sphere&, const Conventions&, Hit)> change,
                     bool checked = true) {
-  Candidate candidate = intersecting(std::move(name));
+  Candidate candidate = named(std::move(name));
   answer_by(candidate,
             [base = unmutated_hits(), change, checked](Candidate::Rays rays, const Sphere& sphere,
                                                        const Conventions& conventions) {

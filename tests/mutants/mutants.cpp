@@ -1,9 +1,5 @@
 #include "tests/mutants/mutants.h"
 
-#include <cmath>
-#include <stdexcept>
-#include <utility>
-
 #include "fast/intersect.h"
 #include "properties/mistakes/altered_hits.h"
 #include "properties/mistakes/mistakes.h"
@@ -11,13 +7,6 @@
 
 namespace raycheck::mutants {
 namespace {
-
-using properties::Candidate;
-using properties::Hit;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
-using scene::Vector3;
 
 Vector3 turned(const Vector3& D, double angle) {
   const Vector3 any = std::abs(D.x) < std::abs(D.y) ? Vector3{0, D.z, -D.y} : Vector3{-D.z, 0, D.x};
@@ -46,8 +35,7 @@ Hit changed(const Ray& ray, const Sphere& sphere, const Fault& fault, Hit hit) {
 }  // namespace
 
 Candidate careful_candidate(std::string name, const Fault& fault) {
-  Candidate candidate = unmutated();
-  candidate.name = std::move(name);
+  Candidate candidate = named(std::move(name));
   for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
     *make = [base = *make, fault](const auto&... asked) {
       std::vector<Ray> rays = base(asked...);
@@ -67,7 +55,13 @@ Candidate careful_candidate(std::string name, const Fault& fault) {
   return candidate;
 }
 
-properties::Candidate unmutated() { return properties::drawing_candidate(); }
+Candidate unmutated() { return drawing_candidate(); }
+
+Candidate named(std::string name) {
+  Candidate candidate = unmutated();
+  candidate.name = std::move(name);
+  return candidate;
+}
 
 Mutant from_mistake(std::string name, std::string_view sentence,
                     std::vector<std::string_view> caught_by) {
@@ -75,8 +69,7 @@ Mutant from_mistake(std::string name, std::string_view sentence,
   if (mistake == nullptr) {
     throw std::invalid_argument("no mistake is called '" + std::string(sentence) + "'");
   }
-  properties::Candidate candidate = unmutated();
-  candidate.name = std::move(name);
+  Candidate candidate = named(std::move(name));
   candidate.frame = mistake->candidate.frame;
   candidate.pixel_points = mistake->candidate.pixel_points;
   candidate.pixel_rays = mistake->candidate.pixel_rays;

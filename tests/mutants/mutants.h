@@ -1,13 +1,13 @@
 #pragma once
 
-#include <initializer_list>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "properties/candidate.h"
+#include "tests/standard.h"
 
 namespace raycheck::mutants {
+
+// What they are made of.
+using namespace properties;
+using namespace scene;
 
 /// The candidate `direct/cross`, or `certified` where it is about what that alone promises, with
 /// one classic mistake.
@@ -20,8 +20,9 @@ struct Mutant {
   properties::Level level = properties::Level::kOrdinary;
 };
 
-/// The candidate that the mutants are made from.
+/// The candidate that the mutants are made from, and the same of another name.
 properties::Candidate unmutated();
+properties::Candidate named(std::string name);
 
 /// The mutant that makes a classic mistake of properties/mistakes/mistakes.h, under a name of its
 /// own. Throws std::invalid_argument where no mistake has that sentence.

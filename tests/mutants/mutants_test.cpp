@@ -3,15 +3,6 @@
 
 #include "tests/mutants/mutants.h"
 
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
 #include "properties/search/campaign.h"
@@ -19,6 +10,7 @@
 #include "scene/validate.h"
 #include "tests/campaigns.h"
 #include "tests/names.h"
+#include "tests/testing.h"
 
 namespace raycheck::mutants {
 namespace {

@@ -1,8 +1,3 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <utility>
 
 #include "fast/visible.h"
 #include "tests/mutants/mutants.h"
@@ -10,17 +5,6 @@
 
 namespace raycheck::mutants {
 namespace {
-
-using properties::Candidate;
-using properties::SeenAnswer;
-using scene::Bounds;
-using scene::Conventions;
-using scene::LeftOut;
-using scene::PixelRectangle;
-using scene::Scene;
-using scene::ScenePlan;
-using scene::SpherePlan;
-using scene::Wanted;
 
 using MakePlan = std::function<ScenePlan(const Scene&, const Conventions&, Wanted)>;
 
@@ -30,8 +14,7 @@ ScenePlan right_plan(const Scene& scene, const Conventions& conventions, Wanted 
 
 /// It sees by its plan, all that it is asked about.
 Candidate with_plan(std::string name, MakePlan make) {
-  Candidate candidate = unmutated();
-  candidate.name = std::move(name);
+  Candidate candidate = named(std::move(name));
   candidate.plan = make;
   candidate.visible = [make](const Scene& scene, const Conventions& conventions,
                              Candidate::Pixels pixels) {
@@ -237,8 +220,7 @@ std::vector<Mutant> root_mutants() {
 }
 
 Candidate seen_by_file_order() {
-  Candidate candidate = unmutated();
-  candidate.name = "sees-first-in-file";
+  Candidate candidate = named("sees-first-in-file");
   candidate.visible = [visible = candidate.visible](const Scene& scene,
                                                     const Conventions& conventions,
                                                     Candidate::Pixels pixels) {
@@ -277,8 +259,7 @@ Candidate with_certified(std::string name,
 /// The image, changed.
 Candidate with_image(std::string name,
                      std::function<void(const Scene&, properties::ImageAnswer&)> change) {
-  Candidate candidate = unmutated();
-  candidate.name = std::move(name);
+  Candidate candidate = named(std::move(name));
   candidate.image = [image = candidate.image, change](const Scene& scene,
                                                       const Conventions& conventions) {
     properties::ImageAnswer answer = image(scene, conventions);

@@ -3,13 +3,10 @@
 // One ray and one sphere as a case, candidates that answer every question alike, or never meet
 // some spheres.
 
-#include <optional>
-#include <string_view>
-#include <vector>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
 #include "properties/trial.h"
+#include "tests/standard.h"
 
 namespace raycheck::properties {
 

@@ -1,13 +1,11 @@
 // Candidates judged in single precision: what is asked, what errors count, what is excused.
 
-#include <gtest/gtest.h>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/case.h"
 #include "scene/validate.h"
 #include "tests/campaigns.h"
-#include "tests/has.h"
 #include "tests/properties/one_ray.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

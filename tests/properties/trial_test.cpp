@@ -1,16 +1,10 @@
 #include "properties/trial.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <optional>
-#include <stdexcept>
-#include <vector>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/sphere_choice.h"
 #include "reference/visibility/visibility.h"
 #include "tests/properties/one_ray.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

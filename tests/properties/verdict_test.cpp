@@ -1,20 +1,7 @@
 #include "properties/verdict.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "properties/quantile_sketch.h"
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

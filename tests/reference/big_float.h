@@ -4,12 +4,11 @@
 // lose nothing that matters, and none of reference/'s own arithmetic.
 
 #include <boost/multiprecision/mpfr.hpp>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
 
 #include "reference/enclosure.h"
 #include "tests/numbers.h"
+#include "tests/standard.h"
 
 namespace raycheck::reference {
 

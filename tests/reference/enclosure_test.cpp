@@ -2,16 +2,10 @@
 
 #include "reference/enclosure.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "reference/internal/double_double.h"
-#include "tests/numbers.h"
 #include "tests/reference/big_float.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

@@ -2,20 +2,13 @@
 
 #include "reference/error_measure.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <boost/multiprecision/gmp.hpp>
-#include <cmath>
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 #include "reference/exact_ray.h"
 #include "reference/ray_error.h"
-#include "tests/numbers.h"
 #include "tests/reference/big_float.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

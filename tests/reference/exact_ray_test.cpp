@@ -4,27 +4,16 @@
 
 #include "reference/exact_ray.h"
 
-#include <gtest/gtest.h>
-
-#include <functional>
-#include <stdexcept>
-
 #include "reference/exact_camera.h"
 #include "reference/interval_ray.h"
-#include "tests/has.h"
-#include "tests/numbers.h"
 #include "tests/reference/lecture_formulas.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {
 
-using scene::Box;
-using scene::Camera;
-using scene::Conventions;
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
+using namespace scene;
 
 /// Compares the engines on one ray and two spheres.
 void expect_engines_agree(const ExactRay& ray, const Sphere& first, const Sphere& second, int& hits,

@@ -1,22 +1,12 @@
 // Given rays and spheres against tests/reference/oracle.py, which knows only Python's integers and
 // fractions: which root is met, by every convention, and the doubles nearest to both.
 
-#include <gtest/gtest.h>
 #include <unistd.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "reference/exact_ray.h"
 #include "scene/number.h"
-#include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

@@ -2,11 +2,7 @@
 
 // Cameras, rays and spheres for the tests of reference/: small integers, ordinary sizes, all sizes.
 
-#include <array>
-#include <cmath>
 #include <cstring>
-#include <string>
-#include <vector>
 
 #include "properties/cases/random.h"
 #include "reference/exact_ray.h"
@@ -14,6 +10,7 @@
 #include "scene/number.h"
 #include "scene/validate.h"
 #include "tests/numbers.h"
+#include "tests/standard.h"
 
 namespace raycheck::reference {
 

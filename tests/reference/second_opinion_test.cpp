@@ -3,23 +3,15 @@
 // reference counts are not atomic: one thread a process, and ctest runs each test in its own.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstdlib>
-#include <type_traits>
-#include <utility>
 
 #include "reference/exact_ray.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
+using namespace scene;
 using Number = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
 using Vector = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::Vector_3;
 static_assert(std::is_same_v<Number, CORE::Expr>);

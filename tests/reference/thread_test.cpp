@@ -1,20 +1,14 @@
 // Concurrent use, and use under every rounding mode. Compiled with -frounding-math.
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <cfenv>
-#include <limits>
-#include <memory>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "reference/account/closed_form.h"
 #include "reference/account/condition.h"
 #include "reference/account/nearby_answer.h"
 #include "reference/error_measure.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {

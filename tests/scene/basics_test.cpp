@@ -1,25 +1,14 @@
 // What all else stands on: numbers and text as they are read and written, interruption, the
 // arithmetic of the processor.
 
-#include <gtest/gtest.h>
-
-#include <bit>
 #include <cfenv>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <functional>
-#include <random>
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 #include "scene/arithmetic.h"
 #include "scene/interruption.h"
 #include "scene/number.h"
 #include "scene/text.h"
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>

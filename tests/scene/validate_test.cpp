@@ -1,15 +1,6 @@
 #include "scene/validate.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <string>
-#include <tuple>
-#include <vector>
-
-#include "tests/has.h"
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::scene {
 namespace {

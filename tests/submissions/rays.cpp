@@ -8,6 +8,9 @@
 #ifndef NUMBER
 #define NUMBER double
 #endif
+#ifndef PRECISION
+#define PRECISION double_
+#endif
 
 using namespace raycheck;
 
@@ -193,4 +196,5 @@ std::optional<std::size_t> nearest(const Ray& ray, const std::vector<Sphere>& sp
 }  // namespace
 
 RAYCHECK_CANDIDATE(.frame = frame, .pixel_point = pixel_point, .pixel_ray = pixel_ray,
-                   .focal_ray = focal_ray, .intersect = intersect, .nearest = nearest)
+                   .focal_ray = focal_ray, .intersect = intersect, .nearest = nearest,
+                   .precision = Precision::PRECISION)

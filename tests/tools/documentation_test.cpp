@@ -1,7 +1,5 @@
 // Every command that the documentation shows is run, and prints what is shown.
 
-#include <regex>
-
 #include "tests/tools/program.h"
 #include "tests/tools/report/picture.h"
 

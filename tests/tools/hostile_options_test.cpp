@@ -1,12 +1,8 @@
 // Every option of every command takes what it allows, and says of all else what that is.
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iomanip>
-#include <regex>
 
 #include "tests/tools/program.h"
 #include "tools/commands.h"
@@ -319,9 +315,8 @@ TEST(HostileOptions, that_ask_for_what_there_is_not_say_which_and_why) {
     expect_refused_here(
         std::regex_replace(in_place, std::regex("FAR"), "scene/examples/far-sphere.toml"), why);
   }
-  std::string flat_text = camera_text(2, 2);
-  flat_text.replace(flat_text.find("up = [0, 1, 0]"), 14, "up = [0, 0, 1]");
-  const std::string flat = temporary_file("flat.toml", flat_text);
+  const std::string flat =
+      temporary_file("flat.toml", replaced(camera_text(2, 2), "up = [0, 1, 0]", "up = [0, 0, 1]"));
   expect_refused_here("check " + flat, flat + ":4: camera.up");
   const std::string wide =
       temporary_file("wide.txt", "camera 0 0 10 0 0 0 0 1 0 -5\nbounds -1 1 -1 1\nres 2000000 4\n");

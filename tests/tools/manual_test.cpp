@@ -1,7 +1,5 @@
 // The pages and completions say what the program says of itself.
 
-#include <regex>
-
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {

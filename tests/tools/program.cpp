@@ -1,14 +1,7 @@
 #include "tests/tools/program.h"
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <atomic>
-#include <chrono>
-#include <csignal>
-#include <regex>
 #include <system_error>
-#include <thread>
 
 namespace raycheck::tests {
 namespace {

@@ -1,28 +1,17 @@
 // What tests of the built program are written with.
 #pragma once
 
-#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <map>
-#include <memory>
+#include <chrono>
+#include <csignal>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <set>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
+#include <regex>
+#include <thread>
 
-#include "tests/has.h"
+#include "tests/testing.h"
 
 namespace raycheck::tests {
 

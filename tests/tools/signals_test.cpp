@@ -1,15 +1,6 @@
 // SIGINT, SIGTERM and SIGHUP in the middle of every command, readers that go away, and the largest
 // numbers that are taken, in memory that is not large.
 
-#include <sys/stat.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <csignal>
-#include <random>
-#include <thread>
-
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -158,10 +149,10 @@ const std::vector<Line>& lines() {
       {"view_of_a_family", {"view", "--family", "distance", "--out", "OUT.html"}},
       {"plan", {"plan", "MANY"}},
       {"plan_classes", {"plan", "BIG", "--wanted", "class"}},
-      {"grade", {"grade", "lecture7.toml", "tests/submissions/rays.py", "--out", "OUT"}},
+      {"grade", {"grade", "lecture7.toml", "tests/submissions/rays.cpp", "--out", "OUT"}},
       {"grade_own", {"grade", "lecture7.toml"}},
       {"grade_probe", {"grade", "lecture7.toml", "tests/submissions/class/ella", "--probe"}},
-      {"try", {"try", "lecture7.toml", "tests/submissions/rays.py"}, false},
+      {"try", {"try", "lecture7.toml", "tests/submissions/rays.cpp"}, false},
       {"rubric", {"rubric"}, false, true},
       {"list", {"list"}, true, true},
       {"new", {"new", "mine", "--out", "OUT"}, false, true}};

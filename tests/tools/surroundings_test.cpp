@@ -228,9 +228,8 @@ TEST(HostileInput, of_pipes_is_read) {
   const Outcome of_file = run("plan '" + file + "' --format json");
   for (const char* const words : {"cat FILE | RAYCHECK plan /dev/stdin --format json",
                                   "RAYCHECK plan <(cat FILE) --format json"}) {
-    std::string script = words;
-    script.replace(script.find("FILE"), 4, "'" + file + "'");
-    script.replace(script.find("RAYCHECK"), 8, "'" RAYCHECK_BINARY "'");
+    const std::string script =
+        replaced(replaced(words, "FILE", "'" + file + "'"), "RAYCHECK", "'" RAYCHECK_BINARY "'");
     const Outcome of_pipe = run_bash(temporary_file("pipe.sh", script), 0);
     EXPECT_EQ(json::parse(of_pipe.out)["spheres"], json::parse(of_file.out)["spheres"]);
   }

@@ -2,15 +2,12 @@
 
 #include "properties/candidates/reference_methods.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/search/campaign.h"
 #include "reference/exact_ray.h"
 #include "tests/method_names.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

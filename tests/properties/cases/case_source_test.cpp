@@ -3,18 +3,6 @@
 
 #include "properties/cases/case_source.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
 #include "properties/cases/varied_scene.h"
@@ -23,8 +11,7 @@
 #include "reference/exact_ray.h"
 #include "scene/number.h"
 #include "scene/validate.h"
-#include "tests/has.h"
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

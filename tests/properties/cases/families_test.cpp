@@ -1,29 +1,18 @@
 // Whether a family's dial sets what it says, measured from the doubles of its cases with
 // enclosures, never with the generator's own arithmetic.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <ostream>
-#include <string>
-#include <vector>
-
 #include "properties/cases/case_source.h"
 #include "properties/trial.h"
 #include "reference/enclosure.h"
 #include "reference/exact_camera.h"
 #include "reference/exact_ray.h"
 #include "tests/names.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {
 
-using reference::Enclosure;
-using reference::Enclosure3;
-using reference::ExactRay;
-using reference::HitClass;
+using namespace reference;
 using scene::Camera;
 using scene::Sphere;
 
@@ -213,17 +202,21 @@ std::vector<Measured> far_world(const Case& the_case) {
   return {{norm(lift(ray_of(the_case).origin))}};
 }
 
-/// The longest of |L|, |C| and r; half the smallest double is lost in each rounding.
-std::vector<Measured> scale(const Case& the_case) {
-  Enclosure longest = norm(lift(ray_of(the_case).origin));
-  const auto take = [&](const Enclosure& x) {
-    if ((x - longest).certain_sign().value_or(0) > 0) longest = x;
-  };
-  for (const Sphere& sphere : the_case.scene.spheres) {
-    take(norm(lift(sphere.centre)));
-    take(lift(sphere.radius));
+/// The longest length; half the smallest double is lost in each rounding.
+std::vector<Measured> longest(const std::vector<Enclosure>& lengths) {
+  Enclosure most = lengths.front();
+  for (const Enclosure& x : lengths) {
+    if ((x - most).certain_sign().value_or(0) > 0) most = x;
   }
-  return {{longest, 0x1p-1074}};
+  return {{most, 0x1p-1074}};
+}
+
+std::vector<Measured> scale(const Case& the_case) {
+  std::vector<Enclosure> lengths = {norm(lift(ray_of(the_case).origin))};
+  for (const Sphere& sphere : the_case.scene.spheres) {
+    lengths.insert(lengths.end(), {norm(lift(sphere.centre)), lift(sphere.radius)});
+  }
+  return longest(lengths);
 }
 
 std::vector<Measured> direction_length(const Case& the_case) {
@@ -236,14 +229,9 @@ std::vector<Measured> far_camera(const Case& the_case) {
   return {{norm(lift(camera_of(the_case).eye))}};
 }
 
-/// The longest of |E|, |A| and |near|.
 std::vector<Measured> camera_scale(const Case& the_case) {
   const Camera& camera = camera_of(the_case);
-  Enclosure longest = norm(lift(camera.eye));
-  for (const Enclosure& x : {norm(lift(camera.look_at)), abs(lift(camera.near))}) {
-    if ((x - longest).certain_sign().value_or(0) > 0) longest = x;
-  }
-  return {{longest, 0x1p-1074}};
+  return longest({norm(lift(camera.eye)), norm(lift(camera.look_at)), abs(lift(camera.near))});
 }
 
 /// The sine of the angle between up and the view.
@@ -378,11 +366,9 @@ TEST(FamilySides, OfSurfaceStartsOnEverySideOfIt) {
 }
 
 TEST(FamilyHighest, OfImageSizesReachesTheMostPixelsAndEveryCorner) {
-  const CaseSource& source = *find_case_source("image-size");
   std::array<int, 4> corners = {};
   int square = 0, elsewhere = 0;
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    const Case the_case = source.make(source.dial->highest, seed);
+  for_each_at_highest("image-size", [&](const Case& the_case) {
     const Camera& camera = camera_of(the_case);
     ASSERT_EQ(camera.width, scene::kMostPixelsAcross);
     square += camera.height == camera.width ? 1 : 0;
@@ -391,7 +377,7 @@ TEST(FamilyHighest, OfImageSizesReachesTheMostPixelsAndEveryCorner) {
           (i == 0 || i == camera.width - 1) && (j == 0 || j == camera.height - 1);
       ++(is_corner ? corners[(i == 0 ? 0u : 2u) + (j == 0 ? 0u : 1u)] : elsewhere);
     }
-  }
+  });
   for (const int count : corners) EXPECT_GT(count, 50);
   EXPECT_GT(square, 100);
   EXPECT_GT(elsewhere, 100);

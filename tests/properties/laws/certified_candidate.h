@@ -1,12 +1,9 @@
 #pragma once
 
-#include <map>
-#include <optional>
-#include <vector>
-
 #include "properties/candidate.h"
 #include "reference/visibility/visibility.h"
 #include "scene/plan/plan.h"
+#include "tests/standard.h"
 
 namespace raycheck::properties {
 

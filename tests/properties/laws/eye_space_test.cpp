@@ -3,13 +3,7 @@
 
 #include "scene/plan/eye_space.h"
 
-#include <gtest/gtest.h>
 #include <hwy/targets.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
 
 #include "properties/cases/case_source.h"
 #include "reference/enclosure.h"
@@ -18,8 +12,8 @@
 #include "reference/visibility/visibility_bound.h"
 #include "reference/visibility/visibility_formula.h"
 #include "scene/plan/plan.h"
-#include "tests/numbers.h"
 #include "tests/properties/laws/pair_discriminant.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

@@ -1,20 +1,12 @@
 // Every method of fast/ against every law, with fixed seeds; and the promises that a method is
 // known to break, which must stay broken in the same place.
 
-#include <gtest/gtest.h>
-
-#include <map>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
 #include "tests/campaigns.h"
 #include "tests/names.h"
 #include "tests/properties/cases/drawing.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

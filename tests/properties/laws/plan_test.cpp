@@ -1,18 +1,6 @@
 // The laws of the plan on every source of cases, for every choice of what the plan does; and that
 // all of what it may leave out does occur.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <iterator>
-#include <map>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
 #include "properties/cases/random.h"
@@ -20,6 +8,7 @@
 #include "scene/validate.h"
 #include "tests/names.h"
 #include "tests/properties/laws/certified_candidate.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

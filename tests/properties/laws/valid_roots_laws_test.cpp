@@ -1,16 +1,9 @@
 // Laws where t_min, t_max and culling say which roots count: who follows them exactly passes, who
 // is off at the ends does not.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <string>
-
 #include "properties/search/campaign.h"
-#include "tests/has.h"
-#include "tests/numbers.h"
 #include "tests/properties/one_ray.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

@@ -1,15 +1,5 @@
 #include "properties/mistakes/answer_explanation.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <tuple>
-#include <type_traits>
-
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "properties/candidates/fast_candidate.h"
@@ -18,7 +8,7 @@
 #include "properties/mistakes/mistakes.h"
 #include "properties/search/campaign.h"
 #include "tests/campaigns.h"
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

@@ -3,26 +3,17 @@
 
 #include "properties/mistakes/picture_causes.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <random>
-#include <string>
-#include <utility>
-
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "properties/candidates/fast_candidate.h"
 #include "properties/case.h"
 #include "scene/files/scene_file.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
-using scene::Scene;
-using scene::Sphere;
+using namespace scene;
 
 /// Spheres at a billionth of a length from the eye, at ten times as much, and so on: what is
 /// compared with a fixed small number loses the first of them.

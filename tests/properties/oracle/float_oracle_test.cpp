@@ -1,34 +1,20 @@
 // Verdicts in single precision against an oracle that shares nothing with reference/. A slice of it
 // runs in ctest; RAYCHECK_FLOAT_PAIRS=1000000 in the environment makes it so many pairs.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <boost/multiprecision/mpfr.hpp>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <map>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "properties/case.h"
 #include "properties/cases/case_source.h"
 #include "properties/cases/random.h"
 #include "properties/laws/law.h"
 #include "properties/trial.h"
-#include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::tests {
 namespace {
 
-using properties::Case;
-using properties::Discrepancy;
-using properties::Quantity;
-using properties::Wrong;
+using namespace properties;
 using scene::Precision;
 
 /// About 6600 bits, in which products of four floats' sums are exact; so are square roots and

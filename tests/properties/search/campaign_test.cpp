@@ -1,19 +1,9 @@
 #include "properties/search/campaign.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "properties/candidates/fast_candidate.h"
 #include "tests/campaigns.h"
-#include "tests/has.h"
 #include "tests/properties/one_ray.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

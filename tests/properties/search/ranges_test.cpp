@@ -1,15 +1,5 @@
 #include "properties/search/ranges.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <optional>
-#include <stdexcept>
-#include <string_view>
-#include <utility>
-#include <vector>
-
 #include "properties/cases/random.h"
 #include "properties/laws/certificate.h"
 #include "reference/exact_ray.h"
@@ -18,6 +8,7 @@
 #include "scene/validate.h"
 #include "tests/campaigns.h"
 #include "tests/properties/one_ray.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

@@ -1,14 +1,10 @@
 // What an answer is worth: one case for every outcome, and what a family shows of a method.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 #include "properties/candidates/fast_candidate.h"
 #include "properties/search/stress.h"
 #include "properties/search/worst_case.h"
-#include "tests/numbers.h"
 #include "tests/properties/one_ray.h"
+#include "tests/testing.h"
 
 namespace raycheck::properties {
 namespace {

@@ -1,24 +1,15 @@
 #include "reference/account/closed_form.h"
 
-#include <gtest/gtest.h>
-
 #include <cctype>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
-#include "tests/has.h"
 #include "tests/reference/big_float.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
-using scene::Ray;
-using scene::Sphere;
+using namespace scene;
 
 /// The value of a closed form, and of a printed one: sums of products and quotients of integers,
 /// parentheses and square roots. Anything else throws std::runtime_error.

@@ -4,24 +4,15 @@
 
 #include "reference/account/condition.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "tests/reference/big_float.h"
 #include "tests/reference/lecture_formulas.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
-using scene::Ray;
-using scene::Sphere;
+using namespace scene;
 
 std::array<Big, 3> coordinates_of(const Big3& v) { return {v.x, v.y, v.z}; }
 

@@ -4,25 +4,15 @@
 
 #include "reference/account/nearby_choice.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <boost/multiprecision/gmp.hpp>
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <stdexcept>
-#include <vector>
 
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {
 
-using scene::Ray;
-using scene::Root;
-using scene::Sphere;
-using scene::Tangent;
+using namespace scene;
 using What = FirstMet::What;
 using Fraction = boost::multiprecision::mpq_rational;
 using Spheres = std::vector<Sphere>;

@@ -1,20 +1,11 @@
 #include "reference/account/proof.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <stdexcept>
-#include <vector>
-
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
-using scene::Conventions;
-using scene::Ray;
-using scene::Sphere;
+using namespace scene;
 
 void expect_dyadic(const Dyadic& got, const char* integer, std::int64_t exponent) {
   EXPECT_EQ(got.integer, integer);

@@ -1,23 +1,15 @@
 // Which roots count: t_min, t_max with their ends, in s or in radii, and culling, decided exactly.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
-
 #include "reference/account/internal/vector_length.h"
 #include "reference/account/nearby_valid.h"
 #include "reference/exact_ray.h"
-#include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {
 
-using scene::Culling;
-using scene::Ends;
-using scene::Root;
-using scene::TUnit;
+using namespace scene;
 
 constexpr double kNoEnd = kInfinity, kNearby = 16 * 0x1p-53;
 

@@ -1,19 +1,10 @@
 #include "reference/visibility/visibility.h"
 
-#include <gtest/gtest.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <random>
-#include <span>
-#include <stdexcept>
 #include <thread>
-#include <tuple>
-#include <vector>
 
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::reference {
 

@@ -1,17 +1,10 @@
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
 #include "scene/files/file_text.h"
 #include "scene/files/scene_file.h"
 #include "scene/plan/plan.h"
-#include "tests/has.h"
+#include "tests/testing.h"
 
 namespace raycheck::scene {
 namespace {

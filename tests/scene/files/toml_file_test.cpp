@@ -1,15 +1,7 @@
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "scene/files/scene_file.h"
 #include "scene/files/toml_fields.h"
 #include "scene/number.h"
-#include "tests/has.h"
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::scene {
 namespace {

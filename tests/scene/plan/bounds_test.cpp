@@ -2,16 +2,9 @@
 
 #include "scene/plan/bounds.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <bit>
 #include <boost/multiprecision/gmp.hpp>
-#include <cmath>
-#include <cstdint>
-#include <random>
 
-#include "tests/numbers.h"
+#include "tests/testing.h"
 
 namespace raycheck::scene {
 namespace {

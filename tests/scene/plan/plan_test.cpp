@@ -2,18 +2,7 @@
 
 #include "scene/plan/plan.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <optional>
-#include <random>
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
-#include "tests/has.h"
+#include "tests/testing.h"
 
 namespace raycheck::scene {
 namespace {

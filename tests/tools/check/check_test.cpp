@@ -64,9 +64,8 @@ TEST(Check, names_a_driver_files_dialect_and_what_is_not_needed_of_it) {
 }
 
 TEST(Check, judges_what_overflows_instead_of_refusing_it) {
-  std::string scene = far_sphere_scene(16, 16);
-  scene.replace(scene.find("left = -0.001"), 13, "left = -1e200");
-  const std::string path = temporary_file("overflow.toml", scene);
+  const std::string path = temporary_file(
+      "overflow.toml", replaced(far_sphere_scene(16, 16), "left = -0.001", "left = -1e200"));
   const json candidate = printed_json("check " + path, 4)["candidates"][0];
   EXPECT_FALSE(candidate["inside_domain"]);
   EXPECT_EQ(candidate["discrepancies_by_standing"]["defect"], 0);

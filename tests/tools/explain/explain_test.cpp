@@ -1,7 +1,5 @@
 #include <fmt/core.h>
 
-#include <random>
-
 #include "scene/scene.h"
 #include "tests/tools/program.h"
 

@@ -1,7 +1,5 @@
 // Other people's candidates, right and hostile, through `check --candidate`.
 
-#include <sys/stat.h>
-
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
@@ -99,10 +97,8 @@ TEST(Candidate, holds_every_law_on_ordinary_cases) {
 
 /// What the laws say of right.cpp with something put in the place of something else.
 auto altered(const std::string& from, const std::string& to) {
-  std::string source = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp");
-  const std::size_t at = source.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  source.replace(at, from.size(), to);
+  const std::string source =
+      replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), from, to);
   const std::string name = std::to_string(std::hash<std::string>()(to)) + ".cpp";
   const std::string library = compiled(temporary_file(name, source));
   return [library](const std::string& more) {
@@ -277,10 +273,13 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& the_test) { return std::string(the_test.param.how); });
 
 TEST(Candidate, does_not_judge_itself_from_within_its_library_and_others_are_judged) {
+  // It prints a full score and good answers before anything was asked.
+  const std::string boasts =
+      "library:" + built_submission("hostile.cpp", "boasts", temporary_folder("boasts"));
   const json report =
       report_of("check " + kRays + " --candidate source:tests/candidates/exits.cpp --candidate " +
                     right_library() + " --intersect robust",
-                "source:tests/candidates/boasts.cpp", 1)["candidates"];
+                boasts, 1)["candidates"];
   ASSERT_EQ(report.size(), 4u);
   expect_values(report[0], {{"name", "direct/robust"}, {"isolated_by", nullptr}});
   expect_parts(report[1]["worst"].dump(), {"it exited with 0"});

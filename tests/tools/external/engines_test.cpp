@@ -1,7 +1,5 @@
 // The adapters of engines as candidates, judged by what they declare; target `engines` builds them.
 
-#include <regex>
-
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {

@@ -1,7 +1,6 @@
 // Candidates that fail on some questions: those are found, and the others judged; where in its
 // source one died, or threw, is a line, as data and in the sentence.
 
-#include <array>
 #include <future>
 
 #include "properties/trial.h"

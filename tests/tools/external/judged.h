@@ -1,7 +1,5 @@
 #pragma once
 
-#include <unistd.h>
-
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {

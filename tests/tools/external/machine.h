@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <ostream>
-#include <string>
+
+#include "tests/standard.h"
 
 namespace raycheck::tests {
 

@@ -1,8 +1,6 @@
 // Other people's candidates where raycheck's methods are compared: stress, worst, tradeoff, explain
 // and image.
 
-#include <unistd.h>
-
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {

@@ -1,26 +1,12 @@
 #include "tools/external/protocol/protocol.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-
+#include "tests/testing.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
 namespace {
-
-template <class Body>
-std::string error_of(const Body& body) {
-  try {
-    body();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Introduction, SaysWhatIsOfferedAndFixed) {
   const Introduction found = parse_introduction(
@@ -63,7 +49,8 @@ TEST(Introduction, ThatIsNoneNamesItsLine) {
     wrong.emplace_back(mine + "lengths " + lengths + "\n", "no range of lengths");
   }
   for (const auto& [lines, why] : wrong) {
-    const std::string said = error_of([&] { parse_introduction(lines + "ready\n"); });
+    const std::string said =
+        thrown_by<std::runtime_error>([&] { parse_introduction(lines + "ready\n"); });
     EXPECT_NE(said.find(why), std::string::npos) << lines << said;
   }
 }
@@ -90,14 +77,19 @@ TEST(Reply, ThatIsNoneSaysWhy) {
         {"2 0 1 2 3 4\n", "index 2 of 2"},
         {"-1 0 1 2 3 4\n", "no index"},
         {"0 0 1 2 3 4\n0 0 1 2 3 4\n", "two hits"}}) {
-    const std::string said =
-        error_of([&] { Reply("reply a\n" + std::string(lines) + "end a\n", "a").hits(2, 1); });
+    const std::string said = thrown_by<std::runtime_error>(
+        [&] { Reply("reply a\n" + std::string(lines) + "end a\n", "a").hits(2, 1); });
     EXPECT_NE(said.find(why), std::string::npos) << lines << said;
   }
-  EXPECT_NE(error_of([] { Reply("reply b\nend a\n", "a"); }).find("'reply b'"), std::string::npos);
-  EXPECT_NE(error_of([] { Reply("reply a\nerror a I cannot\n", "a"); }).find("I cannot"),
+  EXPECT_NE(thrown_by<std::runtime_error>([] { Reply("reply b\nend a\n", "a"); }).find("'reply b'"),
             std::string::npos);
-  EXPECT_NE(error_of([] { Reply("reply a\nend a\n", "a").points(1); }).find("0 lines, not 1"),
+  EXPECT_NE(thrown_by<std::runtime_error>([] {
+              Reply("reply a\nerror a I cannot\n", "a");
+            }).find("I cannot"),
+            std::string::npos);
+  EXPECT_NE(thrown_by<std::runtime_error>([] {
+              Reply("reply a\nend a\n", "a").points(1);
+            }).find("0 lines, not 1"),
             std::string::npos);
 }
 

@@ -1,8 +1,6 @@
 // Candidates that declare single precision, in every form, through the built program: their errors
 // count ulp and u of float, and what they are asked are floats.
 
-#include <unistd.h>
-
 #include "properties/case.h"
 #include "scene/files/scene_file.h"
 #include "tests/tools/external/judged.h"
@@ -14,12 +12,12 @@
 namespace raycheck::tests {
 namespace {
 
-const std::string& float_tracer() { return compiled("tests/candidates/float_tracer.cpp"); }
+const std::string& float_tracer() { return compiled("tests/submissions/float_rays.cpp"); }
 const std::string& float_textbook() { return compiled("tests/candidates/float_quadratic.cpp"); }
 
 TEST(SinglePrecision, passes_all_laws_where_floats_are_good_of_their_kind) {
   const std::string said =
-      run("properties --cases 300 --candidate source:tests/candidates/float_tracer.cpp", 0).out;
+      run("properties --cases 300 --candidate source:tests/submissions/float_rays.cpp", 0).out;
   EXPECT_FALSE(has(said, "0 comparisons, 100 left out"));
 }
 

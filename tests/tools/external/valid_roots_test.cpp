@@ -162,15 +162,12 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
 /// The reasons that a root has not to count, each under a scene's own conventions.
 TEST(ValidRoots, that_do_not_count_are_explained) {
   const auto says = [](const std::string& conventions, const std::string& part) {
-    const std::string scene = temporary_file(
-        "explained.toml",
-        "[conventions]\n" + conventions +
-            "\n[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nnear = -1\nleft = "
-            "-1\nright = 1\nbottom = -1\ntop = 1\nwidth = 3\nheight = 3\n" +
-            sphere_text("0, 0, 5", "2"));
+    const std::string scene =
+        temporary_file("explained.toml", "[conventions]\n" + conventions + "\n" +
+                                             camera_text(3, 3) + sphere_text("0, 0, -5", "2"));
     expect_parts(run("explain " + scene + " --pixel 1,1", 0).out, {part});
   };
-  // From the pixel at z = 9 the roots are 2 and 6.
+  // From the pixel at z = -1 the roots are 2 and 6.
   says("t_min = 2.5", "s = 2 lies before t_min = 2.5");
   says("t_min = 2\ninterval = \"(t_min, t_max)\"",
        "s = 2 lies on t_min = 2, which does not belong to (2, inf)");
@@ -183,11 +180,9 @@ TEST(ValidRoots, that_do_not_count_are_explained) {
 
 /// What is seen under an interval, where the nearest sphere of those that count is another.
 TEST(ValidRoots, make_the_picture_that_errors_are_held_against) {
-  const std::string scene = temporary_file(
-      "seen.toml",
-      "[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nnear = -1\nleft = "
-      "-0.25\nright = 0.25\nbottom = -0.25\ntop = 0.25\nwidth = 9\nheight = 9\n" +
-          sphere_text("0, 0, 8", "0.5") + sphere_text("0, 0, 0", "1.5"));
+  const std::string scene =
+      temporary_file("seen.toml", camera_text(9, 9, 0.25) + sphere_text("0, 0, -2", "0.5") +
+                                      sphere_text("0, 0, -10", "1.5"));
   const std::string picture = temporary_file("seen.png", "");
   const auto shown = [&](const std::string& condition, int exit_code) {
     return report_of("image " + scene + " --what error --out " + picture,

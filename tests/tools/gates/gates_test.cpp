@@ -1,8 +1,6 @@
 // What continuous integration reads (JUnit, Markdown, GitHub's commands, GitLab's code quality),
 // and the files for pipelines that are ready to be copied: their commands run as they stand.
 
-#include <regex>
-
 #include "tests/tools/program.h"
 #include "tools/gates/gate.h"
 

@@ -1,7 +1,5 @@
 // Submissions that cheat or fail: they gain nothing, and the others are graded as if alone.
 
-#include <sys/stat.h>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
@@ -40,7 +38,7 @@ const std::vector<Attack> kAttacks = {
     {"runs_raycheck", kDeserved, ""},
 };
 
-std::string all_items() { return std::string(kPixelZeroZero) + kNearestRoot + kNearestSphere; }
+std::string all_items() { return kPixelZeroZero + kNearestRoot + kNearestSphere; }
 
 class Attacks : public GradingTest {};
 
@@ -169,12 +167,13 @@ TEST_F(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
   const std::string rubric =
       grading.short_rubric("reply_seconds = 1\nseconds = 3\n", kPixelZeroZero + scenes);
   // It makes the dry run's pictures.
-  grading.write("submissions/hangs/rt.py",
-                renderer_in_python("if 'eye 0 0 40' not in open(sys.argv[1]).read():\n"
-                                   "    import time; time.sleep(1000)\n"));
-  grading.write("submissions/never/rt.cpp",
-                "#include <unistd.h>\nint main() { for (;;) pause(); }\n");
-  grading.grade(rubric, {grading.path("submissions/hangs"), grading.path("submissions/never")});
+  const std::string in_time =
+      "if 'eye 0 0 40' not in open(sys.argv[1]).read():\n"
+      "    import time; time.sleep(1000)\n";
+  grading.grade(rubric,
+                {grading.hand_in("hangs", "rt.py", renderer_in_python(in_time)),
+                 grading.hand_in("never", "rt.cpp",
+                                 "#include <unistd.h>\nint main() { for (;;) pause(); }\n")});
   const json hangs = grading.result("hangs");
   EXPECT_EQ(hangs["score"], 0);
   expect_parts(hangs.dump(), {"did not end, and computed next to nothing for 1 s"});

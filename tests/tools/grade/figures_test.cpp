@@ -222,11 +222,10 @@ TEST_F(Figures, hold_a_submission_to_what_its_item_tolerates) {
 /// A submission whose s is too large, by a mistake that nobody has a name for: no item follows from
 /// another.
 std::string beside(const Grading& grading, const std::string& name) {
-  std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/submissions/rays.py");
-  const std::size_t at = text.find("    origin, d = ray\n    return s, add(");
-  EXPECT_NE(at, std::string::npos);
-  text.insert(at, "    s *= 1.0000003\n");
-  return fs::path(grading.write("submissions/" + name + "/rays.py", text)).parent_path();
+  const std::string end = "    return None if s < 0 else";
+  const std::string text = replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"), end,
+                                    "    s *= 1.0000003\n" + end);
+  return grading.hand_in(name, "rays.py", text);
 }
 
 TEST_F(Figures, are_as_large_whatever_fails_that_is_hidden) {
@@ -262,16 +261,14 @@ TEST_F(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fa
   const std::string item =
       item_of("root", "points = 1", functions("parameter", "course", 4, kGivenRays));
   const std::string import = "import math, raycheck_candidate as rc\n";
-  grading.write(
-      "odd/rays.py",
-      import +
-          "rc.run('odd', intersect=lambda ray, sphere, asked: (math.nan, (math.inf, -math.inf, "
-          "0.0)))\n");
-  grading.write("dies/rays.py", import +
-                                    "def intersect(ray, sphere, asked):\n"
-                                    "    raise ValueError('</script><b>no')\n"
-                                    "rc.run('dies', intersect=intersect)\n");
-  const std::vector<std::string> folders = {grading.path("odd"), grading.path("dies")};
+  const std::vector<std::string> folders = {
+      grading.hand_in("odd", "rays.py",
+                      import + "rc.run('odd', intersect=lambda ray, sphere, asked: (math.nan, "
+                               "(math.inf, -math.inf, 0.0)))\n"),
+      grading.hand_in("dies", "rays.py",
+                      import + "def intersect(ray, sphere, asked):\n"
+                               "    raise ValueError('</script><b>no')\n"
+                               "rc.run('dies', intersect=intersect)\n")};
   graded_by(grading, item, folders);
   const std::string page = grading.file("odd", "figures.html");
   EXPECT_FALSE(page.empty());

@@ -220,7 +220,6 @@ const InRunFolder kInRunFolder[] = {
 
 TEST(HostileRunFolder, IsThatOfTheHandInAndNothingElse) {
   const Grading grading;
-  grading.write("full.toml", kFullScene);
   std::vector<std::string> folders;
   for (const auto& [name, before, to, files, notes] : kInRunFolder) {
     const std::string folder = std::string("submissions/") + name;
@@ -239,7 +238,6 @@ TEST(HostileRunFolder, IsThatOfTheHandInAndNothingElse) {
 
 TEST(HostileRunFolder, OfAnotherHandInIsNotTakenForAStoredOne) {
   const Grading grading;
-  grading.write("full.toml", kFullScene);
   const std::string rubric = grading.write("rubric.toml", full_rubric(1));
   grading.write("mine/rt.py", renderer_in_python("assert h == 25 or os.path.isdir('output')\n"));
   grading.grade(rubric, {grading.path("mine")});

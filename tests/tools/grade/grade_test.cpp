@@ -17,14 +17,11 @@ int seeds() {
 TEST(RightSubmission, has_full_marks_under_every_seed) {
   const Grading grading;
   ASSERT_GT(seeds(), 1);
-  grading.write("submissions/py/rays.py",
-                contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"));
   const std::string rubric = grading.lecture7_with({});
   // What is compiled when it is graded is, under the first seed.
   std::vector<std::string> folders = {
       grading.submit("source", "rays.cpp"), grading.submit_built("renderer", "rt.cpp", "none"),
-      grading.submit("mine", "rays.py"), grading.submit_built("so", "right.cpp", "right"),
-      grading.path("submissions/py")};
+      grading.submit("mine", "rays.py"), grading.submit_built("so", "right.cpp", "right")};
   for (int seed = 1; seed <= seeds(); ++seed) {
     const json report = json::parse(
         grading.grade(rubric, folders, "out", "--format json --seed " + std::to_string(seed)).out);
@@ -40,11 +37,10 @@ TEST(RightSubmission, has_full_marks_under_every_seed) {
 
 /// Those of functions in Python that always miss, and what they say of themselves.
 std::string dull(const Grading& grading, const std::string& name, const std::string& more = "") {
-  grading.write(name + "/rays.py",
-                "import raycheck_candidate as rc\n"
-                "rc.run('dull', intersect=lambda ray, sphere, asked: None" +
-                    more + ")\n");
-  return grading.path(name);
+  return grading.hand_in(name, "rays.py",
+                         "import raycheck_candidate as rc\n"
+                         "rc.run('dull', intersect=lambda ray, sphere, asked: None" +
+                             more + ")\n");
 }
 
 class DullSubmission : public GradingTest {};
@@ -118,9 +114,6 @@ TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
   expect_parts(outcome.err, {"beyond doubles: raycheck's own answer is not given all points"});
 }
 
-constexpr const char* kPicturesOfFrame =
-    "[item.pictures]\njudge = \"mask\"\nscenes = [\"lecture7/frame.toml\"]\n";
-
 class Grades : public GradingTest {};
 
 TEST_F(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers_are_stored) {
@@ -133,7 +126,7 @@ TEST_F(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers
       grading.submit("axes", "rays.py", "MISTAKE = \"axes_dropped\"")};
   const auto graded = [&](const std::string& points, const std::string& out,
                           const std::string& jobs) {
-    const std::string frame = functions("frame", "course", 6) + kPicturesOfFrame;
+    const std::string frame = functions("frame", "course", 6) + pictures("lecture7/frame.toml");
     const std::string rubric = grading.short_rubric(
         "", item_of("frame", "points = " + points, frame) + kPixelZeroZero + kNearestRoot);
     grading.grade(rubric, folders, out, "--jobs " + jobs);

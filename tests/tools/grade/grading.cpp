@@ -1,7 +1,5 @@
 #include "tests/tools/grade/grading.h"
 
-#include <regex>
-
 namespace raycheck::tests {
 namespace {
 
@@ -14,7 +12,9 @@ sys.stdout.buffer.write(zlib.decompress(base64.b64decode(found[0])))
 
 }  // namespace
 
-Grading::Grading() : folder_(temporary_folder("grading")) {}
+Grading::Grading() : folder_(temporary_folder("grading")) {
+  write("full.toml", camera_text(9, 7) + sphere_text("0, 0, -102", "100"));
+}
 
 Grading::~Grading() {
   std::error_code ignored;
@@ -33,12 +33,16 @@ std::string Grading::write(const std::string& name, const std::string& text) con
 std::string Grading::submit(const std::string& name, const std::string& file,
                             const std::string& first_line) const {
   const std::string text =
-      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/" + file);
-  EXPECT_FALSE(text.empty()) << "there is no tests/submissions/" << file;
-  const std::string handed_in = file == "hostile.cpp" ? "rays.cpp" : file;
-  const fs::path folder = "submissions/" + name;
-  write(folder / handed_in, first_line + "\n" + text);
-  return path(folder);
+      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/" +
+               (file == "rays.py" ? "candidates/right.py" : "submissions/" + file));
+  EXPECT_FALSE(text.empty()) << "there is no " << file;
+  return hand_in(name, file == "hostile.cpp" ? "rays.cpp" : file, first_line + "\n" + text);
+}
+
+std::string Grading::hand_in(const std::string& name, const std::string& file,
+                             const std::string& text) const {
+  write("submissions/" + name + "/" + file, text);
+  return path("submissions/" + name);
 }
 
 std::string Grading::submit_built(const std::string& name, const std::string& file,
@@ -49,24 +53,25 @@ std::string Grading::submit_built(const std::string& name, const std::string& fi
 }
 
 std::string Grading::submit_broken(const std::string& name) const {
-  write("submissions/" + name + "/rays.cpp", "static_assert(false, \"this does not compile\");\n");
-  return path("submissions/" + name);
+  return hand_in(name, "rays.cpp", "static_assert(false, \"this does not compile\");\n");
+}
+
+std::vector<std::string> Grading::submit_each(const std::vector<std::string>& wrong,
+                                              const std::string& file) const {
+  std::vector<std::string> folders;
+  for (const std::string& name : wrong) folders.push_back(submit_built(name, file, name));
+  return folders;
 }
 
 std::string Grading::lecture7_with(
     const std::vector<std::pair<std::string, std::string>>& replacements) const {
   const std::string root = RAYCHECK_SOURCE_DIR;
   std::string text = contents(root + "/" + kLecture7);
-  for (const auto& [from, to] : replacements) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << kLecture7 << " has no " << from;
-    if (at != std::string::npos) text.replace(at, from.size(), to);
-  }
+  for (const auto& [from, to] : replacements) text = replaced(text, from, to);
   // Before the form that fits whatever is handed in.
-  const std::size_t last_form = text.find("[[form]]\nhas = \"*\"");
-  EXPECT_NE(last_form, std::string::npos);
-  text.insert(std::min(last_form, text.size()), kFormsOfBuilt);
-  const std::string rubric = write("rubrics/lecture7.toml", text);
+  const std::string last_form = "[[form]]\nhas = \"*\"";
+  const std::string rubric =
+      write("rubrics/lecture7.toml", replaced(text, last_form, kFormsOfBuilt + last_form));
   fs::copy(root + "/examples/rubrics/lecture7", path("rubrics/lecture7"),
            fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   return rubric;
@@ -186,6 +191,10 @@ std::string functions(const std::string& law, const std::string& source, int cas
                       const std::string& more) {
   return "[item.functions]\nlaws = [\"" + law + "\"]\nsources = [\"" + source +
          "\"]\ncases = " + std::to_string(cases) + "\n" + more;
+}
+
+std::string pictures(const std::string& scene, const std::string& more) {
+  return "[item.pictures]\n" + more + "scenes = [\"" + scene + "\"]\n";
 }
 
 std::string full_rubric(int pictures, const std::string& head) {

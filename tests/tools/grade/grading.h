@@ -23,10 +23,16 @@ class Grading {
   /// path. Attacks lie in rays.cpp.
   std::string submit(const std::string& name, const std::string& file,
                      const std::string& first_line = "") const;
+  /// The same of another file.
+  std::string hand_in(const std::string& name, const std::string& file,
+                      const std::string& text) const;
   /// The same, built: quicker than what is compiled when it is graded, and to be graded by
   /// `lecture7_with`. `wrong` is the name of its mistake or attack.
   std::string submit_built(const std::string& name, const std::string& file,
                            const std::string& wrong) const;
+  /// Built submissions, each called as what it does wrong.
+  std::vector<std::string> submit_each(const std::vector<std::string>& wrong,
+                                       const std::string& file) const;
   /// One that g++ says does not compile.
   std::string submit_broken(const std::string& name) const;
   /// The lecture's rubric and its scenes, with each of the first texts replaced by the second; it
@@ -94,72 +100,31 @@ build = "auto"
 candidate = "renderer:{program} {scene} {image}"
 )";
 
-/// Items of few cases, of functions and of pictures, which the submissions fail that are mirrored,
-/// take the far root or the first sphere, do not test for s >= 0.
-inline constexpr const char* kPixelZeroZero = R"toml(
-[[item]]
-name = "pixel (0, 0)"
-points = 4
-[item.functions]
-laws = ["pixel-zero-zero"]
-sources = ["course"]
-cases = 6
-[item.pictures]
-judge = "mask"
-scenes = ["lecture7/orientation.toml"]
-)toml";
-inline constexpr const char* kNearestRoot = R"toml(
-[[item]]
-name = "nearest root"
-points = 10
-hint = "What does your code do where s = v - d is negative?"
-[item.functions]
-laws = ["class", "nearest-root", "parameter"]
-sources = ["course-behind"]
-cases = 6
-rays = "given"
-[item.pictures]
-judge = "mask"
-scenes = ["lecture7/behind.toml"]
-)toml";
-inline constexpr const char* kNearestSphere = R"toml(
-[[item]]
-name = "nearest sphere"
-points = 15
-[item.functions]
-laws = ["nearest-sphere"]
-sources = ["course"]
-cases = 12
-rays = "given"
-[item.pictures]
-scenes = ["lecture7/overlap.toml"]
-)toml";
-
 /// An [[item]] of a rubric: its keys, and its questions to functions.
 std::string item_of(const std::string& name, const std::string& keys, const std::string& questions);
 std::string functions(const std::string& law, const std::string& source, int cases,
                       const std::string& more = "");
 inline constexpr const char* kGivenRays = "rays = \"given\"\n";
 
-/// A sphere that fills the picture.
-inline constexpr const char* kFullScene = R"([camera]
-eye = [0, 0, 0]
-look_at = [0, 0, -1]
-up = [0, 1, 0]
-near = -1
-left = -1
-right = 1
-bottom = -1
-top = 1
-width = 9
-height = 7
+/// Pictures of a scene of a rubric.
+std::string pictures(const std::string& scene, const std::string& more = "judge = \"mask\"\n");
 
-[[sphere]]
-centre = [0, 0, -102]
-radius = 100
-)";
+/// Items of few cases, of functions and of pictures, which the submissions fail that are mirrored,
+/// take the far root or the first sphere, do not test for s >= 0.
+inline const std::string kPixelZeroZero =
+    item_of("pixel (0, 0)", "points = 4",
+            functions("pixel-zero-zero", "course", 6) + pictures("lecture7/orientation.toml"));
+inline const std::string kNearestRoot = item_of(
+    "nearest root", "points = 10\nhint = \"What does your code do where s = v - d is negative?\"",
+    "[item.functions]\nlaws = [\"class\", \"nearest-root\", \"parameter\"]\n"
+    "sources = [\"course-behind\"]\ncases = 6\n" +
+        (kGivenRays + pictures("lecture7/behind.toml")));
+inline const std::string kNearestSphere = item_of(
+    "nearest sphere", "points = 15",
+    functions("nearest-sphere", "course", 12, kGivenRays) + pictures("lecture7/overlap.toml", ""));
 
 /// A rubric of one item of renderers as they come, so many pictures of full.toml, after a head.
+/// That lies in each such folder: a sphere that fills the picture.
 std::string full_rubric(int pictures, const std::string& head = "");
 
 /// Renderers that are right about the scene above, and about those of the dry run, so that their

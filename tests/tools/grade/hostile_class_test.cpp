@@ -1,10 +1,6 @@
 // A class in which some do harm: the others have the grades that they have alone.
 
 #include <sys/mount.h>
-#include <unistd.h>
-
-#include <csignal>
-#include <thread>
 
 #include "tests/tools/grade/grading.h"
 
@@ -44,12 +40,12 @@ TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   const SmallDisk disk(grading.path("disk"), "300m");
   if (disk.path().empty()) GTEST_SKIP() << "no disk can be mounted here";
   const std::string rubric = grading.short_rubric("reply_seconds = 20\n", kNearestRoot);
-  grading.write("submissions/fills/rays.py", kFillsTheDisk);
+  const std::string fills = grading.hand_in("fills", "rays.py", kFillsTheDisk);
   const std::vector<std::string> innocents = {grading.submit_built("one", "rays.cpp", "none"),
                                               grading.submit("two", "rays.py"),
                                               grading.submit_built("three", "rt.cpp", "none")};
   std::vector<std::string> all = innocents;
-  all.insert(all.begin(), grading.path("submissions/fills"));
+  all.insert(all.begin(), fills);
   const Outcome alone = grading.grade(rubric, innocents, "alone");
   const Variable temporary("TMPDIR", disk.path());
   const Outcome together = grading.try_to_grade(rubric, all, "together", "--jobs 2");
@@ -64,7 +60,7 @@ TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   // Where there is more room it is its own limit that it meets.
   const Outcome again = grading.grade(
       grading.short_rubric("reply_seconds = 20\nlimits = { disk_mib = 40 }\n", kNearestRoot),
-      {grading.path("submissions/fills")}, "more");
+      {fills}, "more");
   EXPECT_TRUE(has(again.out, "its files take more than 40 MiB (disk_mib)")) << again.out;
 }
 
@@ -101,8 +97,9 @@ TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alo
   const std::string victim =
       grading.submit("victim", "rays.py", "import time; time.sleep(2) # " + mark);
   fs::rename(victim + "/rays.py", victim + "/" + mark + "_rays.py");
-  grading.write("submissions/suicide/rays.py", "import os\nos.kill(os.getpid(), 9)\n");
-  const std::string rubric = grading.write("any.toml", kFormOfPython + std::string(kNearestRoot));
+  const std::string suicide =
+      grading.hand_in("suicide", "rays.py", "import os\nos.kill(os.getpid(), 9)\n");
+  const std::string rubric = grading.write("any.toml", kFormOfPython + kNearestRoot);
   std::thread killer([&] {
     eventually([&] {
       for (const auto& entry : fs::directory_iterator("/proc")) {
@@ -114,8 +111,7 @@ TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alo
       return false;
     });
   });
-  const Outcome outcome =
-      grading.grade(rubric, {victim, grading.path("submissions/suicide")}, "out", "--jobs 2");
+  const Outcome outcome = grading.grade(rubric, {victim, suicide}, "out", "--jobs 2");
   killer.join();
   const json killed = grading.result("victim");
   EXPECT_EQ(killed["score"], 10) << outcome.out;

@@ -57,10 +57,6 @@ Files with(Files files, const Files& more) {
 const Files kSources = {
     {"rt.cpp", kCpp}, {"format.cpp", kFormatSource}, {"format.h", kFormatHeader}};
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  return text.replace(text.find(from), from.size(), to);
-}
-
 /// What is handed in, and what is said of it.
 struct Brought {
   const char* name;  ///< What becomes of it.
@@ -277,7 +273,6 @@ void bring(const Grading& grading, const std::string& name, const Files& files) 
 /// Grades those in folders of these names; `head` begins the rubric.
 void grade_brought(const Grading& grading, const std::vector<std::string>& names,
                    const std::string& head = "", const std::string& more = "") {
-  grading.write("full.toml", kFullScene);
   std::vector<std::string> folders;
   for (const std::string& name : names) folders.push_back(grading.path("class/" + name));
   grading.grade(grading.write("auto.toml", full_rubric(1, head)), folders, "out", more);
@@ -359,7 +354,6 @@ TEST_F(LongIntake, is_the_same_when_graded_again_from_the_store) {
 TEST_F(LongIntake, leaves_a_folder_that_a_form_names) {
   bring(grading, "named",
         {{"source/rt.c", kC}, {"source/Makefile", "rt: rt.c\n\tcc -o rt rt.c -lm\n"}});
-  grading.write("full.toml", kFullScene);
   const std::string rubric =
       replaced(replaced(full_rubric(1), "build = \"auto\"", "build = \"cd source && make\""),
                "renderer:{program}", "renderer:./source/rt");
@@ -413,7 +407,6 @@ TEST_F(LongIntake, shows_what_a_program_says_where_it_comes_farthest) {
         {{"rt.py",
           "import sys, time\nfor line in open(sys.argv[1]):\n    words = line.split()\n"
           "    if words[0] == 'sphere': last = words[17]\ntime.sleep(60)\n"}});
-  grading.write("full.toml", kFullScene);
   const std::string rubric =
       replaced(full_rubric(1, "[limits]\nreply_seconds = 1\n"), "\"B\"", "\"auto\"");
   grading.grade(grading.write("far.toml", rubric), {grading.path("class/far")});

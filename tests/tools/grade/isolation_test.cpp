@@ -1,9 +1,6 @@
 // What keeps submissions, on machines that have more and less of it: the attacks that it keeps from
 // gaining anything, and what is said where it is missing.
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include "tests/tools/external/machine.h"
 #include "tests/tools/grade/grading.h"
 
@@ -14,7 +11,7 @@ namespace {
 constexpr double kRightHits = 10, kAll = 14;
 
 std::string short_rubric(const Grading& grading, const std::string& keys = "") {
-  return grading.short_rubric(keys, std::string(kPixelZeroZero) + kNearestRoot);
+  return grading.short_rubric(keys, kPixelZeroZero + kNearestRoot);
 }
 
 /// Why a machine cannot be had here; empty where it can.
@@ -63,13 +60,10 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
     GTEST_SKIP() << "Attacks.gain_nothing_and_leave_the_others_as_they_are tries this machine";
   }
   const std::string rubric = short_rubric(grading);
-  std::vector<std::string> folders;
   const std::vector<std::string> attacks = {"none",          "kills_judge",   "weakens_judge",
                                             "reads_others",  "opens_socket",  "makes_namespaces",
                                             "leaves_memory", "runs_raycheck", "writes_outside"};
-  for (const std::string& attack : attacks) {
-    folders.push_back(grading.submit_built(attack, "hostile.cpp", attack));
-  }
+  std::vector<std::string> folders = grading.submit_each(attacks, "hostile.cpp");
   // Innocents in other languages.
   folders.push_back(grading.submit("python", "rays.py"));
   const bool has_node = is_installed("node");
@@ -118,10 +112,8 @@ TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
   const std::string rubric = grading.short_rubric("seconds = 2\nreply_seconds = 1\n", kNearestRoot);
   std::vector<std::string> submissions = {grading.submit("right", "rays.py")};
   for (const char* name : {"first", "second"}) {
-    const std::string file = grading.write(std::string(name) + "/rays.py",
-                                           "import os\nwhile True:\n  try: os.fork()\n"
-                                           "  except OSError: pass\n");
-    submissions.push_back(fs::path(file).parent_path());
+    submissions.push_back(grading.hand_in(
+        name, "rays.py", "import os\nwhile True:\n  try: os.fork()\n  except OSError: pass\n"));
   }
   const Outcome outcome = grade(0, rubric, submissions, as_it_is());
   EXPECT_EQ(grading.result("right")["score"], kRightHits);

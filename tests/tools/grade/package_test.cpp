@@ -1,7 +1,5 @@
 // The zip file for Gradescope, unpacked and run as Gradescope does.
 
-#include <regex>
-
 #include "tests/tools/external/machine.h"
 #include "tests/tools/grade/grading.h"
 
@@ -20,7 +18,7 @@ class Package : public testing::Test {
   static void SetUpTestSuite() {
     own_ = std::make_unique<Grading>();
     const Grading& grading = *own_;
-    rubric_ = grading.short_rubric("", std::string(kPixelZeroZero) + kNearestRoot);
+    rubric_ = grading.short_rubric("", kPixelZeroZero + kNearestRoot);
     package("autograder.zip");
     const std::string unpack = grading.write("unpack.py", kUnpack);
     run_python("'" + unpack + "' '" + grading.path("autograder.zip") + "' '" +

@@ -75,11 +75,7 @@ TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
   std::set<std::array<std::uint8_t, 3>> colours;
   const std::vector<std::string> mistakes = {"mirrored", "upside_down", "first_sphere_wins",
                                              "u_and_w_flipped"};
-  std::vector<std::string> folders;
-  for (const std::string& mistake : mistakes) {
-    folders.push_back(grading.submit_built(mistake, "rt.cpp", mistake));
-  }
-  grade_pictures(grading, folders);
+  grade_pictures(grading, grading.submit_each(mistakes, "rt.cpp"));
   for (const std::string& mistake : mistakes) {
     const json recorded = pictures_of_record(grading, mistake);
     const auto shown = pictures_of(grading, mistake);

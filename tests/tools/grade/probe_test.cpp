@@ -37,11 +37,6 @@ class Probe : public testing::Test {
     EXPECT_EQ(outcome.exit_code, is_refused ? 1 : 0) << outcome.err;
     return submissions;
   }
-  std::string hand_in(const std::string& name, const std::string& file,
-                      const std::string& text) const {
-    grading_.write("submissions/" + name + "/" + file, text);
-    return grading_.path("submissions/" + name);
-  }
   /// Driver files of one form alone.
   std::string one_form(const std::string& preset = "2018", const std::string& keys = "") const {
     return grading_.write("one-form.toml", keys + "[driver]\npreset = \"" + preset + "\"\n" +
@@ -57,7 +52,7 @@ class Probe : public testing::Test {
 TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
   const std::vector<std::string> folders = {
       of_class("farid"), grading_.submit("functions", "rays.py"),
-      hand_in("broken", "rt.cpp", "int main() { return 0 }\n")};
+      grading_.hand_in("broken", "rt.cpp", "int main() { return 0 }\n")};
   const Outcome outcome = probe(kLecture7, folders);
   EXPECT_EQ(outcome.exit_code, 1) << "one cannot be judged" << outcome.err;
   EXPECT_FALSE(fs::exists(grading_.path("out"))) << "nothing is graded";
@@ -104,9 +99,9 @@ TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
 }
 
 TEST_F(Probe, suggests_no_form_that_would_fit_others_too) {
-  const std::vector<std::string> folders = {hand_in("one", "rt.py", renderer_in_python()),
-                                            hand_in("two", "rt.py", renderer_in_python()),
-                                            hand_in("three", "rt.py", "pass\n")};
+  const std::vector<std::string> folders = {grading_.hand_in("one", "rt.py", renderer_in_python()),
+                                            grading_.hand_in("two", "rt.py", renderer_in_python()),
+                                            grading_.hand_in("three", "rt.py", "pass\n")};
   grading_.write("submissions/three/main.cpp", "int main() {}\n");
   const std::string text = probe(one_form(), folders).out;
   EXPECT_FALSE(has(text, "has = \"rt.py\"")) << text;
@@ -115,8 +110,9 @@ TEST_F(Probe, suggests_no_form_that_would_fit_others_too) {
 
 TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
   const json all = probed(
-      {hand_in("missing", "rt.sh", kSilentlyMissing), hand_in("empty", "rt.sh", kEmptyPicture),
-       hand_in("other", "rt.sh", kOtherSize), hand_in("sky", "rt.sh", kSky)},
+      {grading_.hand_in("missing", "rt.sh", kSilentlyMissing),
+       grading_.hand_in("empty", "rt.sh", kEmptyPicture),
+       grading_.hand_in("other", "rt.sh", kOtherSize), grading_.hand_in("sky", "rt.sh", kSky)},
       one_form());
   EXPECT_EQ(all[0]["refused"]["why"], "it made no picture {image}");
   EXPECT_EQ(all[0]["refused"]["said"], "first words\nlast words");
@@ -125,7 +121,8 @@ TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
   EXPECT_TRUE(all[2]["refused"].is_null()) << all[2];
   EXPECT_EQ(all[2]["dry_run"]["shows_a_sphere"], false);
   expect_parts(all[3]["refused"].dump(), {"its background is not of one colour"});
-  const std::string black = probe(one_form(), {hand_in("black", "rt.sh", kBlackPicture)}).out;
+  const std::string black =
+      probe(one_form(), {grading_.hand_in("black", "rt.sh", kBlackPicture)}).out;
   expect_parts(black, {"    it said:\n      line 4: I do not know that word\n",
                        "    its picture is black in "});
   EXPECT_FALSE(has(black, "could not be judged:")) << black;
@@ -133,10 +130,10 @@ TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
 }
 
 TEST_F(Probe, lists_what_is_done_where_nobody_watches_and_tries_again_alone_what_only_waits) {
-  const std::string waits = hand_in("waits", "rt.py", "import time\ntime.sleep(60)\n");
+  const std::string waits = grading_.hand_in("waits", "rt.py", "import time\ntime.sleep(60)\n");
   const Outcome outcome =
       probe(one_form("2019", "reply_seconds = 1\n"),
-            {hand_in("draws", "rt.py", renderer_in_python()), waits}, "--format json");
+            {grading_.hand_in("draws", "rt.py", renderer_in_python()), waits}, "--format json");
   EXPECT_EQ(outcome.err,
             "submissions: 1 of 2 tried: draws\nsubmissions: 2 of 2 tried: waits\n"
             "submissions: tried again, alone: waits\n");
@@ -196,7 +193,7 @@ TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_s
   const std::string note = "its colours do not tell which sphere is seen";
   const auto drawing = [&](const std::string& name, const std::string& shown,
                            const std::string& seen) {
-    return hand_in(
+    return grading_.hand_in(
         name, "rt.py",
         drawing_renderer("SHOWN = lambda c: " + shown + "\nSEEN = lambda v: " + seen + "\n"));
   };
@@ -213,12 +210,12 @@ TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_s
 
 TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
   // The light of the dry run's scene is at whole numbers.
-  const json lit = probed(
-      {hand_in("lit", "rt.py",
-               drawing_renderer(
-                   "SHOWN = lambda c: c\nSEEN = lambda v: v > 0\n"
-                   "for line in open(sys.argv[1]):\n"
-                   "    if line.startswith('light'): [int(x) for x in line.split()[1:]]\n"))})[0];
+  const json lit = probed({grading_.hand_in(
+      "lit", "rt.py",
+      drawing_renderer(
+          "SHOWN = lambda c: c\nSEEN = lambda v: v > 0\n"
+          "for line in open(sys.argv[1]):\n"
+          "    if line.startswith('light'): [int(x) for x in line.split()[1:]]\n"))})[0];
   EXPECT_EQ(lit["dry_run"]["driver"]["light"], "none") << lit;
   expect_parts(lit["notes"].dump(),
                {"it fails where there is a light, so its driver files have none"});
@@ -226,12 +223,11 @@ TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
 
 TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
   // It shows the sphere of the rubric's scene, and none of the dry run's.
-  const std::string odd =
-      hand_in("odd", "rt.sh",
-              "while read -r word w h; do [ \"$word\" = res ] && break; done < \"$1\"\n"
-              "part=0; [ $h -lt 25 ] && part=255\n"
-              "{ echo P3 $w $h 255; yes $part $part $part | head -n $((w * h)); } > \"$2\"\n");
-  grading_.write("full.toml", kFullScene);
+  const std::string odd = grading_.hand_in(
+      "odd", "rt.sh",
+      "while read -r word w h; do [ \"$word\" = res ] && break; done < \"$1\"\n"
+      "part=0; [ $h -lt 25 ] && part=255\n"
+      "{ echo P3 $w $h 255; yes $part $part $part | head -n $((w * h)); } > \"$2\"\n");
   const std::string rubric = grading_.write("odd.toml", full_rubric(1));
   expect_parts(probed({odd}, rubric)[0]["notes"].dump(), {"its picture is black in "});
   grading_.grade(rubric, {odd});
@@ -241,7 +237,7 @@ TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
 }
 
 TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
-  const json slow = probed({hand_in("slow", "rt.sh", "sleep 1.5\n" + kBlackPicture)},
+  const json slow = probed({grading_.hand_in("slow", "rt.sh", "sleep 1.5\n" + kBlackPicture)},
                            one_form("2019", "reply_seconds = 1\n"))[0];
   ASSERT_FALSE(slow["refused"].is_null());
   expect_parts(slow["refused"]["why"], {"it needs more time"});
@@ -250,7 +246,7 @@ TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
 }
 
 TEST_F(Probe, is_the_first_step_of_grading_whose_table_has_its_notes) {
-  const std::string draws = hand_in("draws", "rt.py", renderer_in_python());
+  const std::string draws = grading_.hand_in("draws", "rt.py", renderer_in_python());
   expect_parts(grading_.grade(one_form(), {of_class("farid"), draws}).out,
                {"    it writes out.ppm whatever name it is given\n"});
 }

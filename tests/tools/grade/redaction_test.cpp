@@ -1,8 +1,6 @@
 // What is withheld from students is in none of their files, in whatever words: every number there
 // is compared with every number that they are not to know.
 
-#include <regex>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
@@ -143,8 +141,8 @@ std::vector<std::string> told(const Numbers& numbers, const std::string& text) {
 }
 
 /// What submissions do wrong, and what is asked of them, of which each fails some.
-constexpr const char* kMistakes[] = {"u_and_w_flipped", "normalize_discarded", "far_root",
-                                     "float_directions", "top_from_right"};
+const std::vector<std::string> kMistakes = {"u_and_w_flipped", "normalize_discarded", "far_root",
+                                            "float_directions", "top_from_right"};
 constexpr const char* kLaws[] = {"frame",     "direction",    "unit-direction", "parameter",
                                  "hit-point", "nearest-root", "pixel-point",    "ray-origin"};
 
@@ -167,13 +165,10 @@ Told told_to_students(const std::string& format, const Shown& shown,
                        functions(law, "cameras", 4));
     }
   }
-  std::vector<std::string> folders;
-  for (const char* mistake : kMistakes) {
-    folders.push_back(grading.submit_built(mistake, "rays.cpp", mistake));
-  }
-  grading.grade(grading.short_rubric("", items), folders, "out", "--format " + format);
+  grading.grade(grading.short_rubric("", items), grading.submit_each(kMistakes, "rays.cpp"), "out",
+                "--format " + format);
   Told all;
-  for (const char* mistake : kMistakes) {
+  for (const std::string& mistake : kMistakes) {
     const Numbers numbers = numbers_of(grading.result(mistake), parts, keys);
     const auto found = told(numbers, given_to_student(grading, mistake));
     all.secrets += numbers.secret.size();

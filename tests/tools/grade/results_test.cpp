@@ -1,7 +1,5 @@
 // The files that `grade` writes, as those read them that they are for.
 
-#include <regex>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
@@ -206,7 +204,7 @@ TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_ju
   // Two make the same mistake, and one cannot be judged.
   const Grading grading;
   const Outcome outcome = grading.grade(
-      grading.short_rubric("", std::string(kNearestRoot) + kPixelZeroZero),
+      grading.short_rubric("", kNearestRoot + kPixelZeroZero),
       {grading.submit_built("ada", "rays.cpp", "none"),
        grading.submit_built("bob", "rays.cpp", "far_root"),
        grading.submit_built("cleo", "rt.cpp", "mirrored"), grading.submit_broken("dan"),

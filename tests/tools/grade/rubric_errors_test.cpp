@@ -125,9 +125,7 @@ TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
   const Grading grading;
   const std::string folder = grading.submit("mine", "rays.py");
   for (const auto& [part, instead, said] : kWrong) {
-    std::string text = kRubric;
-    ASSERT_TRUE(has(text, part)) << part;
-    text.replace(text.find(part), part.size(), instead);
+    const std::string text = replaced(kRubric, part, instead);
     const std::string rubric = grading.write("rubric.toml", text);
     const Outcome outcome = grading.try_to_grade(rubric, {folder});
     EXPECT_EQ(outcome.exit_code, 2) << text;
@@ -182,15 +180,13 @@ TEST_F(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
 }
 
 TEST_F(GradeCommand, grades_the_others_when_names_are_no_text) {
-  std::string rubric = kRubric;
-  rubric.replace(rubric.find("rays.py"), 7, "*.py");
   const std::string text = contents(grading.submit("mine", "rays.py") + "/rays.py");
   const std::string odd =
       "o\xff"
       "dd";
   grading.write("submissions/" + odd + "/rays.py", text);
   grading.write("submissions/file/" + odd + ".py", text);
-  const std::string path = grading.write("rubric.toml", rubric);
+  const std::string path = grading.write("rubric.toml", replaced(kRubric, "rays.py", "*.py"));
   for (const char* format : {"json", "csv", "gradescope", "prairielearn"}) {
     grading.grade(path,
                   {grading.path("submissions/" + odd), grading.path("submissions/file"),

@@ -1,7 +1,5 @@
 // What is kept between runs: nothing is built or asked twice, and nothing else is believed.
 
-#include <sys/stat.h>
-
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
@@ -10,50 +8,22 @@ namespace {
 /// Builds and programs may say, in files of the test, that they were started.
 const std::string kUnkept = std::string(kLimitsOnly) + "--format json ";
 
-/// A library of functions that is right about spheres; what it does when it starts comes first.
-constexpr const char* kHits = R"(
-import raycheck_candidate as rc
-def dot(a, b): return sum(x * y for x, y in zip(a, b))
-def intersect(ray, sphere, asked):
-    P, D = ray
-    n = dot(D, D) ** 0.5
-    D = [x / n for x in D]
-    Q, r = sphere
-    T = [q - p for q, p in zip(Q, P)]
-    v = dot(T, D)
-    d2 = r * r - dot(T, T) + v * v
-    if d2 < 0: return None
-    s = v - d2 ** 0.5
-    if s < 0: s = v + d2 ** 0.5
-    if s < 0: return None
-    return s / n, tuple(p + s * x for p, x in zip(P, D))
-rc.run('hits', intersect=intersect)
-)";
+/// A function that is right about spheres; what is done when it starts comes first.
+const std::string kHits =
+    replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"),
+             "frame=frame, pixel_point=pixel_point, pixel_ray=pixel_ray,\n"
+             "           focal_ray=focal_ray, intersect=intersect, nearest=nearest",
+             "intersect=intersect");
 
-/// As renderer_in_python, in the shell; every other pixel of small pictures is of another colour.
-std::string renderer_in_shell(const char* other = "colour") {
-  return R"(awk '
-$1 == "res" { w = $2; h = $3 }
-$1 == "sphere" { colour = int(255 * $6) " " int(255 * $7) " " int(255 * $8) }
-function size(x) { return x < 0 ? -x : x }
-END {
-  print "P3", w, h, 255
-  for (k = 0; k < w * h; ++k) {
-    x = size(2 * (k % w) - w + 1); y = size(2 * int(k / w) - h + 1)
-    far = x > y ? x : y; near = x + y - far
-    disc = far * far + near * near < 25 || (far - 15) * (far - 15) + near * near < 33
-    print h < 25 && k % 2 ? )" +
-         std::string(other) + R"( : h < 25 || disc ? colour : "0 0 0"
-  }
-}' "$1" > "$2"
-)";
+/// The same, where intersect does something first.
+std::string hits_but_first(const std::string& line) {
+  const std::string start = "    (origin, d), (centre, r) =";
+  return replaced(kHits, start, "    " + line + "\n" + start);
 }
 
 class Store : public testing::Test {
  protected:
-  void SetUp() override { grading.write("full.toml", kFullScene); }
-
-  /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.sh`.
+  /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.py`.
   std::string rubric(int points, const std::string& more = "") const {
     return grading.write("rubric.toml", "reply_seconds = 1\n" + more + R"(
 [driver]
@@ -64,29 +34,18 @@ build = "echo x >> ')" + grading.path("builds") +
                                             R"('"
 candidate = "command:python3 {file}"
 [[form]]
-has = "rt.sh"
-candidate = "renderer:sh {file} {scene} {image}"
-[[item]]
-name = "hits"
-points = )" + std::to_string(points) + R"(
-[item.functions]
-laws = ["class"]
-rays = "given"
-sources = ["rays"]
-cases = 5
-[item.pictures]
-judge = "mask"
-scenes = ["full.toml"]
-)");
+has = "rt.py"
+candidate = "renderer:python3 {file} {scene} {image}"
+)" +
+                                            item_of("hits", "points = " + std::to_string(points),
+                                                    functions("class", "rays", 5, kGivenRays) +
+                                                        pictures("full.toml")));
   }
 
   /// A submission that says that it is started.
   std::string submit(const std::string& name, const std::string& file, const std::string& text) {
     const std::string starts = "'" + grading.path("starts") + "'";
-    const std::string start = file == "rt.sh" ? "echo x >> " + starts + "\n"
-                                              : "open(" + starts + ", 'a').write('x\\n')\n";
-    grading.write("submissions/" + name + "/" + file, start + text);
-    return grading.path("submissions/" + name);
+    return grading.hand_in(name, file, "open(" + starts + ", 'a').write('x\\n')\n" + text);
   }
 
   std::size_t lines(const std::string& file) const {
@@ -116,8 +75,10 @@ scenes = ["full.toml"]
 
 TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
   const std::vector<std::string> folders = {
-      submit("functions", "rays.py", kHits), submit("pictures", "rt.sh", renderer_in_shell()),
-      submit("wrong", "rt.sh", renderer_in_shell("\"0 0 0\""))};
+      submit("functions", "rays.py", kHits), submit("pictures", "rt.py", renderer_in_python()),
+      submit("wrong", "rt.py",
+             renderer_in_python("right = shown\n"
+                                "def shown(k): return [0, 0, 0] if k % 2 else right(k)\n"))};
   const json first = graded(rubric(10), folders);
   for (const std::size_t right : {0, 1}) {
     EXPECT_EQ(first["submissions"][right]["score"], 10) << first.dump(2);
@@ -141,13 +102,13 @@ TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
 
 TEST_F(Store, gives_the_same_reason_for_a_program_that_makes_no_picture) {
   // It exits with 3 in the first form, and comes farther in the others.
-  const std::string program = submit("mine", "rt.sh", "first='" + grading.path("first") + R"sh('
-[ -e "$first" ] || cat "$1" > "$first"
-echo 'one line'
-echo another
-[ "$(cat "$1")" = "$(cat "$first")" ] && exit 3
-exit 0
-)sh");
+  const std::string program = submit("mine", "rt.py", "first = '" + grading.path("first") + R"py('
+import os, sys
+asked = open(sys.argv[1]).read()
+if not os.path.exists(first): open(first, 'w').write(asked)
+print('one line\nanother')
+sys.exit(3 if asked == open(first).read() else 0)
+)py");
   const auto of_any_form = [&](int points) {
     std::string text = contents(rubric(points));
     text.insert(text.find("[[form]]"), "others = true\n");
@@ -175,9 +136,7 @@ TEST_F(Store, builds_equal_submissions_once_and_asks_what_has_changed_or_was_not
     EXPECT_EQ(lines("builds"), 2u);
     return now["submissions"][0];
   };
-  std::string misses = kHits;
-  misses.insert(misses.find("    P, D = ray"), "    return None\n");
-  submit("mine", "rays.py", misses);
+  submit("mine", "rays.py", hits_but_first("return None"));
   EXPECT_EQ(asked_again("")["score"], 0) << "another text";
   asked_again("[conventions]\nroot = \"smaller\"\n");
   EXPECT_EQ(asked_again("", "--seed 2")["seed"], 2);
@@ -222,9 +181,8 @@ TEST_F(Store, keeps_no_failure_that_time_may_mend) {
 }
 
 TEST_F(Store, keeps_that_replies_took_too_long) {
-  std::string hangs = kHits;
-  hangs.insert(hangs.find("    P, D = ray"), "    import time; time.sleep(60)\n");
-  const std::string folder = submit("hangs", "rays.py", hangs);
+  const std::string folder =
+      submit("hangs", "rays.py", hits_but_first("import time; time.sleep(60)"));
   const json first = graded(rubric(10), {folder});
   const std::size_t starts = lines("starts");
   const std::string said = "gave no reply, and computed next to nothing for 1 s";

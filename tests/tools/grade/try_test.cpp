@@ -39,7 +39,7 @@ std::vector<std::string> item_lines(const std::string& text) {
 TEST(TryCommand, agrees_with_grade_in_every_file_and_line) {
   const Grading grading;
   const std::string rubric =
-      grading.short_rubric("", std::string(kPixelZeroZero) + kNearestRoot + kNearestSphere);
+      grading.short_rubric("", kPixelZeroZero + kNearestRoot + kNearestSphere);
   const std::vector<std::string> submissions = {
       grading.submit("right", "rays.py"), grading.submit_built("far", "rays.cpp", "far_root"),
       grading.submit_built("mirrored", "rt.cpp", "mirrored"),

@@ -218,12 +218,7 @@ TEST(PictureFile, TurnsWhatLibpngRefusesIntoAnExceptionAndLeavesNothing) {
     tools::PictureFile file("--out", path);
     file.start(3, 4);
     EXPECT_EQ(parts_left(), before + 1);
-    try {
-      file.place();
-      FAIL() << "a picture without lines was written";
-    } catch (const std::runtime_error& error) {
-      EXPECT_TRUE(has(error.what(), "libpng: No IDATs"));
-    }
+    expect_parts(thrown_by<std::runtime_error>([&] { file.place(); }), {"libpng: No IDATs"});
   }
   EXPECT_EQ(contents(path), "an older picture");
   EXPECT_EQ(parts_left(), before);

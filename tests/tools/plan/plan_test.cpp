@@ -104,11 +104,9 @@ TEST(Plan, counts_what_each_item_leaves_out) {
 }
 
 TEST(Plan, says_what_a_scene_needs_that_others_do_not) {
-  std::string scene = kEveryKind;
-  scene.replace(scene.find("look_at = [0, 0, -1]"), 20, "look_at = [1, 2, -9]");
-  scene.replace(scene.find("centre = [100, 0, -10]"), 22, "centre = [0, 0, -1e90]");
-  const std::string path = temporary_file("general.toml", scene);
-  const json report = planned(path);
+  const std::string askew = replaced(kEveryKind, "look_at = [0, 0, -1]", "look_at = [1, 2, -9]");
+  const json report = planned(temporary_file(
+      "general.toml", replaced(askew, "centre = [100, 0, -10]", "centre = [0, 0, -1e90]")));
   EXPECT_EQ(item(report, "scaling")["left_out"], 0);
   EXPECT_TRUE(
       has(item(report, "scaling")["why"].get<std::string>(), "lengths are divided by 2^29"));

@@ -86,14 +86,13 @@ TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
                             "corpus: " + std::to_string(files.size()) + " cases, " +
                                 std::to_string(files.size()) + " broken, 0 mended"});
   EXPECT_TRUE(has(run(again + " --intersect cross", 0).out, " 0 broken, 0 mended"));
-  std::string text = contents(files[0]);
-  text.replace(text.find("found with: direct/quadratic"), 28, "found with: direct/cross");
+  const std::string text =
+      replaced(contents(files[0]), "found with: direct/quadratic", "found with: direct/cross");
   std::ofstream(files[0]) << text;
   const Outcome mended = run(again + " --intersect cross", 0);
   expect_parts(mended.out,
                {"no longer breaks class with direct/cross: mended", " 0 broken, 1 mended"});
-  text.replace(text.find("# law:"), 6, "# low:");
-  std::ofstream(files[0]) << text;
+  std::ofstream(files[0]) << replaced(text, "# law:", "# low:");
   expect_refused(again, files[0] + ": names no law");
   std::ofstream(files[0]) << "# law: direction\n# pixels: (0, 0) (3, 9)\n"
                           << contents(RAYCHECK_SOURCE_DIR "/scene/examples/optical-axis.toml");
@@ -107,8 +106,9 @@ TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
   EXPECT_EQ(report["target"], "rho");
   const json& worst = report["campaigns"][0]["worst"];
   EXPECT_GT(worst["climbed"].get<double>(), worst["random"].get<double>());
-  std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/float_quadratic.cpp");
-  text.replace(text.find(".precision"), 0, ".level = Level::demanding, ");
+  const std::string text =
+      replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/float_quadratic.cpp"), ".precision",
+               ".level = Level::demanding, .precision");
   const std::string floats =
       "properties --candidate source:" + temporary_file("demanding.cpp", text) +
       " --filter parameter --source rays --cases 40 --level extreme ";

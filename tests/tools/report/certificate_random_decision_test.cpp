@@ -11,16 +11,8 @@
 namespace raycheck::tools {
 namespace {
 
-using properties::Candidate;
-using properties::Case;
-using properties::Discrepancy;
-using properties::HitAnswer;
-using reference::ExactRay;
-using reference::HitClass;
-using reference::Intersection;
-using reference::Random;
-using reference::Sizes;
-using reference::WhichRoot;
+using namespace properties;
+using namespace reference;
 using scene::Sphere;
 
 std::size_t wanted() {

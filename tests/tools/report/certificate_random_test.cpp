@@ -14,9 +14,7 @@
 namespace raycheck::tools {
 namespace {
 
-using properties::Candidate;
-using properties::Case;
-using properties::CaseSource;
+using namespace properties;
 
 /// Of a law's discrepancies so many are looked at: more than there are quantities of a law.
 constexpr std::size_t kMostLookedAt = 12;

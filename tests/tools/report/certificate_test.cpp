@@ -162,9 +162,7 @@ TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) 
            {"/excuse", R"({"kind": "witness"})"}}) {
     ordered_json malformed = certificate;
     malformed.at(ordered_json::json_pointer(where)) = "VALUE";
-    std::string line = malformed.dump();
-    line.replace(line.find("\"VALUE\""), std::string("\"VALUE\"").size(), value);
-    lines.emplace_back(line, "");
+    lines.emplace_back(replaced(malformed.dump(), "\"VALUE\"", value), "");
   }
   std::string paths;
   for (std::size_t k = 0; k < lines.size(); ++k) {

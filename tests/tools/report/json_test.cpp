@@ -3,8 +3,6 @@
 
 #include "tools/report/json.h"
 
-#include <regex>
-
 #include "properties/quantile_sketch.h"
 #include "tests/tools/program.h"
 #include "tools/report/spelling.h"
@@ -51,8 +49,8 @@ const std::vector<Reports>& all_reports() {
         "view --family distance --method quadratic --cases 20"}},
       {"plan", {"plan" + scene("ten-spheres")}},
       {"grade",
-       {"grade lecture7.toml tests/submissions/rays.py --out OUT",
-        "grade lecture7.toml tests/submissions/class/ella tests/submissions/rays.py --probe"}},
+       {"grade lecture7.toml tests/submissions/rays.cpp --out OUT",
+        "grade lecture7.toml tests/submissions/class/ella tests/submissions/rays.cpp --probe"}},
       {"list", {"list"}}};
   return reports;
 }
@@ -63,8 +61,8 @@ const std::vector<json>& printed(const Reports& reports) {
   std::vector<json>& found = known[reports.command];
   for (std::size_t k = found.size(); k < reports.arguments.size(); ++k) {
     std::string arguments = reports.arguments[k] + " --format json";
-    if (const std::size_t at = arguments.find("OUT"); at != std::string::npos) {
-      arguments.replace(at, 3, temporary_folder("report") + "/out");
+    if (has(arguments, "OUT")) {
+      arguments = replaced(arguments, "OUT", temporary_folder("report") + "/out");
     }
     const Outcome outcome = run(arguments);
     EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << arguments << outcome.err;

@@ -2,7 +2,6 @@
 
 #include <png.h>
 
-#include <array>
 #include <cstring>
 
 #include "tests/tools/program.h"

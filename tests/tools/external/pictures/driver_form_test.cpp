@@ -3,16 +3,9 @@
 
 #include "tools/external/pictures/driver_form.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
+
+#include "tests/testing.h"
 
 namespace raycheck::tools {
 namespace {
@@ -230,12 +223,7 @@ TEST(DriverFormName, is_refused_with_what_is_wrong) {
                                   {"", "the dialects are"},
                                   {"B:15", "15 numbers"},
                                   {"B:order=eye", "each of these once: eye,look"}}) {
-    std::string said;
-    try {
-      driver_form(name);
-    } catch (const std::invalid_argument& error) {
-      said = error.what();
-    }
+    const std::string said = thrown_by([&name = name] { driver_form(name); });
     EXPECT_NE(said.find(why), std::string::npos) << name << ": " << said;
   }
 }

@@ -5,10 +5,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <system_error>
 
 #include "tests/tools/external/judged.h"
@@ -192,8 +189,7 @@ for k in range(5):
 time.sleep(60))"),
                                           "--timeout 30");
   expect_parts(group_isolation(candidate), {"(memory"});
-  const std::string words = candidate["worst"].dump();
-  expect_parts(words, {"was stopped: it uses more than 4096 MiB of memory"});
+  expect_parts(candidate["worst"].dump(), {"was stopped: it uses more than 4096 MiB of memory"});
 }
 
 TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
@@ -284,23 +280,24 @@ constexpr MountedGroups kMountedGroups[] = {
      "29 23 0:25 / /sys/fs/cgroup rw,nosuid,nodev,noexec,relatime shared:9 - cgroup2 cgroup2 "
      "rw,nsdelegate,memory_recursiveprot\n",
      "0::/user.slice/user-1000.slice/user@1000.service/app.slice/run-r1.scope\n",
-     "/sys/fs/cgroup/user.slice/user-1000.slice/user@1000.service/app.slice/run-r1.scope", ""},
+     "/sys/fs/cgroup/user.slice/user-1000.slice/user@1000.service/app.slice/run-r1.scope",
+     "no error"},
     {"hybrid",
      "31 23 0:28 / /sys/fs/cgroup rw - tmpfs tmpfs rw,mode=755\n"
      "35 31 0:32 / /sys/fs/cgroup/memory rw - cgroup cgroup rw,memory\n"
      "41 31 0:38 / /sys/fs/cgroup/unified rw,relatime - cgroup2 cgroup2 rw\n",
-     "4:memory:/some/group\n1:name=systemd:/\n0::/\n", "/sys/fs/cgroup/unified", ""},
+     "4:memory:/some/group\n1:name=systemd:/\n0::/\n", "/sys/fs/cgroup/unified", "no error"},
     // The folder is there; that it cannot be written is known when it is tried.
     {"container_that_may_read",
      "609 608 0:26 / /sys/fs/cgroup ro,nosuid,nodev,noexec,relatime - cgroup2 cgroup rw\n",
-     "0::/\n", "/sys/fs/cgroup", ""},
+     "0::/\n", "/sys/fs/cgroup", "no error"},
     {"container_that_sees_its_own_alone",
      "609 608 0:26 /docker/3f1 /sys/fs/cgroup rw,relatime - cgroup2 cgroup rw\n",
-     "0::/docker/3f1/inner\n", "/sys/fs/cgroup/inner", ""},
+     "0::/docker/3f1/inner\n", "/sys/fs/cgroup/inner", "no error"},
     {"second_of_two_mounts",
      "50 30 0:26 /docker/3f /elsewhere rw - cgroup2 cgroup rw\n"
      "51 30 0:26 /docker/3f1 /a\\040b\\134c rw - cgroup2 cgroup rw\n",
-     "0::/docker/3f1\n", "/a b\\c", ""},
+     "0::/docker/3f1\n", "/a b\\c", "no error"},
     {"mounted_for_others", "50 30 0:26 /docker/3f /elsewhere rw - cgroup2 cgroup rw\n",
      "0::/docker/3f1\n", "", "raycheck's own control group, /docker/3f1, is mounted nowhere"},
     {"outside_of_its_namespace", "50 30 0:26 / /sys/fs/cgroup rw - cgroup2 cgroup rw\n",
@@ -312,12 +309,9 @@ constexpr MountedGroups kMountedGroups[] = {
 
 TEST(HostileControlGroup, IsFoundWhereItIsMounted) {
   for (const MountedGroups& machine : kMountedGroups) {
-    std::string path, why;
-    try {
-      path = tools::own_control_group(machine.mountinfo, machine.cgroup);
-    } catch (const std::runtime_error& error) {
-      why = error.what();
-    }
+    std::string path;
+    const std::string why = thrown_by<std::runtime_error>(
+        [&] { path = tools::own_control_group(machine.mountinfo, machine.cgroup); });
     EXPECT_EQ(path, machine.path) << machine.name;
     EXPECT_EQ(why, machine.why) << machine.name;
   }

@@ -1,12 +1,9 @@
 #include <fcntl.h>
-#include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <string>
-
+#include "tests/testing.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/external/sandbox/private_folder.h"
 

@@ -1,14 +1,9 @@
 // What a candidate's processes may take together, and what is left of them.
 
 #include <sys/syscall.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <atomic>
-#include <chrono>
-#include <csignal>
 #include <ctime>
-#include <thread>
 
 #include "tests/tools/external/judged.h"
 #include "tests/tools/grade/grading.h"
@@ -42,18 +37,18 @@ std::string words_of_small(const std::string& name, const std::string& lines,
 class HostileProcess : public testing::TestWithParam<const char*> {};
 
 TEST_P(HostileProcess, MayHaveSoMuchOnDiskInAll) {
-  const std::string words = words_of_small(
-      "disk", "for k in range(8): open(str(k), 'wb').write(bytes(4 << 20))", GetParam());
-  expect_parts(words, {"was stopped: its files take more than 24 MiB (disk_mib)"});
+  expect_parts(words_of_small("disk", "for k in range(8): open(str(k), 'wb').write(bytes(4 << 20))",
+                              GetParam()),
+               {"was stopped: its files take more than 24 MiB (disk_mib)"});
 }
 
 TEST_P(HostileProcess, MayHaveSoMuchMemoryInAll) {
   // Each within what one may have.
-  const std::string words = words_of_small("memory",
-                                           "for k in range(5):\n  if os.fork() == 0:\n"
-                                           "    kept = b'x' * (60 << 20)\n    time.sleep(60)",
-                                           GetParam());
-  expect_parts(words, {"was stopped: it uses more than 256 MiB of memory (memory_mib)"});
+  expect_parts(words_of_small("memory",
+                              "for k in range(5):\n  if os.fork() == 0:\n"
+                              "    kept = b'x' * (60 << 20)\n    time.sleep(60)",
+                              GetParam()),
+               {"was stopped: it uses more than 256 MiB of memory (memory_mib)"});
 }
 
 TEST_P(HostileProcess, LeavesNothingBehindThatRuns) {
@@ -86,39 +81,37 @@ TEST_P(HostileProcess, LeavesNothingBehindThatStartsAnotherAndEnds) {
 TEST_P(HostileProcess, IsNotHeardForLongerThanItsTime) {
   // It ends: sixty-eight seconds were once the end of two.
   for (const char* stream : {"stderr", "stdout"}) {
-    const std::string words =
+    expect_parts(
         words_of(python_renderer(std::string("while True: sys.") + stream + ".write('x' * 65536)"),
-                 std::string("--timeout 1 ") + GetParam());
-    expect_parts(words, {"did not end within 1"});
+                 std::string("--timeout 1 ") + GetParam()),
+        {"did not end within 1"});
   }
 }
 
 TEST_P(HostileProcess, NestsFoldersOnlySoDeep) {
-  const std::string words = words_of(
-      python_renderer("for k in range(3000):\n  os.mkdir('d' * 200)\n  os.chdir('d' * 200)\n"
-                      "time.sleep(60)"),
-      GetParam());
-  expect_parts(words, {"was stopped: it nests folders too deep"});
+  expect_parts(words_of(python_renderer(
+                            "for k in range(3000):\n  os.mkdir('d' * 200)\n  os.chdir('d' * 200)\n"
+                            "time.sleep(60)"),
+                        GetParam()),
+               {"was stopped: it nests folders too deep"});
 }
 
 TEST_P(HostileProcess, MayHaveSoMuchOnDiskInAllThatItRemoves) {
-  const std::string words =
-      words_of_small("removed",
-                     "kept = []\nfor k in range(8):\n  kept.append(open('x', 'wb', 0))\n"
-                     "  os.unlink('x')\n  kept[-1].write(bytes(4 << 20))",
-                     GetParam());
-  expect_parts(words, {"was stopped: its files take more than 24 MiB (disk_mib)"});
+  expect_parts(words_of_small("removed",
+                              "kept = []\nfor k in range(8):\n  kept.append(open('x', 'wb', 0))\n"
+                              "  os.unlink('x')\n  kept[-1].write(bytes(4 << 20))",
+                              GetParam()),
+               {"was stopped: its files take more than 24 MiB (disk_mib)"});
 }
 
 TEST_P(HostileProcess, HasOnlySoManyFiles) {
   // More take long to look at, and nothing else would be looked at.
-  const std::string words =
+  expect_parts(
       words_of(python_renderer("for k in range(" + std::to_string(tools::kMostFiles + 1000) +
                                "): os.close(os.open(str(k), os.O_CREAT))\n"
                                "time.sleep(60)"),
-               std::string("--timeout 300 ") + GetParam());
-  expect_parts(words,
-               {"was stopped: it has more than " + std::to_string(tools::kMostFiles) + " files"});
+               std::string("--timeout 300 ") + GetParam()),
+      {"was stopped: it has more than " + std::to_string(tools::kMostFiles) + " files"});
 }
 
 INSTANTIATE_TEST_SUITE_P(Sandbox, HostileProcess,
@@ -129,11 +122,11 @@ INSTANTIATE_TEST_SUITE_P(Sandbox, HostileProcess,
 
 TEST(HostileClock, IsNotStoppedByAParentThatSleepsDeeply) {
   // As one does that waits for a disk. Once that was the machine's fault.
-  const std::string words =
+  expect_parts(
       words_of(python_renderer(
                    "import ctypes\nlibc = ctypes.PyDLL(None)\nif libc.vfork() == 0: libc.pause()"),
-               "--timeout 1");
-  expect_parts(words, {"did not end"});
+               "--timeout 1"),
+      {"did not end"});
 }
 
 /// Right, after these lines of Python.
@@ -154,11 +147,11 @@ TEST(HostileClock, CountsWhatIsComputedAndNotWhatIsSlept) {
 }
 
 TEST(HostileClock, EndsWhatHardlyComputesAfterManyTimesItsTime) {
-  const std::string words =
+  expect_parts(
       words_of(python_renderer("while True:\n  time.sleep(0.1)\n  began = time.process_time()\n"
                                "  while time.process_time() < began + 0.004: pass"),
-               "--timeout 0.3");
-  expect_parts(words, {"did not end within 3 s of waiting, and computed for less than 0.3 s"});
+               "--timeout 0.3"),
+      {"did not end within 3 s of waiting, and computed for less than 0.3 s"});
 }
 
 TEST(HostileClock, HasTheTimeOfThoseThatNobodyHasWaitedFor) {
@@ -179,20 +172,22 @@ TEST(HostileClock, HasTheTimeOfThoseThatNobodyHasWaitedFor) {
 
 TEST(HostileRoom, IsNotReservedBeyondTheSizeOfAFile) {
   // KEEP_SIZE and INSERT_RANGE, and what ioctl() calls the first: RESVSP, RESVSP64, ZERO_RANGE.
-  const std::string words = words_of(
-      python_renderer(
-          "import ctypes, fcntl, struct\nsaid = []\nlibc = ctypes.CDLL(None, use_errno=True)\n"
-          "file = open('x', 'wb')\nfile.truncate(1 << 20)\n"
-          "for mode, size in (1, 1 << 28), (32, 1 << 28), (0, 4096):\n"
-          "  done = libc.fallocate(file.fileno(), mode, ctypes.c_long(0), ctypes.c_long(size))\n"
-          "  said.append(ctypes.get_errno() if done else 'done')\n"
-          "room = struct.pack('hhqqii4i', 0, 0, 0, 1 << 28, 0, 0, 0, 0, 0, 0)\n"
-          "for number in 40, 42, 57:\n  try:\n"
-          "    fcntl.ioctl(file, 0x40305800 | number, room)\n    said.append('done')\n"
-          "  except OSError as error: said.append(error.errno)\n"
-          "sys.exit('%d kept, ' % os.fstat(file.fileno()).st_blocks + str(said))"),
-      "");
-  expect_parts(words, {"8 kept, [95, 95, 'done', 95, 95, 95]"});
+  expect_parts(
+      words_of(
+          python_renderer(
+              "import ctypes, fcntl, struct\nsaid = []\nlibc = ctypes.CDLL(None, use_errno=True)\n"
+              "file = open('x', 'wb')\nfile.truncate(1 << 20)\n"
+              "for mode, size in (1, 1 << 28), (32, 1 << 28), (0, 4096):\n"
+              "  done = libc.fallocate(file.fileno(), mode, ctypes.c_long(0), "
+              "ctypes.c_long(size))\n"
+              "  said.append(ctypes.get_errno() if done else 'done')\n"
+              "room = struct.pack('hhqqii4i', 0, 0, 0, 1 << 28, 0, 0, 0, 0, 0, 0)\n"
+              "for number in 40, 42, 57:\n  try:\n"
+              "    fcntl.ioctl(file, 0x40305800 | number, room)\n    said.append('done')\n"
+              "  except OSError as error: said.append(error.errno)\n"
+              "sys.exit('%d kept, ' % os.fstat(file.fileno()).st_blocks + str(said))"),
+          ""),
+      {"8 kept, [95, 95, 'done', 95, 95, 95]"});
 }
 
 /// Keeps every processor busy.

@@ -1,23 +1,11 @@
 // Submissions that compute nothing: they have a table of right answers, to the cases as the
 // lecture's rubric has them and as a thousand seeds vary them, and answer by it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <set>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 #include "properties/cases/random.h"
 #include "properties/mistakes/shown_picture.h"
 #include "properties/run_control.h"
 #include "scene/fields.h"
+#include "tests/testing.h"
 #include "tools/grade/judging/item_trial.h"
 #include "tools/grade/judging/judge.h"
 
@@ -25,9 +13,7 @@ namespace raycheck::tests {
 namespace {
 
 using properties::ImageAnswer;
-using scene::Camera;
-using scene::Scene;
-using scene::Vector3;
+using namespace scene;
 using tools::Rubric;
 
 constexpr std::uint64_t kStoredSeeds = 1000;

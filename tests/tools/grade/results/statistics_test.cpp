@@ -1,7 +1,4 @@
-#include <gtest/gtest.h>
-
-#include <vector>
-
+#include "tests/testing.h"
 #include "tools/grade/results/result.h"
 
 namespace raycheck::tests {

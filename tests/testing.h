@@ -1,9 +1,11 @@
+// What tests are written with: GoogleTest, the standard library but for what few of them need, and
+// some words and numbers.
 #pragma once
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-#include <string>
+#include "tests/numbers.h"
+#include "tests/standard.h"
 
 namespace raycheck {
 
