@@ -29,6 +29,7 @@ struct AnswerFailure {
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
     if (size) throw properties::OtherSize(words, size->width, size->height);
+    if (kind == FailureKind::kCannotSay) throw properties::CannotBeSaid(words);
     if (fails_always || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::CandidateUnavailable(words);
     }
@@ -58,7 +59,7 @@ class Pictures {
   void draw(const scene::Scene& scene, scene::Rows rows) {
     failure_.reset();
     const auto fail = [this](const std::string& words, FailureKind kind) {
-      failure_ = AnswerFailure{"image: " + words, kind};
+      failure_ = AnswerFailure{kind == FailureKind::kCannotSay ? words : "image: " + words, kind};
       silences_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
     if (silences_ >= renderer_.most_silences) {

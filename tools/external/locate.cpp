@@ -215,6 +215,7 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   const Confined program = program_of(spec.what, options, copies);
   Renderer found;
   found.program = program;
+  found.wrapper = program;
   found.driver = options.driver;
   found.excused_change = options.excused_image_change;
   found.threshold = options.image_threshold;

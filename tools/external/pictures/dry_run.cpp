@@ -258,6 +258,8 @@ class DryRunner {
     try {
       rendered(renderer_, driver_text(scene, form), {scene.camera->width, scene.camera->height});
       return false;
+    } catch (const ProcessFailure& failure) {
+      return failure.kind() != FailureKind::kCannotSay;
     } catch (const std::runtime_error&) {
       return true;
     }
