@@ -88,6 +88,25 @@ TEST(Renderer, keeps_the_law_of_images_or_is_tried_on_the_other_sources_and_told
   expect_parts(words.out, {"columns are mirrored: ", "{image}' --image-change 1e-05 --replay '"});
 }
 
+/// Of 128 cases each of two threads takes a half: its first waits until both have begun.
+TEST(Renderer, is_started_by_each_thread_without_waiting_for_the_others) {
+  const std::string folder = temporary_folder("started");
+  const std::string meets = temporary_file("meets.sh", "cd " + folder + R"(
+[ -e both ] && exit 77
+: > $$
+for second in 1 2 3 4 5 6; do
+  [ $(ls | wc -l) -gt 1 ] && : > both && exit 77
+  sleep 1
+done
+echo alone >&2
+exit 1
+)");
+  const Outcome outcome = run("properties --filter image --source crowds --cases 128 --threads 2" +
+                              kUnkept + " --candidate 'renderer:sh " + meets + " {scene} {image}'");
+  EXPECT_FALSE(has(outcome.out, "alone")) << outcome.out;
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.out << outcome.err;
+}
+
 /// Few pictures that a renderer in Python draws break no law; the right and wrong ones of them.
 json tally_of(const std::string& mistake, const std::string& more) {
   const json report = printed_json("properties --filter image --source crowds --cases 4 " + more +
