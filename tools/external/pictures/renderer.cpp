@@ -220,9 +220,11 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
   return answer;
 }
 
-MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size) {
+MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
+                     int nth) {
   const std::string request =
-      fmt::format("within {} s\n{}", renderer.program.limits.seconds, driver);
+      fmt::format("{}within {} s\n{}", nth > 1 ? fmt::format("{}: ", nth) : "",
+                  renderer.program.limits.seconds, driver);
   SpentTime& spent = *renderer.program.spent;
   if (const auto known = renderer.answers->find(request)) {
     spent.add(known->seconds);

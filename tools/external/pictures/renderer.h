@@ -64,11 +64,12 @@ struct MadePicture {
   std::string said;        ///< On standard error, else on standard output.
 };
 
-/// Runs the program once for a driver file, or takes its stored picture. A
+/// Runs the program once for a driver file, or takes its stored picture: of the `nth` run. A
 /// complete picture counts, whatever the program's exit code; one of the wrong size has no pixels.
 /// Reading it counts as the program's time. Errors: ProcessFailure (kCannotSay where the wrapper
 /// says so), and std::runtime_error with what is wrong with the picture.
-MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size);
+MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
+                     int nth = 1);
 
 /// What the picture of a scene shows. Errors: as rendered() and image_answer().
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
