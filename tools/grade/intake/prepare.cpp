@@ -276,6 +276,7 @@ class Preparing {
     renderer.most_silences = std::numeric_limits<int>::max();
     External asked = rendering(runnable.external.name, std::move(renderer));
     asked.folder = runnable.external.folder;
+    asked.copies = runnable.external.copies;
     asked.bounds = runnable.external.bounds;
     runnable.external = std::move(asked);
   }
