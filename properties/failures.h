@@ -23,6 +23,10 @@ struct NoAnswer : std::runtime_error {
 struct CandidateRefused : NoAnswer {
   using NoAnswer::NoAnswer;
 };
+/// The question is one that its form of input cannot express: it is not asked.
+struct CannotBeSaid : NoAnswer {
+  using NoAnswer::NoAnswer;
+};
 /// It fails.
 struct CandidateFailed : NoAnswer {
   using NoAnswer::NoAnswer;

@@ -249,6 +249,10 @@ LawJudgement judge(const Law& law, Trial& trial) {
     return judged;
   } catch (const CandidateRefused& error) {
     return judged_failure(law, trial, Wrong::kRefused, error.what());
+  } catch (const CannotBeSaid& error) {
+    LawJudgement judged{Verdict(law.name)};
+    judged.verdict.leave_out(error.what());
+    return judged;
   } catch (const CandidateUnavailable& error) {
     return judge_unavailable(law, trial, error.what());
   } catch (const NoReply& error) {

@@ -182,6 +182,7 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       std::vector<const Mistake*> suspects;
       for (const Mistake& mistake : mistakes()) {
         if (mistake.step < part.first || mistake.step > step) continue;
+        if (!mistake.is_told_by_answers) continue;
         if (mistake.needs_other_directions && examination.is_of_unit_directions()) continue;
         suspects.push_back(&mistake);
       }

@@ -52,9 +52,10 @@ struct Mistake {
   HitFormulas hits = {};
   ChangeHit hit = {};                   ///< Pictures do not show it.
   bool is_told_by_pictures = true;      ///< Apart from what all pictures of one colour share.
+  bool is_told_by_answers = true;       ///< Otherwise only pictures are explained by it.
   bool needs_other_directions = false;  ///< Who demands unit directions does not make it.
-  /// Mistakes of one family differ in a size, and each does all that the one before it does: of
-  /// several that explain the same answers the first is meant. Empty: it is alone.
+  /// Mistakes of one family differ in a size, or in the scenes on which they are made: of several
+  /// that explain the same answers the first is meant. Empty: it is alone.
   std::string_view family = {};
   /// Makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
   /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.

@@ -118,6 +118,38 @@ std::vector<Mistake> aspect_mistakes() {
           corrected("beta is multiplied by height/width", false, false)};
 }
 
+/// Cameras with a field of view have symmetric bounds of square pixels: these follow from the size
+/// of one side, which is not the right one.
+std::vector<Mistake> field_of_view_mistakes() {
+  struct Where {
+    const char* words;
+    bool (*is)(double aspect);
+  };
+  constexpr std::array<Where, 3> kWhere = {
+      {{"", [](double) { return true; }},
+       {", where a picture is wider than high", [](double aspect) { return aspect > 1; }},
+       {", where a picture is higher than wide", [](double aspect) { return aspect < 1; }}}};
+  std::vector<Mistake> all;
+  for (const bool across : {true, false}) {
+    for (const auto& [words, is] : kWhere) {
+      const std::string sentence = across
+                                       ? "from left to right is taken for that from top to bottom"
+                                       : "from top to bottom is taken for that from left to right";
+      all.push_back(
+          bound_mistake("the field of view " + sentence + words, [across, is = is](Camera& its) {
+            double right = (its.right - its.left) / 2, top = (its.top - its.bottom) / 2;
+            if (is(aspect(its))) {
+              (across ? top : right) = across ? right : top;
+              (across ? right : top) = across ? top * aspect(its) : right / aspect(its);
+            }
+            its.left = -right, its.right = right, its.bottom = -top, its.top = top;
+          }));
+      all.back().family = across ? "field of view across" : "field of view down";
+    }
+  }
+  return all;
+}
+
 std::vector<Mistake> bound_mistakes() {
   return {
       bound_mistake("top is -bottom", [](Camera& its) { its.top = -its.bottom; }),
@@ -193,6 +225,10 @@ std::vector<Mistake> read_mistakes() {
                          truncate_sphere),
           sphere_mistake("the centre is left out: spheres are about the world's origin",
                          [](Sphere& sphere) { sphere.centre = {}; }),
+          sphere_mistake("the radius is taken for a diameter: spheres are half as large",
+                         [](Sphere& sphere) { sphere.radius /= 2; }),
+          sphere_mistake("the radius is doubled: spheres are twice as large",
+                         [](Sphere& sphere) { sphere.radius *= 2; }),
           sphere_mistake("the squared radius is squared again: d^2 = r^4 - (|T|^2 - v^2)",
                          [](Sphere& sphere) { sphere.radius *= sphere.radius; }),
           sphere_mistake("the radius is not squared: d^2 = r - (|T|^2 - v^2)",
@@ -202,8 +238,8 @@ std::vector<Mistake> read_mistakes() {
 }  // namespace
 
 std::vector<Mistake> number_mistakes() {
-  return all_of(
-      {bound_mistakes(), aspect_mistakes(), negated_bounds(), exchanged_bounds(), read_mistakes()});
+  return all_of({bound_mistakes(), field_of_view_mistakes(), aspect_mistakes(), negated_bounds(),
+                 exchanged_bounds(), read_mistakes()});
 }
 
 }  // namespace raycheck::properties

@@ -51,7 +51,7 @@ inline constexpr const char* kSidesExchanged = "width and height of the picture 
 inline constexpr std::size_t kMostAlternatives = 3;
 
 /// With fewer wrong pixels outside black pictures no mistake is named, and with fewer than the
-/// second no pair: there are 140 mistakes, and thousands of pairs.
+/// second no pair: there are 150 mistakes, and thousands of pairs.
 inline constexpr std::uint64_t kFewestWrongPixels = 3;
 inline constexpr std::uint64_t kFewestWrongPixelsOfTwo = 40;
 

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
+#include "properties/mistakes/mistake_list.h"
 #include "properties/mistakes/picture_causes.h"
 #include "properties/mistakes/picture_evidence.h"
 #include "scene/interruption.h"
@@ -106,14 +108,44 @@ void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
   if (end != suspects.begin()) suspects.erase(end, suspects.end());
 }
 
-/// The suspects to name: all, if they make the same pictures; if they are too many, one that
-/// describes what is seen.
+/// A scene's camera before a sphere beyond the image plane.
+scene::Scene plain(scene::Scene scene) {
+  const scene::Camera& camera = *scene.camera;
+  const scene::Vector3 ahead = normalised(camera.look_at - camera.eye);
+  const double way = 4 * std::abs(camera.near);
+  scene.spheres = {
+      {{camera.eye.x + way * ahead.x, camera.eye.y + way * ahead.y, camera.eye.z + way * ahead.z},
+       way / 4}};
+  return scene;
+}
+
+/// Of too many suspects keeps those that order spheres rightly, if any do, and of these the ones
+/// that show least in a plain picture.
+void keep_likeliest(std::vector<Suspect>& suspects, const Pictures& pictures) {
+  if (suspects.size() <= kMostAlternatives || suspects.front().fault.size() > 1) return;
+  const auto keep = [&](const auto& measure) {
+    std::vector<std::uint64_t> all;
+    for (const Suspect& one : suspects) all.push_back(measure(one.fault));
+    const auto least = *std::min_element(all.begin(), all.end());
+    std::size_t k = 0;
+    std::erase_if(suspects, [&](const Suspect&) { return all[k++] > least; });
+  };
+  keep([](const Fault& fault) { return fault.front()->hits.rank ? 1U : 0U; });
+  const scene::Scene scene = plain(pictures.front().picture().scene);
+  keep([&](const Fault& fault) {
+    return count_otherwise(predicted(fault, scene), predicted({}, scene));
+  });
+}
+
+/// The suspects to name: all, if they make the same pictures; if they are too many, the
+/// likeliest, or one that describes what is seen.
 std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures& pictures) {
   keep_first_of_families(suspects);
   prefer_exact(suspects, pictures);
   for (std::size_t k = 1; k < suspects.size(); ++k) {
     if (!make_the_same(suspects.front().fault, suspects[k].fault, pictures)) return {};
   }
+  keep_likeliest(suspects, pictures);
   if (suspects.size() <= kMostAlternatives) return suspects;
   const auto is_description = [](const Suspect& one) {
     return one.fault.size() == 1 && one.fault.front()->pixel;

@@ -30,7 +30,13 @@ struct ThresholdFamily {
   std::string_view family;
   std::span<const char* const> sizes;
   Hit (*choose)(double size, const Ray&, const Roots&, const Conventions&);
+  bool of_steps = false;  ///< s is in multiples of P - E: directions are not normalised.
 };
+
+Hit up_to(double most, const Ray& ray, const Roots& roots, const Conventions& c) {
+  const Hit hit = usual_choice(ray, roots, c);
+  return hit && hit->parameter <= most ? hit : Hit();
+}
 
 const ThresholdFamily kFamilies[] = {
     {"hits with an s below about ", " (perhaps more) are dropped: the epsilon is too large",
@@ -54,22 +60,25 @@ const ThresholdFamily kFamilies[] = {
      }},
     {"hits with an s above about ",
      " (perhaps less) are dropped: the largest s that counts is too small", "far hits", kLargeSizes,
-     [](double most, const Ray& ray, const Roots& roots, const Conventions& c) {
-       const Hit hit = usual_choice(ray, roots, c);
-       return hit && hit->parameter <= most ? hit : Hit();
-     }},
+     up_to},
+    {"hits with an s above about ",
+     " (perhaps less), in multiples of P - E, are dropped: the largest s that counts is too small",
+     "far hits", kLargeSizes, up_to, true},
 };
 
 }  // namespace
 
 std::vector<Mistake> threshold_mistakes() {
   std::vector<Mistake> all;
-  for (const auto& [before, after, family, sizes, choose] : kFamilies) {
+  for (const auto& [before, after, family, sizes, choose, of_steps] : kFamilies) {
     for (const char* size : sizes) {
       all.push_back({.sentence = std::string(before) + size + after,
                      .step = Step::kIntersect,
                      .hits = {.choose = std::bind_front(choose, std::atof(size))},
                      .family = family});
+      if (!of_steps) continue;
+      all.back().is_told_by_answers = false;
+      all.back().rays.direction = [](auto&, auto&, const scene::Vector3& g) { return g; };
     }
   }
   return all;

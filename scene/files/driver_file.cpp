@@ -90,6 +90,7 @@ class DriverReader {
       poll();
       take(std::move(entry));
     }
+    refuse_other_kind();
     loaded_.scene.conventions.rows = Rows::kTopFirst;
     loaded_.scene.camera = camera(asked);
     loaded_.not_needed = not_needed();
@@ -111,12 +112,26 @@ class DriverReader {
       ++counted->second;
     } else if (!kOnce.contains(entry.keyword)) {
       warn_once(entry, "unknown keyword, ignored");
+      if (unknown_.size() < kFirstWords) unknown_.push_back(entry.keyword);
     } else {
       const auto [earlier, is_new] = once_.try_emplace(entry.keyword, entry);
       if (is_new) return;
       located_.fail(entry.line, entry.keyword, entry.joined(),
                     "is given twice, first on line " + std::to_string(earlier->second.line));
     }
+  }
+
+  /// A file with words that are none of these, and neither a view, bounds nor a size, is of another
+  /// kind.
+  void refuse_other_kind() const {
+    if (unknown_.empty() || once_.contains("camera") || once_.contains("eye") ||
+        once_.contains("bounds") || once_.contains("res")) {
+      return;
+    }
+    std::string first;
+    for (const std::string& word : unknown_) first += (first.empty() ? "" : ", ") + word;
+    located_.fail(1, "first words", first,
+                  "neither TOML, in a file whose name ends in .toml, nor a driver file");
   }
 
   /// Reads what follows a sphere's place and size: numbers are its material.
@@ -325,6 +340,8 @@ class DriverReader {
   bool has_materials_ = false;
   std::map<std::string, Entry> once_;
   std::set<std::string> warned_;
+  static constexpr std::size_t kFirstWords = 3;
+  std::vector<std::string> unknown_;  ///< The first keywords that driver files do not have.
 };
 
 }  // namespace

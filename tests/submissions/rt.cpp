@@ -34,7 +34,8 @@ namespace {
       bottom_first, size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, \
       epsilon, whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind,  \
       lines_for_columns, lines_from_the_last, whole_view, whole_d, least_size_wins,              \
-      largest_distance, crossed_bounds, normalize_discarded_and_upside_down
+      largest_distance, crossed_bounds, normalize_discarded_and_upside_down, steps_of_larger,    \
+      largest_multiple
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -105,8 +106,9 @@ class Camera {
     if (has(Mistake::mirrored)) i = width - 1 - i;
     if (has(Mistake::upside_down)) j = height - 1 - j;
     const int one = has(Mistake::shares_of_the_count) ? 0 : 1;
-    const Number across = (has(Mistake::width_height) ? height : width) - one;
-    const Number down = (has(Mistake::width_height) ? width : height) - one;
+    Number across = (has(Mistake::width_height) ? height : width) - one;
+    Number down = (has(Mistake::width_height) ? width : height) - one;
+    if (has(Mistake::steps_of_larger)) across = down = std::max(width, height) - one;
     Number alpha = left + i / across * (right - left);
     if (has(Mistake::aspect_twice)) alpha *= Number(width) / height;
     const Number beta = bottom + j / down * (top - bottom);
@@ -119,6 +121,7 @@ class Camera {
     }
     if (has(Mistake::eye_plus_point)) return {point, normalize(eye + point)};
     if (has(Mistake::from_the_eye)) return {eye, normalize(g)};
+    if (has(Mistake::largest_multiple)) return {point, g};
     if (has(Mistake::float_directions)) return {point, to_float(normalize(g))};
     return {point, normalize(g)};
   }
@@ -216,7 +219,7 @@ std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
 std::optional<Number> intersect(const Roots& found) {
   Number s = found.smaller;
   if (has(Mistake::no_test_for_t) || has(Mistake::least_size_wins)) return s;
-  if (has(Mistake::largest_distance) && s > 1e5) return {};
+  if ((has(Mistake::largest_distance) || has(Mistake::largest_multiple)) && s > 1e5) return {};
   if (has(Mistake::centre_behind) && found.smaller + found.larger < 0) return {};
   if ((s < 0 && !has(Mistake::near_root_only)) || has(Mistake::far_root)) s = found.larger;
   if (s < (has(Mistake::epsilon) ? Number(0.001) : 0)) return {};

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -29,6 +31,7 @@ struct AnswerFailure {
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
     if (size) throw properties::OtherSize(words, size->width, size->height);
+    if (kind == FailureKind::kCannotSay) throw properties::CannotBeSaid(words);
     if (fails_always || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::CandidateUnavailable(words);
     }
@@ -38,41 +41,70 @@ struct AnswerFailure {
   }
 };
 
-/// The picture of the last scene, for all threads; a failure is kept like a picture.
+/// The pictures of the last scenes, for all threads, which draw different ones at once; a failure
+/// is kept like a picture.
 class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
 
   properties::ImageAnswer of(const scene::Scene& scene, scene::Rows rows, const LastFailure& last) {
-    const std::lock_guard lock(mutex_);
-    if (!scene_ || !(*scene_ == scene) || rows_ != rows) {
-      scene_ = scene;
-      rows_ = rows;
-      draw(scene, rows);
-    }
-    if (failure_) failure_->raise(last);
-    return picture_;
+    const std::shared_ptr<Picture> picture = kept(scene, rows);
+    std::call_once(picture->drawn, [&] { draw(*picture); });
+    if (picture->failure) picture->failure->raise(last);
+    return picture->image;
   }
 
  private:
-  void draw(const scene::Scene& scene, scene::Rows rows) {
-    failure_.reset();
-    const auto fail = [this](const std::string& words, FailureKind kind) {
-      failure_ = AnswerFailure{"image: " + words, kind};
+  struct Picture {
+    scene::Scene scene;
+    scene::Rows rows;
+    std::once_flag drawn = {};
+    properties::ImageAnswer image = {};
+    std::optional<AnswerFailure> failure = {};
+    std::int64_t pixels() const { return scene.camera->width * scene.camera->height; }
+  };
+  /// How many are kept: of so many pixels, but the last one in any case.
+  static constexpr std::ptrdiff_t kKept = 32;
+  static constexpr std::int64_t kKeptPixels = std::int64_t{1} << 22;
+
+  /// A scene's picture, drawn or not, which becomes the last.
+  std::shared_ptr<Picture> kept(const scene::Scene& scene, scene::Rows rows) {
+    const std::lock_guard lock(mutex_);
+    auto found = std::find_if(kept_.begin(), kept_.end(), [&](const auto& one) {
+      return one->rows == rows && one->scene == scene;
+    });
+    if (found == kept_.end()) {
+      kept_.push_back(std::shared_ptr<Picture>(new Picture{scene, rows}));
+      found = std::prev(kept_.end());
+    }
+    std::rotate(found, std::next(found), kept_.end());
+    std::int64_t pixels = 0;
+    auto first = kept_.end();
+    while (first != kept_.begin() && pixels <= kKeptPixels && kept_.end() - first < kKept) {
+      pixels += (*--first)->pixels();
+    }
+    kept_.erase(kept_.begin(), first);
+    return kept_.back();
+  }
+
+  void draw(Picture& picture) {
+    const auto fail = [&](const std::string& words, FailureKind kind) {
+      picture.failure =
+          AnswerFailure{kind == FailureKind::kCannotSay ? words : "image: " + words, kind};
       silences_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
-    if (silences_ >= renderer_.most_silences) {
-      fail(fmt::format("not started, after {} times without an end", silences_),
+    if (const int silences = silences_; silences >= renderer_.most_silences) {
+      fail(fmt::format("not started, after {} times without an end", silences),
            FailureKind::kNotAsked);
       return;
     }
     try {
-      picture_ = render(renderer_, scene, rows);
+      picture.image = render(renderer_, picture.scene, picture.rows);
     } catch (const ProcessFailure& failure) {
       fail(failure.what(), failure.kind());
     } catch (const properties::OtherSize& error) {
       fail(error.what(), FailureKind::kBadReply);
-      failure_->size = error;
+      picture.failure->size = error;
     } catch (const PictureError& error) {
       fail(error.what(), FailureKind::kBadReply);
     } catch (const std::system_error& error) {
@@ -82,11 +114,8 @@ class Pictures {
 
   Renderer renderer_;
   std::mutex mutex_;
-  std::optional<scene::Scene> scene_;
-  scene::Rows rows_ = {};
-  properties::ImageAnswer picture_;
-  std::optional<AnswerFailure> failure_;
-  int silences_ = 0;
+  std::vector<std::shared_ptr<Picture>> kept_;  ///< The last one asked for at the end.
+  std::atomic<int> silences_ = 0;
 };
 
 namespace {

@@ -31,7 +31,7 @@ struct External {
   std::filesystem::path library = {};
   /// The source lines of what was compiled here; else null.
   std::shared_ptr<const SourceLines> lines = {};
-  /// The folder of the copies of its source, if there are any.
+  /// The folder of the copies of its source, or of the files in its words, if there are any.
   std::shared_ptr<const PrivateFolder> copies = {};
   /// Renderers introduce themselves only by pictures.
   std::optional<Renderer> renderer = {};

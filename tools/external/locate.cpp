@@ -215,6 +215,7 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   const Confined program = program_of(spec.what, options, copies);
   Renderer found;
   found.program = program;
+  found.wrapper = program;
   found.driver = options.driver;
   found.excused_change = options.excused_image_change;
   found.threshold = options.image_threshold;
@@ -222,7 +223,7 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   found.answers = options.answers;
   External external = rendering(spec.text(), std::move(found));
   external.precision = options.precision;
-  external.folder = copies.folder();
+  external.copies = copies.folder();
   return external;
 }
 
@@ -252,7 +253,9 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
     }
     case CandidateKind::kCommand: {
       const Confined program = program_of(spec.what, options, copies);
-      return introduced(spec.text(), program, copies.folder(), options.answers);
+      External external = introduced(spec.text(), program, {}, options.answers);
+      external.copies = copies.folder();
+      return external;
     }
     case CandidateKind::kRenderer:
       break;

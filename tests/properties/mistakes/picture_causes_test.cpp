@@ -131,7 +131,7 @@ TEST(PictureCausesOfEveryMistake, AreItsOwn) {
     const bool is_plain = causes.kind == CauseKind::kBlack || causes.kind == CauseKind::kUniform;
     EXPECT_TRUE(shows_little || is_one_of_many || is_plain) << its.sentence;
   }
-  EXPECT_GE(named, 125);
+  EXPECT_GE(named, 133);
   EXPECT_GE(alone, 85);
 }
 
@@ -151,6 +151,53 @@ TEST(PictureCauses, UnderOtherConventionsAreTheirMistakes) {
         "each from its top"}) {
     EXPECT_EQ(sentences_for(shown_with({mistake(sentence)}, scenes)), Sentences{sentence});
   }
+}
+
+/// What is shown of a scene is another one, exactly.
+Sentences sentences_for(const Scene& scene, const Scene& shown) {
+  return sentences_for({{scene, exact_image(shown, shown.conventions)}});
+}
+
+TEST(PictureCauses, OfTheFieldOfViewOfTheOtherSideAreThatAlone) {
+  for (const bool is_wide : {true, false}) {
+    Scene scene = probe();
+    Camera& camera = *scene.camera;
+    if (!is_wide) std::swap(camera.width, camera.height);
+    const double aspect = static_cast<double>(camera.width) / static_cast<double>(camera.height);
+    camera.left = -1.5, camera.right = 1.5, camera.bottom = -1.5 / aspect,
+    camera.top = 1.5 / aspect;
+    Scene shown = scene;
+    shown.camera->bottom = -1.5, shown.camera->top = 1.5;
+    shown.camera->left = -1.5 * aspect, shown.camera->right = 1.5 * aspect;
+    EXPECT_EQ(sentences_for(scene, shown),
+              Sentences{"the field of view from left to right is taken "
+                        "for that from top to bottom"});
+    EXPECT_EQ(sentences_for(shown, scene),
+              Sentences{"the field of view from top to bottom is taken "
+                        "for that from left to right"});
+  }
+}
+
+TEST(PictureCauses, OfRadiiThatAreHalvedOrDoubledAreThat) {
+  for (const auto& [factor, sentence] :
+       {std::pair(0.5, "the radius is taken for a diameter: spheres are half as large"),
+        {2.0, "the radius is doubled: spheres are twice as large"}}) {
+    Scene shown = probe();
+    for (Sphere& sphere : shown.spheres) sphere.radius *= factor;
+    EXPECT_EQ(sentences_for(probe(), shown), Sentences{sentence});
+  }
+}
+
+/// Of a sphere between the eye and the image plane nothing tells them apart.
+TEST(PictureCauses, OfASphereBeforeThePlaneAreAllThatShowIt) {
+  const Scene scene =
+      scene::load_scene(RAYCHECK_SOURCE_DIR "/scene/examples/sphere-between-eye-and-plane.toml")
+          .scene;
+  Scene shown = scene;
+  shown.conventions.origin = scene::Origin::kFocal;
+  EXPECT_EQ(sentences_for(scene, shown),
+            (Sentences{"rays start at the eye, so that spheres before the image plane are seen",
+                       "s >= 0 is not tested: spheres behind the origin are hit"}));
 }
 
 TEST(PictureCauses, OfTangentsAreTheirConvention) {

@@ -156,6 +156,19 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
   EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
 }
 
+TEST(ReadDriverFile, SaysWhatKindOfFileItIsNot) {
+  const std::string kOther =
+      ": neither TOML, in a file whose name ends in .toml, nor a driver file";
+  EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nres 2 2\n"),
+            "f.txt:1: eye: is missing");
+  EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nresolution 2 2\n"),
+            "f.txt:1: first words = b, v, from" + kOther);
+  EXPECT_EQ(error_of("\x7f"
+                     "ELF"),
+            "f.txt:1: first words = \\x7fELF" + kOther);
+  EXPECT_EQ(error_of("sphere 0 0 0 1\n"), "f.txt:1: eye: is missing");
+}
+
 TEST(ReadDriverFile, LocatesEveryValidationProblem) {
   EXPECT_EQ(error_of("sphere 0 0 0 -1\neye 0 0 4\nlook 0 0 4\nup 1 0 0\nd -2\nbounds 1 2 3 4\n"
                      "res 0 1\nsphere 0 0 inf 1\n"),

@@ -48,6 +48,23 @@ TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
   expect_said("link", "its picture {image} is no file");
 }
 
+TEST(Renderer, that_says_that_its_form_cannot_express_a_scene_is_not_judged_on_it) {
+  const std::string unsaid = python_renderer("sys.exit(77)");
+  const Outcome outcome = check(kProbeScene, unsaid);
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
+  const json report = json::parse(outcome.out)["candidates"][0];
+  EXPECT_EQ(report["discrepancies"], 0);
+  expect_parts(report["left_out"].dump(), {"its form cannot say the scene"});
+  const json campaign =
+      report_of("properties --filter image --source crowds --cases 3", unsaid, 4)["campaigns"][1];
+  EXPECT_EQ(campaign["left_out"], 3);
+  EXPECT_EQ(campaign["reason_left_out"], "its form cannot say the scene");
+  // A picture counts, whatever the exit code.
+  const json drawn = judged(kProbeScene, python_renderer("open(sys.argv[2], 'w').write('P3 40 26 "
+                                                         "255 ' + '0 ' * 3120)\nsys.exit(77)"));
+  EXPECT_GT(drawn["discrepancies"], 0);
+}
+
 /// A campaign on a renderer, right or wrong.
 Outcome tried(const std::string& built, const std::string& more) {
   return run("properties --filter image --cases 40 " + more + " --candidate 'renderer:" + built +
@@ -69,6 +86,24 @@ TEST(Renderer, keeps_the_law_of_images_or_is_tried_on_the_other_sources_and_told
   const Outcome words = tried(built, "--source course --image-change 1e-5");
   EXPECT_EQ(words.exit_code, 1);
   expect_parts(words.out, {"columns are mirrored: ", "{image}' --image-change 1e-05 --replay '"});
+}
+
+/// Of 128 cases each of two threads takes a half: its first waits until both have begun.
+TEST(Renderer, is_started_by_each_thread_without_waiting_for_the_others) {
+  const std::string folder = temporary_folder("started");
+  const std::string meets = temporary_file("meets.sh", "cd " + folder + R"(
+[ -e both ] && exit 77
+: > $$
+for second in 1 2 3 4 5 6; do
+  [ $(ls | wc -l) -gt 1 ] && : > both && exit 77
+  sleep 1
+done
+: > alone
+)");
+  const Outcome outcome = run("properties --filter image --source crowds --cases 128 --threads 2" +
+                              kUnkept + " --candidate 'renderer:sh " + meets + " {scene} {image}'");
+  EXPECT_FALSE(fs::exists(folder + "/alone"));
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.out << outcome.err;
 }
 
 /// Few pictures that a renderer in Python draws break no law; the right and wrong ones of them.

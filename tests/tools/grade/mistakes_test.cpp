@@ -119,6 +119,12 @@ const std::vector<Mistake> kOfPictures = {
      2},
     {"least_size_wins", 98, "ray origin, robustness",
      "s >= 0 is not tested, and the least |s| wins, though s is negative", 4},
+    {"steps_of_larger", 105, "width and height", "it fails only where the picture is not square",
+     2},
+    {"largest_multiple", 104, "robustness",
+     "hits with an s above about 1e5 (perhaps less), in multiples of P - E, are dropped: the "
+     "largest s that counts is too small",
+     1},
     {"largest_distance", 106, "robustness",
      "hits with an s above about 1e6 (perhaps less) are dropped: the largest s that counts is too "
      "small",

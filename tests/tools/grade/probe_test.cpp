@@ -221,6 +221,32 @@ TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
                {"it fails where there is a light, so its driver files have none"});
 }
 
+TEST_F(Probe, prefers_of_the_forms_that_are_read_the_one_that_leaves_nothing_unsaid) {
+  const json drawn = probed({hand_in("any", "rt.py", renderer_in_python())})[0]["dry_run"];
+  EXPECT_EQ(drawn["driver"]["extra_lines"], json({"recursionlevel 0"})) << drawn;
+  EXPECT_EQ(drawn["dialect"], "2019");
+}
+
+TEST_F(Probe, says_what_draws_differently_each_time) {
+  // As renderer_in_python() the first time, then black.
+  std::string discs;
+  for (int k = 0; k < 625; ++k) {
+    const int x = std::abs(2 * (k % 25) - 24), y = std::abs(2 * (k / 25) - 24);
+    const int far = std::max(x, y), near = std::min(x, y);
+    const bool is_seen = far * far + near * near < 25 || (far - 15) * (far - 15) + near * near < 33;
+    discs += is_seen ? "9 9 9\n" : "0 0 0\n";
+  }
+  const std::string once = grading_.path("once");
+  hand_in("unsteady", "discs.txt", discs);
+  const json unsteady = probed(
+      {hand_in("unsteady", "rt.sh",
+               "if [ ! -e " + once + " ]; then : > " + once +
+                   "; { echo P3 25 25 255; cat discs.txt; } > \"$2\"; exit; fi\n" + kBlackPicture)},
+      one_form("2019"))[0];
+  EXPECT_EQ(unsteady["dry_run"]["shows_a_sphere"], true);
+  expect_parts(unsteady["notes"].dump(), {"it draws differently each time", "not initialised"});
+}
+
 TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
   // It shows the sphere of the rubric's scene, and none of the dry run's.
   const std::string odd = grading_.hand_in(

@@ -207,6 +207,22 @@ DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table
   return rule;
 }
 
+std::vector<DriverForm> fuller_forms(const DriverForm& form) {
+  std::vector<DriverForm> fuller;
+  if (!form.extra_lines.empty()) return fuller;
+  for (const DriverPreset& preset : driver_presets()) {
+    const DriverForm& year = preset.form;
+    if (year.dialect != form.dialect || year.extra_lines.empty() ||
+        year.sphere_numbers < form.sphere_numbers) {
+      continue;
+    }
+    fuller.insert(fuller.begin(), form);
+    fuller.front().sphere_numbers = year.sphere_numbers;
+    fuller.front().extra_lines = year.extra_lines;
+  }
+  return fuller;
+}
+
 std::vector<DriverForm> known_forms(const DriverForm& first) {
   std::vector<DriverForm> forms = {first};
   const auto add = [&](DriverForm form) {

@@ -88,6 +88,10 @@ DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table
 /// The form of a dialect.
 DriverForm form_of(scene::Dialect dialect);
 
+/// Of a form without extra lines those of its dialect that leave nothing unsaid that a year's
+/// driver files say, the one that says most first.
+std::vector<DriverForm> fuller_forms(const DriverForm& form);
+
 /// All forms that programs are known to read: `first`, then those like it, then the others.
 std::vector<DriverForm> known_forms(const DriverForm& first);
 

@@ -46,7 +46,8 @@ inline constexpr double kShownAlike = 0.6;
 
 /// Has a few small pictures made, of a scene on which most mistakes do not show: symmetric and
 /// square, its numbers whole. The forms other than `rule`'s first are tried only where that one is
-/// not read; where the rule asks for that one, no other is taken, and a note says which one is
+/// not read, or is not drawn alike twice; of forms that are read the one that leaves nothing unsaid
+/// is preferred. Where the rule asks for that one, no other is taken, and a note says which one is
 /// read. Where no form is read, what is said is of the one in which it came farthest. After three
 /// pictures that are not made in time no further form is tried. What fails on ordinary scenes by
 /// the light of its form alone is given none.

@@ -128,17 +128,31 @@ MadePicture stored_picture(const std::string& text) {
   return made;
 }
 
-MadePicture picture_by(const Renderer& renderer, const std::string& driver, PictureSize size) {
-  Confined program = renderer.program;
+/// The program with a driver file in its folder and the names of its files in its words.
+Confined given(Confined program, const std::string& driver) {
   program.files = {{kSceneFile, driver}};
   for (std::string& word : program.arguments) {
     boost::replace_all(word, "{scene}", kSceneFile);
     boost::replace_all(word, "{image}", kImageFile);
   }
+  return program;
+}
+
+/// Whether a wrapper says that its form cannot express a scene.
+bool cannot_say(const std::optional<Confined>& wrapper, const std::string& driver) try {
+  return wrapper && Process(given(*wrapper, driver)).finish() == kCannotSay;
+} catch (const ProcessFailure& failure) {
+  if (failure.kind() == FailureKind::kSystem) throw;
+  return false;
+}
+
+MadePicture picture_by(const Renderer& renderer, const std::string& driver, PictureSize size) {
+  const Confined program = given(renderer.program, driver);
   Process process(program);
   std::optional<ProcessFailure> failure;
+  int code = 0;
   try {
-    const int code = process.finish();
+    code = process.finish();
     if (code != 0) failure.emplace(FailureKind::kEnded, fmt::format("exited with {}", code));
   } catch (const ProcessFailure& thrown) {
     failure.emplace(thrown);
@@ -155,6 +169,9 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
     } catch (const PictureError& error) {
       if (!failure) throw ProcessFailure(FailureKind::kBadReply, error.what(), said);
     }
+  }
+  if (code == kCannotSay && cannot_say(renderer.wrapper, driver)) {
+    throw ProcessFailure(FailureKind::kCannotSay, "its form cannot say the scene");
   }
   if (failure) {
     throw ProcessFailure(
@@ -203,9 +220,11 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
   return answer;
 }
 
-MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size) {
+MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
+                     int nth) {
   const std::string request =
-      fmt::format("within {} s\n{}", renderer.program.limits.seconds, driver);
+      fmt::format("{}within {} s\n{}", nth > 1 ? fmt::format("{}: ", nth) : "",
+                  renderer.program.limits.seconds, driver);
   SpentTime& spent = *renderer.program.spent;
   if (const auto known = renderer.answers->find(request)) {
     spent.add(known->seconds);

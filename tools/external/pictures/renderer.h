@@ -25,10 +25,17 @@ inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 inline constexpr const char* kSceneFile = "scene.txt";
 inline constexpr const char* kImageFile = "image.ppm";
 
+/// The exit code of a command whose form of scene files cannot express the scene, as Automake has
+/// tests skipped.
+inline constexpr int kCannotSay = 77;
+
 /// A finished renderer: its command line, run once per picture; {scene} stands for a driver file
 /// and {image} for the picture to make (PPM or PNG).
 struct Renderer {
   Confined program;
+  /// The command whose exit code kCannotSay is believed: where `program` ends with it and makes no
+  /// picture, this is run on the same scene and has to say so, too. Empty: it is a failure.
+  std::optional<Confined> wrapper = {};
   DriverForm driver = {};
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
@@ -57,11 +64,12 @@ struct MadePicture {
   std::string said;        ///< On standard error, else on standard output.
 };
 
-/// Runs the program once for a driver file, or takes its stored picture. A complete picture counts,
-/// whatever the program's exit code; one of the wrong size has no pixels. Reading it counts as the
-/// program's time. Errors: ProcessFailure, and std::runtime_error with what is wrong with the
-/// picture.
-MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size);
+/// Runs the program once for a driver file, or takes its stored picture: of the `nth` run. A
+/// complete picture counts, whatever the program's exit code; one of the wrong size has no pixels.
+/// Reading it counts as the program's time. Errors: ProcessFailure (kCannotSay where the wrapper
+/// says so), and std::runtime_error with what is wrong with the picture.
+MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
+                     int nth = 1);
 
 /// What the picture of a scene shows. Errors: as rendered() and image_answer().
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,

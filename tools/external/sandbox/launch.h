@@ -171,7 +171,8 @@ enum class FailureKind {
   kTimeUp,    ///< No reply, or no end, in time: asking again would cost as much.
   kSaidMore,  ///< More output than asked for, or allowed.
   kBadReply,  ///< What it sent is not a reply, or not a picture.
-  kNotAsked   ///< It was silent too often to be asked again.
+  kNotAsked,  ///< It was silent too often to be asked again.
+  kCannotSay  ///< None: its form of input cannot express the question.
 };
 
 /// What a program said, as a clause after why it failed; empty if it said nothing.

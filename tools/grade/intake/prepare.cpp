@@ -248,10 +248,24 @@ class Preparing {
     }
   }
 
+  /// The same command without anything that was handed in, which only an instructor's wrapper
+  /// answers as before: who is judged cannot say what it is asked.
+  Confined without_hand_in(Confined program) const {
+    const std::string path = folder()->path();
+    const auto is_handed_in = [&](const std::string& word) {
+      return word.find(path) != std::string::npos;
+    };
+    std::replace_if(program.arguments.begin(), program.arguments.end(), is_handed_in, "false");
+    std::erase_if(program.readable, is_handed_in);
+    program.start = nullptr;
+    return program;
+  }
+
   /// Asks a renderer as the dry run found it to read and show.
   void ask_in_its_form(RunnableSubmission& runnable, const properties::RunControl& control) const {
     Renderer renderer = *runnable.external.renderer;
     renderer.program.start = start_;
+    renderer.wrapper = without_hand_in(renderer.program);
     if (!start_->links.empty()) renderer.program.readable.push_back(start_->linked->path());
     const DryRun& found =
         runnable.found.dry_run.emplace(dry_run(renderer, rubric_.driver, control));
@@ -262,6 +276,7 @@ class Preparing {
     renderer.most_silences = std::numeric_limits<int>::max();
     External asked = rendering(runnable.external.name, std::move(renderer));
     asked.folder = runnable.external.folder;
+    asked.copies = runnable.external.copies;
     asked.bounds = runnable.external.bounds;
     runnable.external = std::move(asked);
   }

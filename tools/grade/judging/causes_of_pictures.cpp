@@ -237,18 +237,6 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
   return cause;
 }
 
-/// Which scenes a renderer makes no picture of, if all items together tell.
-std::optional<properties::ShapeCause> shape_of_failures(const std::vector<ItemTrial>& trials) {
-  std::vector<properties::TriedScene> tried;
-  for (const ItemTrial& trial : trials) {
-    for (const ShownPicture& one : trial.pictures) tried.push_back({&one.scene, false});
-    for (const FailedCase& one : trial.failed) {
-      if (!one.shown) tried.push_back({&one.item_case.the_case.scene, true});
-    }
-  }
-  return properties::shape_cause(tried);
-}
-
 }  // namespace
 
 std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
@@ -263,14 +251,24 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
   }
   const bool is_shown =
       causes.kind == CauseKind::kExplained && shows_enough(causes.alternatives.front(), trials);
-  const auto shape = form_known == FormKnown::kNot ? std::nullopt : shape_of_failures(trials);
+  const ShapeOfFailures shape =
+      form_known == FormKnown::kNot
+          ? ShapeOfFailures()
+          : shape_of_failures(rubric, trials, causes.kind == CauseKind::kUnknown);
   for (std::size_t k = 0; k < trials.size(); ++k) {
     ItemTrial& trial = trials[k];
     if (trial.grade.state != ItemState::kFails || trial.failed.empty()) continue;
     ItemCause& cause = item_causes[k];
     const FailedHow how = failed_how(trial);
     cause.is_all = true;
-    if (how.wrong) cause = name_cause(causes, is_shown, masks_only(rubric.items[k]), trial);
+    const bool wrong_by_shape =
+        how.wrong && shape.of_wrong_ones &&
+        std::all_of(trial.failed.begin(), trial.failed.end(), [&](const FailedCase& one) {
+          return shape.cause->is(one.item_case.the_case.scene);
+        });
+    if (how.wrong && !wrong_by_shape) {
+      cause = name_cause(causes, is_shown, masks_only(rubric.items[k]), trial);
+    }
     const auto add = [&](OtherCause other, const std::string& sentence) {
       cause.others.push_back(other);
       trial.grade.mistakes.push_back({{sentence}});
@@ -279,11 +277,12 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
       cause.is_all = cause.is_all && causes.exchanged > 0;
       if (causes.exchanged > 0) add(OtherCause::kSidesExchanged, properties::kSidesExchanged);
     }
-    if (how.failed) {
+    if (how.failed || wrong_by_shape) {
       // And on all scenes that it was not asked about any more.
       const auto& others = trial.not_asked;
-      cause.is_all = cause.is_all && shape && std::all_of(others.begin(), others.end(), shape->is);
-      if (shape) add(OtherCause::kShapeOfScenes, shape->sentence);
+      cause.is_all =
+          cause.is_all && shape.cause && std::all_of(others.begin(), others.end(), shape.cause->is);
+      if (shape.cause) add(OtherCause::kShapeOfScenes, shape.cause->sentence);
     }
   }
   return item_causes;

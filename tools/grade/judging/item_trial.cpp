@@ -80,7 +80,8 @@ using properties::Wrong;
 
 /// The outcome of a case.
 struct CaseOutcome {
-  bool answers = false;  ///< There was something to ask.
+  bool answers = false;    ///< There was something to ask.
+  bool is_unsaid = false;  ///< The candidate's form of input cannot express the case.
   std::uint64_t compared = 0;
   properties::Verdict verdict;  ///< By all laws.
   ItemReason unanswered;        ///< Why some questions were not answered.
@@ -135,6 +136,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
                      const Examinee& examinee) {
   Trial trial(the_case, examinee.candidate, examinee.options());
   CaseOutcome outcome;
+  if (examinee.last_failure) examinee.last_failure->reset();
   for (const Law* law : laws) {
     Verdict verdict = apply(*law, trial);
     // Of pictures every pixel is compared.
@@ -160,6 +162,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
     }
     outcome.verdict.merge(std::move(verdict));
   }
+  outcome.is_unsaid = examinee.last_failure && *examinee.last_failure == FailureKind::kCannotSay;
   return outcome;
 }
 
@@ -203,11 +206,12 @@ bool tells_spheres(const ShownPicture& picture) {
 
 /// What follows from all cases together. `is_untold`: of some its colours do not tell the answer.
 void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
-  if (grade.cases == 0 && is_untold) {
+  if (grade.cases == 0 && (is_untold || grade.unsaid > 0)) {
     // It cannot be called wrong, or right.
     grade.points = 0;
     grade.state = ItemState::kNotAsked;
-    grade.reason = {.kind = ItemReason::Kind::kOtherColours};
+    grade.reason.kind =
+        is_untold ? ItemReason::Kind::kOtherColours : ItemReason::Kind::kCannotBeSaid;
     return;
   }
   if (grade.cases == 0) grade.reason = {.kind = ItemReason::Kind::kNothingToCompare};
@@ -242,6 +246,7 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const Examinee&
     if (!item_case) continue;
     CaseOutcome outcome = try_case(task.laws, item_case->the_case, who);
     all.merge(std::move(outcome.verdict));
+    if (outcome.is_unsaid) ++grade.unsaid;
     if (!outcome.answers) continue;
     std::optional<ShownPicture> picture;
     // It was just drawn and is reused; a timeout is not waited for twice.

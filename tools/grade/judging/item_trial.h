@@ -129,6 +129,16 @@ struct ItemCause {
 /// The step that an item is about, which its laws judge first; empty if it is about several.
 std::optional<properties::Step> step_of(const Item& item);
 
+/// The shape of the scenes on which a renderer fails, if all items together tell: where it makes no
+/// picture or, `of_wrong_ones`, no right one.
+struct ShapeOfFailures {
+  std::optional<properties::ShapeCause> cause = {};
+  bool of_wrong_ones = false;
+};
+/// Wrong pictures that nothing explains count where they are not square.
+ShapeOfFailures shape_of_failures(const Rubric& rubric, const std::vector<ItemTrial>& trials,
+                                  bool are_unexplained);
+
 /// Finds the causes of a renderer's wrong pictures, over all items together, and names them in
 /// each. If it is unknown which form of driver files is read, nothing is named that another form
 /// explains; if it was found by trial, a mistake that is another one in another form is worded as

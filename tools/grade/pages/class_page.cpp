@@ -154,6 +154,16 @@ std::string not_judged(const ClassGrade& graded) {
   return html;
 }
 
+/// Whose total lacks cases.
+std::string unsaid(const ClassGrade& graded) {
+  std::string html;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    const std::string text = unsaid_text(grade);
+    if (!text.empty()) html += "<p>" + link(grade) + ": " + text + "</p>\n";
+  }
+  return html.empty() ? "" : "<h2>Cases that were not asked</h2>\n" + html;
+}
+
 std::string everyone(const ClassGrade& graded) {
   std::string html =
       "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<tr><th>submission</th><th "
@@ -235,8 +245,8 @@ std::string summary(const ClassGrade& graded) {
 /// mistakes.
 std::string class_page(const ClassGrade& graded) {
   return page(graded.rubric.title, summary(graded) + distribution(graded) + failing_items(graded) +
-                                       mistakes(graded) + not_judged(graded) + opaque(graded) +
-                                       everyone(graded));
+                                       mistakes(graded) + not_judged(graded) + unsaid(graded) +
+                                       opaque(graded) + everyone(graded));
 }
 
 }  // namespace raycheck::tools

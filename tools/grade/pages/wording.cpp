@@ -83,6 +83,8 @@ std::string reason_text(const ItemReason& reason) {
       return "there was nothing to compare";
     case Kind::kNeverRight:
       return fmt::format("{}: no answer is right, all are excused", reason.quantity);
+    case Kind::kCannotBeSaid:
+      return "its cases cannot be said in the program's form";
     case Kind::kNothingRuns:
       break;
   }
@@ -108,6 +110,12 @@ std::string mistake_text(const SubmissionGrade& grade) {
 }
 
 std::string state_text(const ItemGrade& grade) {
+  if (grade.unsaid > 0 && grade.cases > 0) {
+    ItemGrade said = grade;
+    said.unsaid = 0;
+    return fmt::format("{}; {} cannot be said in its form", state_text(said),
+                       count_text(grade.unsaid, "further case"));
+  }
   if (grade.state == ItemState::kHolds) {
     return fmt::format("holds over {}, {}", count_text(grade.cases, "case"),
                        count_text(grade.comparisons, "comparison"));

@@ -121,6 +121,7 @@ Json item_json(const ItemGrade& item) {
           {"pictures", item.pictures},
           {"cases", item.cases},
           {"held", item.held},
+          {"unsaid", item.unsaid},
           {"comparisons", item.comparisons},
           {"mistakes", list_json(item.mistakes, mistake_json)},
           {"failing", or_null(item.failing, failing_json)},

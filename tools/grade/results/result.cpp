@@ -1,5 +1,7 @@
 #include "tools/grade/results/result.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -45,6 +47,17 @@ std::string plain_text(const std::string& said) {
     if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';
   }
   return text;
+}
+
+std::string unsaid_text(const SubmissionGrade& grade) {
+  std::uint64_t unsaid = 0, cases = 0;
+  for (const ItemGrade& item : grade.items) {
+    unsaid += item.unsaid;
+    cases += item.cases + item.unsaid;
+  }
+  if (unsaid == 0) return "";
+  return fmt::format("{} of {} cases cannot be said in its form, and are in no total", unsaid,
+                     cases);
 }
 
 namespace {

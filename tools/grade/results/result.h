@@ -125,7 +125,8 @@ struct ItemReason {
     kUnanswered,        ///< Less is answered than a law requires.
     kNothingToCompare,  ///< There were no cases.
     kNeverRight,        ///< All answers about some quantity are excused, none right.
-    kNothingRuns        ///< Nothing of the submission could be run.
+    kNothingRuns,       ///< Nothing of the submission could be run.
+    kCannotBeSaid       ///< No case can be expressed in its form of input.
   };
   Kind kind = Kind::kNone;
   std::string item = {};                ///< The one that it needs; empty: withheld.
@@ -134,10 +135,19 @@ struct ItemReason {
   std::string law = {}, said = {};      ///< Which law was not answered, and why.
   std::string quantity = {};            ///< It had no right answer.
 };
-inline constexpr std::array<std::string_view, 12> kReasonNames = {
-    "",           "not in pictures",    "of renderers", "needs",
-    "follows",    "time is up",         "interrupted",  "other colours",
-    "unanswered", "nothing to compare", "never right",  "nothing runs"};
+inline constexpr std::array<std::string_view, 13> kReasonNames = {"",
+                                                                  "not in pictures",
+                                                                  "of renderers",
+                                                                  "needs",
+                                                                  "follows",
+                                                                  "time is up",
+                                                                  "interrupted",
+                                                                  "other colours",
+                                                                  "unanswered",
+                                                                  "nothing to compare",
+                                                                  "never right",
+                                                                  "nothing runs",
+                                                                  "cannot be said"};
 
 struct ItemGrade {
   std::string name;
@@ -149,6 +159,7 @@ struct ItemGrade {
   bool pictures = false;    ///< It was asked for pictures, not for functions.
   std::uint64_t cases = 0;  ///< Those that asked something.
   std::uint64_t held = 0;
+  std::uint64_t unsaid = 0;  ///< Further cases, which its form of input cannot express.
   std::uint64_t comparisons = 0;
   std::vector<ExplainingMistake> mistakes;
   std::optional<FailingCase> failing;
@@ -187,6 +198,9 @@ struct SubmissionGrade {
   double bonus = 0;  ///< Of the score, what comes on top of the points.
   std::vector<ItemGrade> items;
 };
+
+/// How many of the cases its form of input cannot express, as a sentence; empty: none.
+std::string unsaid_text(const SubmissionGrade& grade);
 
 /// Otherwise its points mean nothing: nothing of it ran.
 inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refused; }

@@ -1,0 +1,94 @@
+// Cases that a wrapper's form of scene files cannot express: they leave the total, by the word of
+// the instructor's wrapper alone.
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+/// wrap.sh PROGRAM... SCENE IMAGE, whose form has no bounds that are not symmetric. It passes on
+/// with what its program ends.
+constexpr const char* kWrapper = R"(while [ $# -gt 2 ]; do program="$program $1"; shift; done
+awk '$1 == "bounds" && $2 != -$3 { exit 1 }' "$1" || exit 77
+exec $program "$1" "$2"
+)";
+
+/// It draws what the dry run asks, and says of all else that it cannot be said.
+constexpr const char* kDull = R"(grep -q '^res 25 25' "$1" || exit 77
+awk 'function size(x) { return x < 0 ? -x : x }
+BEGIN {
+  print "P3 25 25 255"
+  for (k = 0; k < 625; ++k) {
+    x = size(2 * (k % 25) - 24); y = size(2 * int(k / 25) - 24)
+    far = x > y ? x : y; near = x + y - far
+    c = far ^ 2 + near ^ 2 < 25 || (far - 15) ^ 2 + near ^ 2 < 33 ? 255 : 0
+    print c, c, c
+  }
+}' > "$2"
+)";
+
+class Unsaid : public GradingTest {
+ protected:
+  Unsaid() {
+    grading.write("full.toml", kFullScene);
+    std::string uneven = kFullScene;
+    uneven.replace(uneven.find("right = 1"), 9, "right = 2");
+    grading.write("uneven.toml", uneven);
+    grading.write("submissions/right/main.py", renderer_in_python());
+    grading.write("submissions/dull/rt.sh", kDull);
+    wrapper_ = grading.write("wrapper/wrap.sh", kWrapper);
+  }
+
+  /// One of them, graded by a rubric with these words before {scene}.
+  void grade(const std::string& name, const std::string& words, const std::string& more = "") {
+    const auto item = [](const std::string& called, const std::string& scenes) {
+      return item_of(called, "points = 10\ncredit = \"share\"",
+                     "[item.pictures]\njudge = \"mask\"\nscenes = [" + scenes + "]");
+    };
+    std::string form = kAsTheyCome;
+    form.replace(form.find("{program}"), 9, words);
+    const std::string rubric =
+        grading.write("rubric.toml", "[driver]\npreset = \"B\"\n" + form +
+                                         item("some", "\"full.toml\", \"uneven.toml\"") +
+                                         item("none", "\"uneven.toml\""));
+    outcome_ = grading.grade(rubric, {grading.path("submissions/" + name)}, "out", more);
+  }
+  std::vector<double> points(const std::string& name) const {
+    const json result = grading.result(name);
+    return {result["score"], result["points"]};
+  }
+
+  std::string wrapper_;
+  Outcome outcome_;
+};
+
+TEST_F(Unsaid, cases_leave_the_total_and_every_page_says_how_many) {
+  fs::permissions(grading.path("wrapper"), fs::perms::owner_all);  // of which others get a copy
+  grade("right", "sh " + wrapper_ + " {program}");
+  EXPECT_EQ(points("right"), (std::vector<double>{10, 10}));
+  const json result = grading.result("right");
+  EXPECT_EQ(item(result, "some")["unsaid"], 1);
+  EXPECT_EQ(item(result, "some")["cases"], 1);
+  EXPECT_EQ(item(result, "none")["unsaid"], 1);
+  EXPECT_EQ(item(result, "none")["state"], "not asked");
+  EXPECT_EQ(item(result, "none")["reason"]["kind"], "cannot be said");
+  const std::string kAll = "2 of 3 cases cannot be said in its form";
+  expect_parts(grading.file("right", "report.html"),
+               {kAll, "; 1 further case cannot be said in its form"});
+  expect_parts(contents(grading.path("out/index.html")), {kAll});
+  expect_parts(outcome_.out, {kAll});
+}
+
+TEST_F(Unsaid, cases_are_never_so_by_the_word_of_whom_is_judged) {
+  grade("dull", "sh " + wrapper_ + " {program}", kLimitsOnly);
+  EXPECT_EQ(points("dull"), (std::vector<double>{0, 10})) << "the wrapper passes its code on";
+  grade("dull", "{program}", kLimitsOnly);
+  EXPECT_EQ(points("dull"), (std::vector<double>{0, 20}));
+  expect_parts(grading.file("dull", "report.html"), {"exited with 77"});
+  const std::string last_two = "while [ $# -gt 2 ]; do shift; done; exec sh rt.sh $1 $2";
+  grade("dull", "sh -c '" + last_two + "' sh {program}", kLimitsOnly);
+  EXPECT_EQ(points("dull"), (std::vector<double>{0, 20})) << "it lies where the command runs";
+}
+
+}  // namespace
+}  // namespace raycheck::tests
