@@ -145,6 +145,12 @@ std::unique_ptr<Units> units_of(const ShardArguments& arguments) {
   return std::make_unique<Units>(identity_of(*arguments.command), arguments.out, shard);
 }
 
+bool runs_candidates(const CampaignIdentity& campaign) {
+  return campaign.command == "grade" ||
+         std::find(campaign.arguments.begin(), campaign.arguments.end(), "--candidate") !=
+             campaign.arguments.end();
+}
+
 int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted) {
   const Shard& shard = units.shard();
   for (const char* name :
@@ -154,8 +160,9 @@ int shard_done(const ShardArguments& arguments, const Units& units, bool was_int
     print_error(fmt::format("raycheck: {} is for merge: a shard reports nothing\n", name));
   }
   if (!was_interrupted) {
-    print_error(fmt::format("raycheck: shard {} of {} is done; once all are: raycheck merge {}\n",
-                            shard.number, shard.of, arguments.out));
+    print_error(fmt::format("raycheck: shard {} of {} is done; once all are: raycheck merge {}{}\n",
+                            shard.number, shard.of, arguments.out,
+                            runs_candidates(units.campaign()) ? " --run-candidates" : ""));
   }
   return exit_code(was_interrupted, false, true);
 }

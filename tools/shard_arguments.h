@@ -62,6 +62,8 @@ inline constexpr NamedOption kUnitOptions[] = {
 /// The units asked for, told on standard error; null: nothing is kept.
 /// Domain: arguments of add_shards() that are parsed.
 std::unique_ptr<Units> units_of(const ShardArguments& arguments);
+/// Whether a campaign's report runs others' code, too: candidates, or submissions.
+bool runs_candidates(const CampaignIdentity& campaign);
 /// The exit code of a shard that is not all, told on standard error.
 int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted);
 

@@ -92,9 +92,12 @@ TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
       EXPECT_EQ(lines_of(shard.err).front(),
                 fmt::format("raycheck: shard {0} of {1} (--shard {0}/{1})", k, of));
     }
-    EXPECT_EQ(run(fmt::format("merge {} {} --format json", folder, twice), exit_code).out, whole())
+    EXPECT_EQ(
+        run(fmt::format("merge --run-candidates {} {} --format json", folder, twice), exit_code)
+            .out,
+        whole())
         << of;
-    EXPECT_EQ(run("merge --format json " + folder, exit_code).out, whole()) << of;
+    EXPECT_EQ(run("merge --run-candidates --format json " + folder, exit_code).out, whole()) << of;
   }
 }
 
@@ -121,7 +124,7 @@ TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
   }
   EXPECT_GT(all, 0u);
   run(asked() + " --out " + folder, exit_code);
-  EXPECT_EQ(run("merge --format json " + folder, exit_code).out, whole());
+  EXPECT_EQ(run("merge --run-candidates --format json " + folder, exit_code).out, whole());
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, ShardsOf, testing::ValuesIn(kSharded),
@@ -218,7 +221,8 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
   const std::string its = fresh_folder("judged");
   run(asked + source + " --shard 1/1 --out " + its, 0);
   std::ofstream(source, std::ios::app) << "// another\n";
-  expect_refused("merge " + its, "holds units of another " + source + ", which has changed since");
+  expect_refused("merge --run-candidates " + its,
+                 "holds units of another " + source + ", which has changed since");
   // In a folder, with a header, all of it.
   const std::string sources = fresh_folder("sources"), units = fresh_folder("of_sources");
   fs::create_directories(sources + "/deeper");
@@ -270,6 +274,32 @@ TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
   EXPECT_EQ(contents(victim), "mine");
 }
 
+/// A candidate that the folder names, and whoever merges it does not know.
+TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
+  const std::string folder = fresh_folder("runs"), ran = fresh_folder("ran");
+  const std::string candidate =
+      "command:python3 " +
+      temporary_file("leaves_a_trace.py",
+                     "open('" + ran + "', 'w')\n" +
+                         contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"));
+  const std::string asked =
+      "properties --filter class --source rays --cases 20 --candidate '" + candidate + "'";
+  const Outcome whole = run(asked + " --sandbox none --i-know", 0);
+  expect_parts(run(asked + " --sandbox none --i-know --shard 1/2 --out " + folder, 0).err,
+               {"once all are: raycheck merge " + folder + " --run-candidates"});
+  run(asked + " --sandbox none --i-know --shard 2/2 --out " + folder, 0);
+  fs::remove(ran);
+  const std::string told =
+      folder + ": its campaign runs candidates: raycheck properties --filter class --cases 20";
+  const Outcome refused = run("merge --sandbox none --i-know " + folder, 2);
+  expect_parts(refused.err, {told, "'" + candidate + "'", "merge it with --run-candidates"});
+  EXPECT_FALSE(fs::exists(ran));
+  const Outcome merged = run("merge --run-candidates --sandbox none --i-know " + folder, 0);
+  EXPECT_EQ(lines_of(merged.err).front().find("raycheck: " + told), 0u) << merged.err;
+  EXPECT_EQ(merged.out, whole.out);
+  EXPECT_TRUE(fs::exists(ran));
+}
+
 /// A candidate that hangs on some cases: whatever was asked before, and by however many threads.
 TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
   const std::string asked =
@@ -279,7 +309,7 @@ TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
   EXPECT_EQ(run(asked + " --threads 3", 1).out, whole);
   const std::string folder = fresh_folder("silent");
   for (const int k : {3, 1, 2}) run(fmt::format("{} --shard {}/3 --out {}", asked, k, folder), 0);
-  EXPECT_EQ(run("merge --format json " + folder, 1).out, whole);
+  EXPECT_EQ(run("merge --run-candidates --format json " + folder, 1).out, whole);
 }
 
 /// Each request without a reply takes all of its time: laws in tens, sources in tens, and a few
