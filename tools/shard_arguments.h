@@ -5,9 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "tools/implementations/implementation.h"
 #include "tools/shards/units.h"
 
 namespace raycheck::tools {
@@ -59,9 +61,11 @@ inline constexpr NamedOption kUnitOptions[] = {
     {"--pixels", true},      {"--secret-file", true}, {"--strict", false},
     {"--all", false}};
 
-/// The units asked for, told on standard error; null: nothing is kept.
+using Judged = std::span<const Implementation>;
+/// The units asked for, told on standard error; null: nothing is kept. They depend on what those
+/// who are judged were built of.
 /// Domain: arguments of add_shards() that are parsed.
-std::unique_ptr<Units> units_of(const ShardArguments& arguments);
+std::unique_ptr<Units> units_of(const ShardArguments& arguments, Judged judged = {});
 /// Whether a campaign's report runs others' code, too: candidates, or submissions.
 bool runs_candidates(const CampaignIdentity& campaign);
 /// The exit code of a shard that is not all, told on standard error.

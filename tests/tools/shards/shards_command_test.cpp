@@ -227,7 +227,9 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
   const std::string sources = fresh_folder("sources"), units = fresh_folder("of_sources");
   fs::create_directories(sources + "/deeper");
   std::ofstream(sources + "/deeper/mine.h") << "// mine\n";
-  std::ofstream(sources + "/mine.cpp") << text << "#include \"deeper/mine.h\"\n";
+  // However it is included: the compiler says what it read.
+  std::ofstream(sources + "/mine.cpp") << "#define MINE \"deeper/mine.h\"\n"
+                                       << text << "%:/**/include MINE\n";
   for (const std::string& named : {sources, sources + "/mine.cpp"}) {
     fs::remove_all(units);
     const std::string line = asked + named + " --shard 1/1 --out " + units;
