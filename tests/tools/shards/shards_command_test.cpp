@@ -491,3 +491,9 @@ TEST(Units, refuse_bytes_that_are_no_result) {
 
 }  // namespace
 }  // namespace raycheck::tests
+  const properties::DefectKind of_none[] = {{static_cast<properties::Quantity>(16), {}},
+                                            {{}, static_cast<properties::Wrong>(-1)}};
+  for (const properties::DefectKind& kind : of_none) {
+    EXPECT_THROW(tools::from_bytes<properties::DefectKind>(tools::to_bytes(kind)),
+                 std::invalid_argument);
+  }
