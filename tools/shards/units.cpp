@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -45,6 +46,18 @@ std::string bytes_of(const fs::path& file) {
 std::string digest_of(const std::string& campaign, std::int64_t unit, std::size_t size,
                       const std::string& result) {
   return digest({campaign, std::to_string(unit), std::to_string(size), result});
+}
+
+/// Removes what a worker that was killed had not placed. One that runs, on whatever machine, places
+/// it at once.
+void remove_if_abandoned(const fs::path& file) {
+  constexpr std::chrono::hours kAbandoned{1};
+  const std::string name = file.filename().string();
+  const bool is_ours = name.starts_with(kCampaignFile) || name.find(kUnitEnding) != name.npos;
+  if (!is_ours || file.extension() != ".part") return;
+  std::error_code error;
+  const auto written = fs::last_write_time(file, error);
+  if (!error && fs::file_time_type::clock::now() - written > kAbandoned) fs::remove(file, error);
 }
 
 /// As users know it.
@@ -161,6 +174,7 @@ std::vector<std::int64_t> Units::open(std::int64_t count) {
   for (const fs::path& folder : folders_) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
       const std::string name = entry.path().filename().string();
+      if (!is_merged_) remove_if_abandoned(entry.path());
       if (entry.path().extension() != kUnitEnding) continue;
       std::int64_t unit = -1;
       std::from_chars(name.data(), name.data() + name.size(), unit);

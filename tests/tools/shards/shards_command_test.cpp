@@ -415,6 +415,24 @@ TEST(Units, that_contradict_each_other_are_named) {
   tools::Units both(kCampaign, std::vector<fs::path>{a, b});
   both.open(1);
   try {
+TEST(Units, remove_what_a_worker_left_that_was_killed) {
+  const std::string folder = fresh_folder("left");
+  tools::Units(kCampaign, folder, {}).open(1);
+  for (const char* name :
+       {"000000-0123.unit.7.0badcafe.part", "000000-0123.unit.8.0badcafe.part", "mine.part"}) {
+    std::ofstream(folder + "/" + name) << "some";
+    const bool is_new = std::string(name).find(".8.") != std::string::npos;
+    if (!is_new)
+      fs::last_write_time(folder + "/" + name,
+                          fs::file_time_type::clock::now() - std::chrono::hours(2));
+  }
+  tools::Units(kCampaign, folder, {}).open(1);
+  std::vector<std::string> left = names_in(folder);
+  std::sort(left.begin(), left.end());
+  EXPECT_EQ(left, (std::vector<std::string>{"000000-0123.unit.8.0badcafe.part", "campaign.json",
+                                            "mine.part"}));
+}
+
     both.read(0);
     FAIL();
   } catch (const std::invalid_argument& error) {
