@@ -240,7 +240,10 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
   ReadableCopies copies(options.layers);
   switch (spec.kind) {
     case CandidateKind::kLibrary:
-      return library(spec.text(), existing(spec.what, options), options);
+      if (const fs::path file = existing(spec.what, options); fs::is_regular_file(file)) {
+        return library(spec.text(), file, options);
+      }
+      throw CandidateError("it is no file: give a shared library");
     case CandidateKind::kSource: {
       const PrivateFolder built;
       const fs::path named = existing(spec.what, options);

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <optional>
@@ -27,10 +26,13 @@ constexpr Scheduler kSchedulers[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_C
                                      {"CI_NODE_INDEX", "CI_NODE_TOTAL", 1}};
 
 std::int64_t number_of(const std::string& named_by, std::string_view text) {
+  constexpr std::int64_t kMost = 1'000'000'000;
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc{} && end == text.data() + text.size() && number >= 0) return number;
-  throw std::invalid_argument(fmt::format("{}: '{}' is not a whole number", named_by, text));
+  const bool is_all = error == std::errc{} && end == text.data() + text.size();
+  if (is_all && number >= 0 && number <= kMost) return number;
+  throw std::invalid_argument(
+      fmt::format("{}: '{}' is not a whole number up to {}", named_by, text, kMost));
 }
 
 std::optional<std::int64_t> variable(const char* name) {
@@ -48,9 +50,13 @@ std::optional<Shard> shard_of(const Scheduler& scheduler, std::optional<std::int
   if (!count) {
     throw std::invalid_argument(said_by + ": nothing says of how many; give auto/N as the shard");
   }
-  const std::int64_t after = *index - variable(scheduler.first).value_or(scheduler.least);
-  const std::int64_t step = std::max<std::int64_t>(1, variable(scheduler.step).value_or(1));
-  return Shard{after / step + 1, *count, said_by};
+  const std::int64_t first = variable(scheduler.first).value_or(scheduler.least);
+  const std::int64_t step = variable(scheduler.step).value_or(1);
+  if (step == 0 || (*index - first) % step != 0) {
+    throw std::invalid_argument(
+        fmt::format("{}: is not {} and some steps of {}={}", said_by, first, scheduler.step, step));
+  }
+  return Shard{(*index - first) / step + 1, *count, said_by};
 }
 
 Shard checked(Shard shard) {

@@ -383,6 +383,16 @@ TEST(Shards, refuse_what_is_no_shard) {
     const Variable index("JOB_COMPLETION_INDEX", "0");
     expect_refused(kAsked + out, "JOB_COMPLETION_INDEX=0: nothing says of how many; give auto/N");
   }
+  {
+    const Variable index("SLURM_ARRAY_TASK_ID", "9223372036854775807"),
+        step("SLURM_ARRAY_TASK_STEP", "2");
+    const Variable count("SLURM_ARRAY_TASK_COUNT", "2");
+    expect_refused(kAsked + out,
+                   "SLURM_ARRAY_TASK_ID: '9223372036854775807' is not a whole number");
+    const Variable between("SLURM_ARRAY_TASK_ID", "3"), first("SLURM_ARRAY_TASK_MIN", "0");
+    expect_refused(kAsked + out,
+                   "SLURM_ARRAY_TASK_ID=3: is not 0 and some steps of SLURM_ARRAY_TASK_STEP=2");
+  }
   const Variable index("CI_NODE_INDEX", "0"), count("CI_NODE_TOTAL", "2");
   expect_refused(kAsked + out, "CI_NODE_INDEX=0: there is no shard 0 of 2");
 }
@@ -405,16 +415,6 @@ TEST(Units, are_each_done_by_one_shard) {
   EXPECT_EQ(done, std::vector<int>(100, 1));
 }
 
-TEST(Units, that_contradict_each_other_are_named) {
-  const std::string a = fresh_folder("a"), b = fresh_folder("b");
-  for (const auto& [folder, result] : {std::pair(a, "one"), {b, "another"}}) {
-    tools::Units units(kCampaign, folder, {});
-    units.open(1);
-    units.write(0, result);
-  }
-  tools::Units both(kCampaign, std::vector<fs::path>{a, b});
-  both.open(1);
-  try {
 TEST(Units, remove_what_a_worker_left_that_was_killed) {
   const std::string folder = fresh_folder("left");
   tools::Units(kCampaign, folder, {}).open(1);
@@ -433,6 +433,16 @@ TEST(Units, remove_what_a_worker_left_that_was_killed) {
                                             "mine.part"}));
 }
 
+TEST(Units, that_contradict_each_other_are_named) {
+  const std::string a = fresh_folder("a"), b = fresh_folder("b");
+  for (const auto& [folder, result] : {std::pair(a, "one"), {b, "another"}}) {
+    tools::Units units(kCampaign, folder, {});
+    units.open(1);
+    units.write(0, result);
+  }
+  tools::Units both(kCampaign, std::vector<fs::path>{a, b});
+  both.open(1);
+  try {
     both.read(0);
     FAIL();
   } catch (const std::invalid_argument& error) {
@@ -495,6 +505,12 @@ TEST(Units, refuse_bytes_that_are_no_result) {
   for (std::size_t size = 0; size < whole.size(); size += 1 + size / 50) {
     EXPECT_TRUE(is_refused(whole.substr(0, size))) << size;
   }
+  const properties::DefectKind of_none[] = {{static_cast<properties::Quantity>(16), {}},
+                                            {{}, static_cast<properties::Wrong>(-1)}};
+  for (const properties::DefectKind& kind : of_none) {
+    EXPECT_THROW(tools::from_bytes<properties::DefectKind>(tools::to_bytes(kind)),
+                 std::invalid_argument);
+  }
   // A number of parts that no memory holds.
   EXPECT_TRUE(is_refused(std::string(8, '\xff') + whole.substr(8)));
   std::mt19937_64 random(1);
@@ -509,9 +525,3 @@ TEST(Units, refuse_bytes_that_are_no_result) {
 
 }  // namespace
 }  // namespace raycheck::tests
-  const properties::DefectKind of_none[] = {{static_cast<properties::Quantity>(16), {}},
-                                            {{}, static_cast<properties::Wrong>(-1)}};
-  for (const properties::DefectKind& kind : of_none) {
-    EXPECT_THROW(tools::from_bytes<properties::DefectKind>(tools::to_bytes(kind)),
-                 std::invalid_argument);
-  }
