@@ -49,17 +49,17 @@ inline constexpr NamedOption kReportOptions[] = {{"--format", true},
 /// Options that units depend on: all that a shard may write into its folder, besides what stands
 /// without a name, and that `merge` takes from one.
 inline constexpr NamedOption kUnitOptions[] = {
-    {"--filter", true},      {"--cases", true},       {"--seed", true},
-    {"--rays", true},        {"--source", true},      {"--intersect", true},
-    {"--candidate", true},   {"--read", true},        {"--level", true},
-    {"--include", true},     {"--timeout", true},     {"--bounds", true},
-    {"--target", true},      {"--precision", true},   {"--image-change", true},
-    {"--t-threshold", true}, {"--origin", true},      {"--dialect", true},
-    {"--keep-going", true},  {"--max-ulp", true},     {"--family", true},
-    {"--method", true},      {"--severity", true},    {"--quantity", true},
-    {"--by", true},          {"--steps", true},       {"--searches", true},
-    {"--pixels", true},      {"--secret-file", true}, {"--strict", false},
-    {"--all", false}};
+    {"--filter", true},       {"--cases", true},       {"--seed", true},
+    {"--rays", true},         {"--source", true},      {"--intersect", true},
+    {"--candidate", true},    {"--read", true},        {"--level", true},
+    {"--include", true},      {"--timeout", true},     {"--memory", true},
+    {"--bounds", true},       {"--target", true},      {"--precision", true},
+    {"--image-change", true}, {"--t-threshold", true}, {"--origin", true},
+    {"--dialect", true},      {"--keep-going", true},  {"--max-ulp", true},
+    {"--family", true},       {"--method", true},      {"--severity", true},
+    {"--quantity", true},     {"--by", true},          {"--steps", true},
+    {"--searches", true},     {"--pixels", true},      {"--secret-file", true},
+    {"--strict", false},      {"--all", false}};
 
 using Judged = std::span<const Implementation>;
 /// The units asked for, told on standard error; null: nothing is kept. They depend on what those
