@@ -11,6 +11,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "scene/invalid_input.h"
 #include "tools/arguments.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/report/digest.h"
@@ -48,8 +49,9 @@ void add_files(const fs::path& path, std::map<std::string, std::string>& files) 
   }
   if (!fs::is_regular_file(path, error) || files.contains(path.string())) return;
   if (files.size() == kMostFiles) {
-    throw std::invalid_argument(
-        fmt::format("out: there are more than {} files in the folders that are named", kMostFiles));
+    throw scene::InvalidInput(
+        "out", "",
+        fmt::format("there are more than {} files in the folders that are named", kMostFiles));
   }
   files[path.string()] = digest({file_bytes(path)});
 }

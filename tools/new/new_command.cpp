@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/files/file_text.h"
+#include "scene/invalid_input.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/external/sandbox/launch.h"
@@ -75,11 +76,11 @@ std::string write_adapter(const NewArguments& arguments) {
   }
   const fs::path out = arguments.out;
   if (fs::exists(out / file)) {
-    throw std::invalid_argument(fmt::format("out {}: {} is there already", arguments.out, file));
+    throw scene::InvalidInput("out", arguments.out, file + " is there already");
   }
   std::error_code error;
   fs::create_directories(out, error);
-  if (error) throw std::invalid_argument(fmt::format("out {}: {}", arguments.out, error.message()));
+  if (error) throw scene::InvalidInput("out", arguments.out, error.message());
   for (const auto& [name, text] : texts) OutputFile("out", out / name).write(text);
   return fmt::format(
       "wrote {}: it compiles, and says what is missing when it is judged:\n"

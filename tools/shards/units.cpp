@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "scene/invalid_input.h"
 #include "tools/report/digest.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
@@ -154,8 +155,7 @@ void Units::make_folder() const {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw std::invalid_argument(
-        fmt::format("out {}: cannot be made: {}", folder.string(), error.message()));
+    throw scene::InvalidInput("out", folder.string(), "cannot be made: " + error.message());
   }
   if (!fs::exists(folder / kCampaignFile)) {
     OutputFile("out", (folder / kCampaignFile).string())

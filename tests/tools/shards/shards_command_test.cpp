@@ -211,6 +211,8 @@ TEST_F(Merge, names_what_belongs_to_another_campaign) {
   expect_refused("merge " + folder, "is truncated or was changed");
   expect_refused("merge " + fresh_folder("nowhere"), "there is no such folder");
   expect_refused("merge tests", "tests: holds no campaign");
+  // Named like an option, which it is not.
+  expect_refused("merge format", "raycheck: format: there is no such folder");
 }
 
 TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
