@@ -132,6 +132,10 @@ std::string said_of(const std::exception& error, const CLI::App& command) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     return command.get_name() + ": takes more memory than there is for it";
   }
+  if (const auto* file = dynamic_cast<const fs::filesystem_error*>(&error)) {
+    return fmt::format("{}: cannot be read or written: {}; name another, or let raycheck do so",
+                       file->path1().string(), file->code().message());
+  }
   const auto* input = dynamic_cast<const scene::InvalidInput*>(&error);
   const bool is_option =
       input != nullptr && command.get_option_no_throw("--" + input->field()) != nullptr;
