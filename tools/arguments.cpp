@@ -297,6 +297,12 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
       ->needs(candidate)
       ->capture_default_str();
   command
+      .add_option("--memory", arguments.memory_mib,
+                  "MiB of memory that a candidate may use, and each of its processes reserve")
+      ->check(whole_number(1, std::uint64_t{1} << 30))
+      ->needs(candidate)
+      ->capture_default_str();
+  command
       .add_option("--bounds", arguments.bounds,
                   "whose documented bounds hold for candidates: INTERSECT or RAYS/INTERSECT "
                   "(default: direct/cross)")
@@ -377,6 +383,8 @@ std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
   RunOptions options;
   options.layers = chosen_layers(sandbox_of(arguments.sandbox)).layers;
   options.limits.seconds = arguments.seconds;
+  options.limits.memory = arguments.memory_mib << 20;
+  options.limits.names.memory = "--memory";
   const auto canonical = [](const std::vector<std::string>& folders) {
     std::vector<std::filesystem::path> paths;
     for (const std::string& one : folders) paths.push_back(std::filesystem::canonical(one));

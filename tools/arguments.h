@@ -97,6 +97,7 @@ struct ExternalArguments {
   std::vector<std::string> reads, includes;  ///< Folders that they may read; with headers.
   SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
+  std::uint64_t memory_mib = Limits{}.memory >> 20;
   std::string bounds;  ///< Whose bounds; empty: kDefaultMethods'.
   scene::Precision precision = scene::Precision::kDouble;  ///< Of renderers.
   std::optional<double> image_change;                      ///< Empty: the precision's default.

@@ -19,6 +19,7 @@
 #include "properties/failures.h"
 #include "scene/arithmetic.h"
 #include "scene/interruption.h"
+#include "scene/invalid_input.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/report/json.h"
@@ -131,11 +132,14 @@ std::string said_of(const std::exception& error, const CLI::App& command) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     return command.get_name() + ": takes more memory than there is for it";
   }
-  const std::string text = error.what();
-  const std::size_t end = std::min({text.find(' '), text.find(": "), text.size()});
-  const bool is_option = dynamic_cast<const std::invalid_argument*>(&error) != nullptr &&
-                         command.get_option_no_throw("--" + text.substr(0, end)) != nullptr;
-  return is_option ? "--" + text : text;
+  if (const auto* file = dynamic_cast<const fs::filesystem_error*>(&error)) {
+    return fmt::format("{}: cannot be read or written: {}; name another, or let raycheck do so",
+                       file->path1().string(), file->code().message());
+  }
+  const auto* input = dynamic_cast<const scene::InvalidInput*>(&error);
+  const bool is_option =
+      input != nullptr && command.get_option_no_throw("--" + input->field()) != nullptr;
+  return std::string(is_option ? "--" : "") + error.what();
 }
 
 /// The message of an internal error; `words`: the command line.

@@ -6,12 +6,12 @@
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include "scene/invalid_input.h"
 #include "tools/arguments.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/report/digest.h"
@@ -34,56 +34,31 @@ bool is_of_units(const CLI::Option& option) {
                       [&](const NamedOption& one) { return is_called(one.name); });
 }
 
-/// The file in quotes that a line of C or C++ includes; empty where it includes none.
-std::string included_by(std::string_view line) {
-  for (const std::string_view word : {"#", "include", "\""}) {
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    if (!line.starts_with(word)) return "";
-    line.remove_prefix(word.size());
-  }
-  const std::size_t end = line.find('"');
-  return std::string(line.substr(0, end == std::string_view::npos ? 0 : end));
-}
-
-/// Adds a file, and those that it includes by names in quotes, or all files of a folder, but hidden
-/// ones and folders of units.
-void add_files(const fs::path& path, const std::vector<std::string>& includes,
-               std::map<std::string, std::string>& files) {
+/// Adds a file, or all files of a folder, but hidden ones and folders of units.
+void add_files(const fs::path& path, std::map<std::string, std::string>& files) {
   constexpr std::size_t kMostFiles = 20'000;
   std::error_code error;
   if (fs::is_directory(path, error)) {
     for (const fs::directory_entry& entry : fs::directory_iterator(path, error)) {
       const bool is_hidden = entry.path().filename().string().starts_with(".");
       if (!is_hidden && !entry.is_symlink() && !fs::exists(entry.path() / kCampaignFile)) {
-        add_files(entry.path(), includes, files);
+        add_files(entry.path(), files);
       }
     }
     return;
   }
   if (!fs::is_regular_file(path, error) || files.contains(path.string())) return;
   if (files.size() == kMostFiles) {
-    throw std::invalid_argument(
-        fmt::format("out: there are more than {} files in the folders that are named", kMostFiles));
+    throw scene::InvalidInput(
+        "out", "",
+        fmt::format("there are more than {} files in the folders that are named", kMostFiles));
   }
-  const std::string text = file_bytes(path);
-  files[path.string()] = digest({text});
-  if (text.find('\0') != std::string::npos) return;  // a program or a library
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    const std::string included = included_by(line);
-    if (included.empty()) continue;
-    add_files(path.parent_path() / included, includes, files);
-    for (const std::string& folder : includes)
-      add_files(fs::path(folder) / included, includes, files);
-  }
+  files[path.string()] = digest({file_bytes(path)});
 }
 
-CampaignIdentity identity_of(const CLI::App& command) {
+CampaignIdentity identity_of(const CLI::App& command, Judged judged) {
   CampaignIdentity campaign = {
       command.get_name(), {}, fmt::format("{}, {}", kVersion, kUnitShape), {}};
-  const CLI::Option* const including = command.get_option_no_throw("--include");
-  const std::vector<std::string> includes =
-      including != nullptr ? including->results() : std::vector<std::string>{};
   for (const CLI::Option* option : command.get_options()) {
     if (!is_of_units(*option)) continue;
     const bool is_flag = option->get_items_expected_max() == 0;
@@ -98,7 +73,10 @@ CampaignIdentity identity_of(const CLI::App& command) {
       if (!is_flag) campaign.arguments.push_back(value);
     }
     if (!reads(*option)) continue;
-    for (const std::string& file : files_of(*option)) add_files(file, includes, campaign.files);
+    for (const std::string& file : files_of(*option)) add_files(file, campaign.files);
+  }
+  for (const Implementation& one : judged) {
+    campaign.files.insert(one.built_of.begin(), one.built_of.end());
   }
   return campaign;
 }
@@ -129,10 +107,10 @@ void add_shards_inside(CLI::App& command, ShardArguments& arguments,
   command.add_option("--merged", arguments.merged, "what merge merges")->group("")->excludes(out);
 }
 
-std::unique_ptr<Units> units_of(const ShardArguments& arguments) {
+std::unique_ptr<Units> units_of(const ShardArguments& arguments, Judged judged) {
   if (!arguments.merged.empty()) {
     return std::make_unique<Units>(
-        identity_of(*arguments.command),
+        identity_of(*arguments.command, judged),
         std::vector<fs::path>(arguments.merged.begin(), arguments.merged.end()));
   }
   if (arguments.out.empty()) return nullptr;
@@ -142,7 +120,13 @@ std::unique_ptr<Units> units_of(const ShardArguments& arguments) {
     print_error(fmt::format("raycheck: shard {} of {} ({}{})\n", shard.number, shard.of,
                             by_option ? "--" : "", shard.said_by));
   }
-  return std::make_unique<Units>(identity_of(*arguments.command), arguments.out, shard);
+  return std::make_unique<Units>(identity_of(*arguments.command, judged), arguments.out, shard);
+}
+
+bool runs_candidates(const CampaignIdentity& campaign) {
+  return campaign.command == "grade" ||
+         std::find(campaign.arguments.begin(), campaign.arguments.end(), "--candidate") !=
+             campaign.arguments.end();
 }
 
 int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted) {
@@ -154,8 +138,9 @@ int shard_done(const ShardArguments& arguments, const Units& units, bool was_int
     print_error(fmt::format("raycheck: {} is for merge: a shard reports nothing\n", name));
   }
   if (!was_interrupted) {
-    print_error(fmt::format("raycheck: shard {} of {} is done; once all are: raycheck merge {}\n",
-                            shard.number, shard.of, arguments.out));
+    print_error(fmt::format("raycheck: shard {} of {} is done; once all are: raycheck merge {}{}\n",
+                            shard.number, shard.of, arguments.out,
+                            runs_candidates(units.campaign()) ? " --run-candidates" : ""));
   }
   return exit_code(was_interrupted, false, true);
 }

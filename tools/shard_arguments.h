@@ -5,9 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "tools/implementations/implementation.h"
 #include "tools/shards/units.h"
 
 namespace raycheck::tools {
@@ -47,21 +49,25 @@ inline constexpr NamedOption kReportOptions[] = {{"--format", true},
 /// Options that units depend on: all that a shard may write into its folder, besides what stands
 /// without a name, and that `merge` takes from one.
 inline constexpr NamedOption kUnitOptions[] = {
-    {"--filter", true},      {"--cases", true},       {"--seed", true},
-    {"--rays", true},        {"--source", true},      {"--intersect", true},
-    {"--candidate", true},   {"--read", true},        {"--level", true},
-    {"--include", true},     {"--timeout", true},     {"--bounds", true},
-    {"--target", true},      {"--precision", true},   {"--image-change", true},
-    {"--t-threshold", true}, {"--origin", true},      {"--dialect", true},
-    {"--keep-going", true},  {"--max-ulp", true},     {"--family", true},
-    {"--method", true},      {"--severity", true},    {"--quantity", true},
-    {"--by", true},          {"--steps", true},       {"--searches", true},
-    {"--pixels", true},      {"--secret-file", true}, {"--strict", false},
-    {"--all", false}};
+    {"--filter", true},       {"--cases", true},       {"--seed", true},
+    {"--rays", true},         {"--source", true},      {"--intersect", true},
+    {"--candidate", true},    {"--read", true},        {"--level", true},
+    {"--include", true},      {"--timeout", true},     {"--memory", true},
+    {"--bounds", true},       {"--target", true},      {"--precision", true},
+    {"--image-change", true}, {"--t-threshold", true}, {"--origin", true},
+    {"--dialect", true},      {"--keep-going", true},  {"--max-ulp", true},
+    {"--family", true},       {"--method", true},      {"--severity", true},
+    {"--quantity", true},     {"--by", true},          {"--steps", true},
+    {"--searches", true},     {"--pixels", true},      {"--secret-file", true},
+    {"--strict", false},      {"--all", false}};
 
-/// The units asked for, told on standard error; null: nothing is kept.
+using Judged = std::span<const Implementation>;
+/// The units asked for, told on standard error; null: nothing is kept. They depend on what those
+/// who are judged were built of.
 /// Domain: arguments of add_shards() that are parsed.
-std::unique_ptr<Units> units_of(const ShardArguments& arguments);
+std::unique_ptr<Units> units_of(const ShardArguments& arguments, Judged judged = {});
+/// Whether a campaign's report runs others' code, too: candidates, or submissions.
+bool runs_candidates(const CampaignIdentity& campaign);
 /// The exit code of a shard that is not all, told on standard error.
 int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted);
 

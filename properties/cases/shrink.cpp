@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <utility>
 
 #include "scene/fields.h"
@@ -42,23 +43,32 @@ std::ptrdiff_t count_points(const scene::Scene& scene) {
                        [](const scene::Sphere& sphere) { return sphere.radius == 0; });
 }
 
-/// One case for each element left out, as long as `keep` remain.
+/// Is given cases one by one; whether it takes one, which ends them.
+using Take = std::function<bool(Case&&)>;
+
+/// Cases without some elements, half of them first, then fewer; `keep` remain.
 template <class Member>
-void leave_one_out(const Case& the_case, Member member, std::size_t keep, std::vector<Case>& out) {
+bool leave_some_out(const Case& the_case, Member member, std::size_t keep, const Take& take) {
   const std::size_t count = member(the_case).size();
-  for (std::size_t k = 0; k < count && count > keep; ++k) {
-    Case fewer = the_case;
-    auto& list = member(fewer);
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(k));
-    out.push_back(std::move(fewer));
+  const std::size_t most = count - std::min(count, keep);
+  for (std::size_t some = std::min(most, std::max<std::size_t>(1, count / 2)); some > 0;
+       some /= 2) {
+    for (std::size_t at = 0; at + some <= count; at += some) {
+      Case fewer = the_case;
+      auto& list = member(fewer);
+      const auto first = list.begin() + static_cast<std::ptrdiff_t>(at);
+      list.erase(first, first + static_cast<std::ptrdiff_t>(some));
+      if (take(std::move(fewer))) return true;
+    }
   }
+  return false;
 }
 
 template <class Convention>
-void reset(const Case& the_case, Convention scene::Conventions::*member, std::vector<Case>& out) {
+bool reset(const Case& the_case, Convention scene::Conventions::*member, const Take& take) {
   Case plain = the_case;
   plain.scene.conventions.*member = scene::Conventions{}.*member;
-  if (!(plain.scene.conventions == the_case.scene.conventions)) out.push_back(std::move(plain));
+  return !(plain.scene.conventions == the_case.scene.conventions) && take(std::move(plain));
 }
 
 /// 2, then counts that approach `count`: halving finds the smallest that will do.
@@ -69,7 +79,7 @@ std::vector<std::int64_t> smaller_counts(std::int64_t count) {
   return result;
 }
 
-void shrink_image(const Case& the_case, std::vector<Case>& out) {
+bool shrink_image(const Case& the_case, const Take& take) {
   const scene::Camera& camera = *the_case.scene.camera;
   for (const bool across : {true, false}) {
     const std::int64_t count = across ? camera.width : camera.height;
@@ -83,7 +93,7 @@ void shrink_image(const Case& the_case, std::vector<Case>& out) {
           index =
               in_proportion ? index * (smaller - 1) / (count - 1) : std::min(index, smaller - 1);
         }
-        out.push_back(std::move(less));
+        if (take(std::move(less))) return true;
       }
     }
   }
@@ -91,8 +101,50 @@ void shrink_image(const Case& the_case, std::vector<Case>& out) {
     if (the_case.pixels[k] == scene::Pixel{}) continue;
     Case first = the_case;
     first.pixels[k] = {};
-    out.push_back(std::move(first));
+    if (take(std::move(first))) return true;
   }
+  return false;
+}
+
+bool simplify_numbers(const Case& the_case, const Take& take) {
+  std::vector<double> numbers;
+  Case scratch = the_case;
+  for_each_number(scratch.scene, [&](double& x) { numbers.push_back(x); });
+  for (std::size_t target = 0; target < numbers.size(); ++target) {
+    for (const double value : simpler(numbers[target])) {
+      Case with = the_case;
+      std::size_t k = 0;
+      for_each_number(with.scene, [&](double& x) {
+        if (k++ == target) x = value;
+      });
+      if (take(std::move(with))) return true;
+    }
+  }
+  return false;
+}
+
+/// Those of simpler(), each made when it is tried: together they take as much memory as all numbers
+/// of a scene squared.
+bool any_simpler(const Case& the_case, const Take& take) {
+  const std::ptrdiff_t points = count_points(the_case.scene);
+  const Take valid = [&](Case&& next) {
+    return is_valid(next) && count_points(next.scene) <= points && take(std::move(next));
+  };
+  const auto of = [](auto member) {
+    return [member](auto& c) -> auto& { return c.scene.*member; };
+  };
+  const auto pixels = [](auto& c) -> auto& { return c.pixels; };
+  using scene::Conventions;
+  return leave_some_out(the_case, of(&scene::Scene::spheres), 0, valid) ||
+         leave_some_out(the_case, pixels, 1, valid) ||
+         leave_some_out(the_case, of(&scene::Scene::rays), 1, valid) ||
+         reset(the_case, &Conventions::rows, valid) ||
+         reset(the_case, &Conventions::samples, valid) ||
+         reset(the_case, &Conventions::origin, valid) ||
+         reset(the_case, &Conventions::root, valid) ||
+         reset(the_case, &Conventions::tangent, valid) ||
+         (the_case.scene.camera && shrink_image(the_case, valid)) ||
+         simplify_numbers(the_case, valid);
 }
 
 }  // namespace
@@ -132,58 +184,28 @@ std::vector<double> simpler(double value) {
 
 std::vector<Case> simpler(const Case& the_case) {
   std::vector<Case> result;
-  leave_one_out(
-      the_case, [](auto& c) -> auto& { return c.scene.spheres; }, 0, result);
-  leave_one_out(
-      the_case, [](auto& c) -> auto& { return c.pixels; }, 1, result);
-  leave_one_out(
-      the_case, [](auto& c) -> auto& { return c.scene.rays; }, 1, result);
-  reset(the_case, &scene::Conventions::rows, result);
-  reset(the_case, &scene::Conventions::samples, result);
-  reset(the_case, &scene::Conventions::origin, result);
-  reset(the_case, &scene::Conventions::root, result);
-  reset(the_case, &scene::Conventions::tangent, result);
-  if (the_case.scene.camera) shrink_image(the_case, result);
-
-  std::size_t count = 0;
-  Case scratch = the_case;
-  for_each_number(scratch.scene, [&](double&) { ++count; });
-  for (std::size_t target = 0; target < count; ++target) {
-    double original = 0;
-    const auto set = [&](Case& where, const double* value) {
-      std::size_t k = 0;
-      for_each_number(where.scene, [&](double& x) {
-        if (k++ != target) return;
-        if (value != nullptr) {
-          x = *value;
-        } else {
-          original = x;
-        }
-      });
-    };
-    set(scratch, nullptr);
-    for (const double value : simpler(original)) {
-      Case with = the_case;
-      set(with, &value);
-      result.push_back(std::move(with));
-    }
-  }
-  std::erase_if(result, [&](const Case& c) {
-    return !is_valid(c) || count_points(c.scene) > count_points(the_case.scene);
+  any_simpler(the_case, [&](Case&& next) {
+    result.push_back(std::move(next));
+    return false;
   });
   return result;
 }
 
-Case smallest(Case from, int tries, const std::function<bool(const Case&)>& still) {
-  for (bool found = true; found && tries > 0;) {
+Case smallest(Case from, ShrinkBudget& budget, const std::function<bool(const Case&)>& still) {
+  bool found = true;
+  const auto take = [&](Case&& next) {
+    if (budget.is_spent()) return true;
+    --budget.tries;
+    budget.parts -=
+        std::ssize(next.scene.spheres) + std::ssize(next.scene.rays) + std::ssize(next.pixels);
+    if (!still(next)) return false;
+    from = std::move(next);
+    return found = true;
+  };
+  while (found) {
     found = false;
-    for (Case& next : simpler(from)) {
-      if (--tries < 0) break;
-      if (!still(next)) continue;
-      from = std::move(next);
-      found = true;
-      break;
-    }
+    const Case now = from;
+    any_simpler(now, take);
   }
   return from;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "properties/case.h"
@@ -14,12 +16,21 @@ int complexity(double value);
 /// Simpler doubles to try in place of one, the simplest first: 0, 1, whole numbers, fewer bits.
 std::vector<double> simpler(double value);
 
-/// Valid cases that are simpler in one respect: a sphere, pixel or ray fewer, a convention at its
-/// default, a smaller image, one number simpler.
+/// Valid cases that are simpler in one respect: half of the spheres, pixels or rays, a quarter, and
+/// so on to one of them fewer, a convention at its default, a smaller image, one number simpler.
 std::vector<Case> simpler(const Case& the_case);
 
-/// Follows steps of simpler() from a case, each to the first case for which `still` holds; tries at
-/// most `tries` cases.
-Case smallest(Case from, int tries, const std::function<bool(const Case&)>& still);
+/// What shrinking may still take: cases to try, and in all of them spheres, rays and pixels.
+struct ShrinkBudget {
+  static constexpr std::int64_t kParts = 2'000'000;
+
+  std::int64_t tries = std::numeric_limits<std::int64_t>::max(), parts = kParts;
+
+  bool is_spent() const { return tries <= 0 || parts <= 0; }
+};
+
+/// Follows steps of simpler() from a case, each to the first case for which `still` holds, to the
+/// end or as far as the budget reaches, of which it takes what it uses.
+Case smallest(Case from, ShrinkBudget& budget, const std::function<bool(const Case&)>& still);
 
 }  // namespace raycheck::properties

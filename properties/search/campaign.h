@@ -103,6 +103,8 @@ struct Failure {
   /// A candidate that is started anew, and asked about the shrunk case first, is right: what it is
   /// asked before counts.
   bool is_of_earlier = false;
+  /// After which shrinking was given up; 0: it came to its end.
+  std::int64_t tries = 0;
 };
 
 /// A law holds only if at least this many answers to each kind of question that it asked, hits for

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limits>
 #include <utility>
 
 #include "properties/cases/shrink.h"
@@ -180,8 +179,11 @@ void LawSearch::count(bool judged, bool given, const Verdict& verdict) {
 
 template <class Breaks>
 void LawSearch::shrink_while(const Breaks& breaks) {
+  ShrinkBudget budget;
+  const std::int64_t all = budget.tries;
   const auto shrink_on = [&] {
-    smallest(failure->shrunk, std::numeric_limits<int>::max(), breaks);
+    smallest(failure->shrunk, budget, breaks);
+    if (budget.is_spent()) failure->tries = all - budget.tries;
   };
   shrink_on();
   const Case& shrunk = failure->shrunk;

@@ -101,7 +101,8 @@ class Climber {
 
   void shrink(WorstCase& at) {
     const double least = at.height / 2;
-    smallest(at.the_case, std::numeric_limits<int>::max(), [&](const Case& next) {
+    ShrinkBudget budget;
+    smallest(at.the_case, budget, [&](const Case& next) {
       if (control_.interrupted() || !is_of_format(next.scene, candidate_.input_format()))
         return false;
       std::optional<WorstCase> seen = look(next);

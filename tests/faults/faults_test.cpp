@@ -190,6 +190,15 @@ TEST(InternalErrors, EndEveryCommandThatJudges) {
   EXPECT_FALSE(fs::exists(page));
 }
 
+/// What the C++ library throws of a file is said with the file.
+TEST(Faults, OfFilesAreSaidInWords) {
+  const std::string library = built_submission("right.cpp", "right", temporary_folder("library"));
+  const Variable preload("LD_PRELOAD", RAYCHECK_FAULTS);
+  const Variable which("RAYCHECK_FAULT", "sendfile:0:" + std::to_string(EIO));
+  expect_refused("check scene/examples/lecture-examples.toml --candidate library:" + library,
+                 "raycheck: " + library + ": cannot be read or written: Input/output error; ");
+}
+
 TEST(InternalErrors, WriteNoUnitNoBaselineAndNoReport) {
   const std::string asked =
       "properties --intersect lecture --filter parameter --source distance@9 ";

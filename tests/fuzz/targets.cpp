@@ -4,16 +4,21 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "properties/search/campaign.h"
+#include "properties/search/worst_case.h"
 #include "scene/files/scene_file.h"
 #include "scene/text.h"
 #include "scene/validate.h"
 #include "tools/external/protocol/protocol.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/report/picture_file.h"
+#include "tools/shards/run_units.h"
 
 namespace raycheck::tests {
 namespace {
@@ -91,6 +96,19 @@ void fuzz_rubric(std::string_view bytes) {
   try {
     tools::load_rubric(folder.file());
   } catch (const scene::SceneFileError&) {
+  }
+}
+
+/// Below the digest of a unit's file, which bytes by chance do not have.
+void fuzz_unit(std::string_view bytes) {
+  try {
+    // As a unit of `properties` has it.
+    using Result =
+        std::pair<std::vector<properties::CampaignPart>, std::optional<properties::WorstCase>>;
+    const std::string again = tools::to_bytes(tools::from_bytes<Result>(bytes));
+    require(tools::to_bytes(tools::from_bytes<Result>(again)) == again,
+            "a result is another when written and read again");
+  } catch (const std::invalid_argument&) {
   }
 }
 

@@ -12,6 +12,7 @@ void fuzz_driver_file(std::string_view bytes);
 void fuzz_rubric(std::string_view bytes);
 void fuzz_reply(std::string_view bytes);
 void fuzz_picture(std::string_view bytes);
+void fuzz_unit(std::string_view bytes);
 
 /// Of a target, in tests/fuzz/regressions/NAME: inputs on which it failed once.
 struct FuzzTarget {
@@ -19,10 +20,8 @@ struct FuzzTarget {
   void (*run)(std::string_view bytes);
 };
 
-inline constexpr FuzzTarget kFuzzTargets[] = {{"toml_scene", fuzz_toml_scene},
-                                              {"driver_file", fuzz_driver_file},
-                                              {"rubric", fuzz_rubric},
-                                              {"reply", fuzz_reply},
-                                              {"picture", fuzz_picture}};
+inline constexpr FuzzTarget kFuzzTargets[] = {
+    {"toml_scene", fuzz_toml_scene}, {"driver_file", fuzz_driver_file}, {"rubric", fuzz_rubric},
+    {"reply", fuzz_reply},           {"picture", fuzz_picture},         {"unit", fuzz_unit}};
 
 }  // namespace raycheck::tests

@@ -31,6 +31,11 @@ TEST(New, refuses_names_that_are_none_in_every_language) {
   for (const char* name : {"1st", "a-b", "../up", "''"}) {
     run(std::string("new ") + name, 2);
   }
+  const std::string java = " --language java --out " + temporary_folder("reserved");
+  for (const char* name : {"int", "true", "record", "RaycheckCandidate"}) {
+    expect_refused("new " + (name + java), std::string("NAME ") + name + ": is a word of java");
+  }
+  run("new integer" + java, 0);
 }
 
 }  // namespace

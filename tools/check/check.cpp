@@ -12,6 +12,7 @@
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
 #include "scene/interruption.h"
+#include "scene/invalid_input.h"
 #include "tools/check/judgement.h"
 #include "tools/implementations/built_in.h"
 
@@ -143,8 +144,8 @@ CheckReport check(const CheckOptions& options, const RunControl& control, Units*
   report.strict = options.strict;
   report.max_error = options.max_error;
   if (!report.scene.camera && options.pixels) {
-    throw std::invalid_argument("pixels: " + options.path +
-                                " has given rays and no pixels; all its rays are judged");
+    throw scene::InvalidInput(
+        "pixels", "", options.path + " has given rays and no pixels; all its rays are judged");
   }
   const ScenesOfFormats scenes(report.scene, options.pixels, implementations);
   const SceneCases& cases = scenes.given();

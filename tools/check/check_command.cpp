@@ -37,7 +37,7 @@ int run_check(CheckArguments& arguments) {
   std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
-  const std::unique_ptr<Units> units = units_of(arguments.shards);
+  const std::unique_ptr<Units> units = units_of(arguments.shards, options.implementations);
   CheckReport report = check(options, run_control(options.path, arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   Gate gate = check_gate(report);

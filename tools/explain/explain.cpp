@@ -10,6 +10,7 @@
 #include "properties/case.h"
 #include "reference/account/condition.h"
 #include "scene/interruption.h"
+#include "scene/invalid_input.h"
 #include "scene/validate.h"
 #include "tools/explain/explain_methods.h"
 
@@ -293,13 +294,14 @@ ExplainReport explain(const ExplainOptions& options) {
     report.nearest = nearest->index;
   }
   if (scene.spheres.empty()) {
-    if (options.sphere) throw std::invalid_argument("sphere: the scene has no sphere");
+    if (options.sphere) throw scene::InvalidInput("sphere", "", "the scene has no sphere");
     return report;
   }
   report.sphere = options.sphere.value_or(report.nearest.value_or(0));
   if (*report.sphere >= scene.spheres.size()) {
-    throw std::invalid_argument(fmt::format("sphere {}: the scene's spheres are numbered 0 to {}",
-                                            *report.sphere, scene.spheres.size() - 1));
+    throw scene::InvalidInput(
+        "sphere", std::to_string(*report.sphere),
+        fmt::format("the scene's spheres are numbered 0 to {}", scene.spheres.size() - 1));
   }
   const scene::Sphere& sphere = scene.spheres[*report.sphere];
   const SphereReport& exact = report.spheres[*report.sphere];

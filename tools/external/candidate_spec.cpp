@@ -14,11 +14,6 @@ constexpr std::string_view kKinds =
     "library:PATH.so, source:PATH, command:'WORDS' or "
     "renderer:'WORDS with {scene} and {image}'";
 
-std::string sentence(const std::string& why, const std::string& said, std::string_view whose) {
-  return (whose.empty() ? why : fmt::format("candidate {}: {}", whose, why)) +
-         (said.empty() ? "" : "\n" + said);
-}
-
 }  // namespace
 
 std::string CandidateSpec::text() const {
@@ -26,7 +21,8 @@ std::string CandidateSpec::text() const {
 }
 
 CandidateError::CandidateError(const std::string& why, std::string said, std::string_view whose)
-    : std::invalid_argument(scene::visible(sentence(why, said, whose))),
+    : InvalidInput(whose.empty() ? "" : "candidate", scene::visible(whose),
+                   scene::visible(why + (said.empty() ? "" : "\n" + said))),
       why_(why),
       said_(std::move(said)) {}
 

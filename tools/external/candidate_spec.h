@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "scene/invalid_input.h"
+
 namespace raycheck::tools {
 
 /// The kinds of other people's implementations.
@@ -29,7 +31,7 @@ struct CandidateSpec {
 };
 
 /// Why an external implementation cannot be run, and what its compiler or the program itself said.
-class CandidateError : public std::invalid_argument {
+class CandidateError : public scene::InvalidInput {
  public:
   /// `whose`: the candidate, if what() is to name it.
   explicit CandidateError(const std::string& why, std::string said = {},

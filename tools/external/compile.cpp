@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "tools/external/sandbox/file_tree.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
@@ -15,6 +16,7 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kCompilerProcesses = 256;
 constexpr std::uint64_t kCompilerFiles = 256;
 constexpr std::uint64_t kCompilerFile = std::uint64_t{256} << 20;
+constexpr std::size_t kMostRules = std::size_t{16} << 20;
 constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
 /// Line tables and no other debug information: they tell where a candidate dies (source_lines.h).
 constexpr const char* kLineTables = "-g1";
@@ -38,6 +40,27 @@ fs::path copied(const fs::path& made, const fs::path& to) {
   }
   fs::copy_file(made, to / made.filename());
   return to / made.filename();
+}
+
+/// The files of a source's folder that a compiler read, by the rules for make that it left.
+std::set<std::string> read_of(const fs::path& folder, const fs::path& made) {
+  const std::string within = folder.string() + "/";
+  std::set<std::string> read;
+  for (const fs::path& rules : files_in(made, ".d")) {
+    const std::string text = file_bytes(rules, kMostRules) + " ";
+    std::string word;
+    for (std::size_t k = 0; k + 1 < text.size(); ++k) {
+      const char c = text[k], next = text[k + 1];
+      const bool is_escaped = (c == '\\' && next != '\n') || (c == '$' && next == '$');
+      const bool is_between = c == ' ' || c == '\n' || (c == '\\' && !is_escaped);
+      if (is_escaped) ++k;
+      if (!is_between) word += text[k];
+      if (!is_between && k + 2 < text.size()) continue;
+      if (word.starts_with(within)) read.insert(word.substr(within.size()));
+      word.clear();
+    }
+  }
+  return read;
 }
 
 /// A build step that must succeed; errors call it `name`. Its folder, where it leaves its output,
@@ -92,7 +115,7 @@ fs::path source_folder(const fs::path& source) {
   return fs::is_directory(source) ? source : source.parent_path();
 }
 
-fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& options) {
+Compiled compile(const fs::path& source, const fs::path& to, const RunOptions& options) {
   const fs::path include = include_folder();
   Confined confined = compiler(options);
   confined.readable.push_back(include);
@@ -119,10 +142,11 @@ fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& o
       throw CandidateError(
           fmt::format("its CMakeLists.txt makes {} shared libraries, not one", libraries.size()));
     }
-    return copied(libraries.front(), to);
+    return {copied(libraries.front(), to), read_of(folder, step.folder())};
   }
-  confined.arguments = {"g++",      "-std=c++20", "-O2",      kLineTables, "-fPIC", "-shared",
-                        "-isystem", include,      "-isystem", kEigen,      "-o",    "candidate.so"};
+  confined.arguments = {"g++",     "-std=c++20", "-O2",         kLineTables, "-fPIC",
+                        "-shared", "-MMD",       "-isystem",    include,     "-isystem",
+                        kEigen,    "-o",         "candidate.so"};
   for (const fs::path& one : options.includes) {
     confined.arguments.insert(confined.arguments.end(), {"-I", one});
   }
@@ -136,7 +160,7 @@ fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& o
     confined.arguments.push_back(source);
   }
   const BuildStep step("g++", confined);
-  return copied(step.folder() / "candidate.so", to);
+  return {copied(step.folder() / "candidate.so", to), read_of(folder, step.folder())};
 }
 
 void build(const fs::path& folder, const BuildWords& words, const fs::path& to,

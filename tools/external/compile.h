@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
 
 #include "tools/external/locate.h"
@@ -14,12 +15,16 @@ std::filesystem::path include_folder();
 /// The folder of a source to compile, with all that it may include: itself, or the file's folder.
 std::filesystem::path source_folder(const std::filesystem::path& source);
 
+struct Compiled {
+  std::filesystem::path library;
+  std::set<std::string> read;  ///< The files that the compiler read of the source's folder.
+};
 /// Compiles a C++ file, the .cpp files of a folder, or what a CMakeLists.txt describes, to a shared
-/// library with line tables in the folder `to`, sandboxed like a candidate; returns the library's
-/// path. <raycheck/candidate.h> and Eigen, if installed, are found. Errors: CandidateError with
+/// library with line tables in the folder `to`, sandboxed like a candidate.
+/// <raycheck/candidate.h> and Eigen, if installed, are found. Errors: CandidateError with
 /// what the compiler said.
-std::filesystem::path compile(const std::filesystem::path& source, const std::filesystem::path& to,
-                              const RunOptions& options);
+Compiled compile(const std::filesystem::path& source, const std::filesystem::path& to,
+                 const RunOptions& options);
 
 /// A shell command that builds something.
 struct BuildWords {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ struct External {
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
   /// The file that it is made from, as named by the user; empty if that is not one file.
   std::string source_file = {};
+  /// What the compiler read of a source's folder: names as the user's, and digests.
+  std::map<std::string, std::string> built_of = {};
 };
 
 /// Starts the program once to hear its introduction, unless that is among the stored answers.

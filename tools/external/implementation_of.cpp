@@ -61,6 +61,7 @@ Implementation implementation_of(const External& external) {
       .isolated_by = external.program.layers.text(),
       .bounds_of = candidate_of(external.bounds).name,
       .source_file = external.source_file,
+      .built_of = external.built_of,
       .stages = stages_of(external.introduction.functions),
       .precision = external.precision,
       .unit_directions = external.introduction.unit_directions,

@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "tools/external/compile.h"
+#include "tools/external/sandbox/file_tree.h"
 #include "tools/external/source_lines.h"
+#include "tools/report/digest.h"
 
 namespace raycheck::tools {
 namespace {
@@ -239,12 +241,22 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
   ReadableCopies copies(options.layers);
   switch (spec.kind) {
     case CandidateKind::kLibrary:
-      return library(spec.text(), existing(spec.what, options), options);
+      if (const fs::path file = existing(spec.what, options); fs::is_regular_file(file)) {
+        return library(spec.text(), file, options);
+      }
+      throw CandidateError("it is no file: give a shared library");
     case CandidateKind::kSource: {
       const PrivateFolder built;
       const fs::path named = existing(spec.what, options);
       const fs::path source = copies.path_of(named);
-      External external = library(spec.text(), compile(source, built.path(), options), options);
+      const Compiled compiled = compile(source, built.path(), options);
+      External external = library(spec.text(), compiled.library, options);
+      for (const std::string& file : compiled.read) {
+        const fs::path shown =
+            fs::is_directory(source) ? fs::path(spec.what) : fs::path(spec.what).parent_path();
+        external.built_of[(shown / file).lexically_normal().string()] =
+            digest({file_bytes(source_folder(source) / file)});
+      }
       external.lines =
           std::make_shared<SourceLines>(external.program, external.library, source_folder(source),
                                         as_shown(source_folder(named)));

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "properties/case.h"
+#include "scene/invalid_input.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/run/for_each.h"
@@ -168,9 +169,9 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
   scene.camera->height = size.j;
   const auto problems = scene::defects(scene);
   if (!problems.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "size {},{}: {}", size.i, size.j,
-        problems.front().field + " = " + problems.front().value + ": " + problems.front().what));
+    throw scene::InvalidInput(
+        "size", fmt::format("{},{}", size.i, size.j),
+        problems.front().field + " = " + problems.front().value + ": " + problems.front().what);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/candidates/reference_methods.h"
+#include "scene/invalid_input.h"
 
 namespace raycheck::tools {
 namespace {
@@ -20,8 +21,7 @@ auto& find(const Methods& methods, const std::string& name, const char* field) {
     if (method->name == name) return *method;
     known += (known.empty() ? "" : ", ") + std::string(method->name);
   }
-  throw std::invalid_argument(std::string(field) + " " + name +
-                              ": no such method; the methods are " + known);
+  throw scene::InvalidInput(field, name, "no such method; the methods are " + known);
 }
 
 ReadyCalls<properties::SphereHits> ready_calls(const fast::IntersectMethod& method,
@@ -142,7 +142,7 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
   constexpr const char* kAll = "all";
   if (std::find(names.begin(), names.end(), kAll) != names.end()) {
     if (names.size() == 1) return all;
-    throw std::invalid_argument("method all: is every method; leave out the others");
+    throw scene::InvalidInput("method", kAll, "is every method; leave out the others");
   }
   if (names.empty()) {
     std::erase_if(all, [](const Implementation& method) {
@@ -161,7 +161,7 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
                      [&](const Implementation& method) { return is_called(method, name); })) {
       std::string known;
       for (const Implementation& method : all) known += (known.empty() ? "" : ", ") + method.name;
-      throw std::invalid_argument("method " + name + ": no such method; the methods are " + known);
+      throw scene::InvalidInput("method", name, "no such method; the methods are " + known);
     }
   }
   std::erase_if(all, [&](const Implementation& method) {

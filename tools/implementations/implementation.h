@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -81,7 +82,9 @@ struct Implementation {
   std::string isolated_by = {};     ///< "own user, seccomp"; empty: it is raycheck's own.
   std::string bounds_of = {};       ///< To whose bounds it is held; empty: its own.
   std::string source_file = {};     ///< That it is made of, where that is one file.
-  std::string arguments = {};       ///< Of a command that judges it again, but for its name.
+  /// What the compiler read of a source's folder: names of files, and their digests.
+  std::map<std::string, std::string> built_of = {};
+  std::string arguments = {};  ///< Of a command that judges it again, but for its name.
   std::vector<properties::Stage> stages = {};  ///< In which it can be judged alone.
   /// The format it is judged in. raycheck's own methods in floats take doubles and round them: they
   /// are judged as their callers see them.

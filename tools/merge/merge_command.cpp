@@ -15,6 +15,7 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/shard_arguments.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
@@ -25,7 +26,20 @@ struct MergeArguments {
   std::vector<std::string> folders;
   std::map<std::string, std::vector<std::string>> passed;  ///< Values of options of reports,
   std::map<std::string, bool> flags;                       ///< and those without a value.
+  bool may_run = false;
 };
+
+/// The folder says what to run, and the folder may be anyone's.
+void tell_what_runs(const CampaignIdentity& campaign, const std::string& folder, bool may_run) {
+  if (!runs_candidates(campaign)) return;
+  const std::string told =
+      fmt::format("{}: its campaign runs candidates: {}", folder, campaign.text());
+  if (!may_run) {
+    throw std::invalid_argument(
+        told + "; if you trust them and the folder, merge it with --run-candidates");
+  }
+  print_error(fmt::format("raycheck: {}\n", told));
+}
 
 /// Becomes the campaign's own command, which takes its units from the folders.
 int run_merge(const MergeArguments& arguments) {
@@ -56,6 +70,7 @@ int run_merge(const MergeArguments& arguments) {
     words.push_back(known->has_value ? *argument + "=" + *std::next(argument) : *argument);
     if (known->has_value) ++argument;
   }
+  tell_what_runs(campaign, arguments.folders.front(), arguments.may_run);
   for (const std::string& folder : arguments.folders) words.push_back("--merged=" + folder);
   for (const auto& [option, values] : arguments.passed) {
     for (const std::string& value : values) words.push_back(option + "=" + value);
@@ -79,6 +94,8 @@ CommandRun add_merge(CLI::App& command) {
   command.add_option("FOLDER", given->folders, "what shards kept by --out")
       ->required()
       ->type_name("FOLDER");
+  command.add_flag("--run-candidates", given->may_run,
+                   "run the candidates that the folder's campaign names, or its submissions");
   for (const NamedOption& option : kReportOptions) {
     const std::string meaning = "as of the command whose campaign it is";
     if (option.has_value) {

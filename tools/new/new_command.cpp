@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/files/file_text.h"
+#include "scene/invalid_input.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/external/sandbox/launch.h"
@@ -24,6 +25,8 @@ struct Language {
   std::string_view name, extension;
   std::string_view beside;  ///< A file of adapters() that lies beside it; empty: none does.
   std::string_view judged;  ///< How NAME is judged.
+  /// Words that are no name in it, with spaces around; empty: NAME only names files there.
+  std::string_view reserved = "";
 };
 constexpr Language kLanguages[] = {
     {"cpp", ".cpp", "", "--candidate source:NAME.cpp"},
@@ -32,7 +35,12 @@ constexpr Language kLanguages[] = {
     {"node", ".mjs", "raycheck_candidate.mjs", "--candidate 'command:node NAME.mjs'"},
     {"java", ".java", "RaycheckCandidate.java",
      "--candidate 'command:java -cp . NAME', once `javac NAME.java RaycheckCandidate.java` has "
-     "compiled it"}};
+     "compiled it",
+     " abstract assert boolean break byte case catch char class const continue default do double "
+     "else enum extends false final finally float for goto if implements import instanceof int "
+     "interface long native new null package permits private protected public record return "
+     "sealed short static strictfp super switch synchronized this throw throws transient true try "
+     "var void volatile while yield _ RaycheckCandidate "}};
 
 struct NewArguments {
   std::string name, language = "cpp", out = ".";
@@ -51,6 +59,10 @@ std::string write_adapter(const NewArguments& arguments) {
   const auto* const language =
       std::find_if(std::begin(kLanguages), std::end(kLanguages),
                    [&](const Language& one) { return one.name == arguments.language; });
+  if (language->reserved.find(" " + arguments.name + " ") != std::string_view::npos) {
+    throw std::invalid_argument(fmt::format("NAME {}: is a word of {}; give another name",
+                                            arguments.name, arguments.language));
+  }
   const fs::path installed = prefix() / "share/raycheck/new";
   const fs::path templates =
       fs::exists(installed) ? installed : fs::path(kSourceFolder) / "examples/new";
@@ -64,11 +76,11 @@ std::string write_adapter(const NewArguments& arguments) {
   }
   const fs::path out = arguments.out;
   if (fs::exists(out / file)) {
-    throw std::invalid_argument(fmt::format("out {}: {} is there already", arguments.out, file));
+    throw scene::InvalidInput("out", arguments.out, file + " is there already");
   }
   std::error_code error;
   fs::create_directories(out, error);
-  if (error) throw std::invalid_argument(fmt::format("out {}: {}", arguments.out, error.message()));
+  if (error) throw scene::InvalidInput("out", arguments.out, error.message());
   for (const auto& [name, text] : texts) OutputFile("out", out / name).write(text);
   return fmt::format(
       "wrote {}: it compiles, and says what is missing when it is judged:\n"

@@ -13,6 +13,7 @@
 #include "properties/laws/law.h"
 #include "scene/files/file_text.h"
 #include "scene/files/scene_file.h"
+#include "scene/invalid_input.h"
 #include "tools/report/digest.h"
 #include "tools/report/output_file.h"
 
@@ -53,9 +54,10 @@ void require_inside(const Case& the_case, const fs::path& file) {
   const auto& camera = *the_case.scene.camera;
   for (const scene::Pixel& one : the_case.pixels) {
     if (one.i >= 0 && one.j >= 0 && one.i < camera.width && one.j < camera.height) continue;
-    throw std::invalid_argument(
-        fmt::format("corpus {}: pixel ({}, {}) is outside of its image of {} x {} pixels",
-                    file.string(), one.i, one.j, camera.width, camera.height));
+    throw scene::InvalidInput(
+        "corpus", file.string(),
+        fmt::format("pixel ({}, {}) is outside of its image of {} x {} pixels", one.i, one.j,
+                    camera.width, camera.height));
   }
 }
 
@@ -107,15 +109,13 @@ std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
     const auto law = std::find_if(laws.begin(), laws.end(),
                                   [&](const auto* one) { return one->name == law_name; });
     if (properties::find_law(law_name) == nullptr) {
-      throw std::invalid_argument(
-          fmt::format("corpus {}: names no law; a line '# law: NAME' does", file.string()));
+      throw scene::InvalidInput("corpus", file.string(), "names no law; a line '# law: NAME' does");
     }
     if (law == laws.end()) continue;
     Case the_case{scene::load_scene(file.string()).scene, pixels_of(said(text, kPixels))};
     if (the_case.scene.camera && the_case.pixels.empty()) {
-      throw std::invalid_argument(
-          fmt::format("corpus {}: has a camera and names no pixels; a line '# pixels: (I, J)' does",
-                      file.string()));
+      throw scene::InvalidInput("corpus", file.string(),
+                                "has a camera and names no pixels; a line '# pixels: (I, J)' does");
     }
     if (the_case.scene.camera) require_inside(the_case, file);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
@@ -140,8 +140,7 @@ void keep_in_corpus(const PropertiesReport& report, const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw std::invalid_argument(
-        fmt::format("corpus {}: cannot be made: {}", folder, error.message()));
+    throw scene::InvalidInput("corpus", folder, "cannot be made: " + error.message());
   }
   const auto keep = [&](const CampaignReport& campaign, const properties::Failure& failure) {
     if (failure.is_undecided) return;

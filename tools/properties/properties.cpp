@@ -12,6 +12,7 @@
 
 #include "properties/mistakes/causes.h"
 #include "scene/interruption.h"
+#include "scene/invalid_input.h"
 #include "tools/implementations/built_in.h"
 #include "tools/properties/corpus.h"
 #include "tools/shards/run_units.h"
@@ -29,8 +30,8 @@ std::vector<const Law*> filtered_laws(const std::string& filter) {
     if (law.name.find(filter) != std::string_view::npos) found.push_back(&law);
   }
   if (found.empty()) {
-    throw std::invalid_argument("filter " + filter +
-                                ": no law's name contains it; `raycheck list` shows the laws");
+    throw scene::InvalidInput("filter", filter,
+                              "no law's name contains it; `raycheck list` shows the laws");
   }
   return found;
 }
@@ -134,7 +135,7 @@ properties::Replay parsed_replay(const std::string& text) {
   try {
     return properties::parse_replay(text);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string("replay: ") + error.what());
+    throw scene::InvalidInput("replay", "", error.what());
   }
 }
 
@@ -154,7 +155,7 @@ PropertiesReport replay(const PropertiesOptions& options) {
                   run_replay(parsed, candidate, options.max_error, options.strict), options));
     return report;
   }
-  throw std::invalid_argument("replay: no candidate is called '" + parsed.candidate + "'");
+  throw scene::InvalidInput("replay", "", "no candidate is called '" + parsed.candidate + "'");
 }
 
 /// The campaigns of laws and candidates, as one pass.

@@ -65,7 +65,7 @@ int run_properties_command(PropertiesArguments& arguments) {
     options.cases = cases_for(options, seconds_of(arguments.budget),
                               run_control("how many cases", arguments.threads));
   }
-  const std::unique_ptr<Units> units = units_of(arguments.shards);
+  const std::unique_ptr<Units> units = units_of(arguments.shards, options.implementations);
   PropertiesReport report =
       run_properties(options, run_control("laws", arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);

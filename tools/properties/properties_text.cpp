@@ -323,9 +323,10 @@ std::string failure_text(const CampaignReport& campaign, const properties::Failu
     discrepancies += discrepancy_text(discrepancy, colours);
   }
   const bool draws = campaign.implementation.draws();
-  const std::string reason =
-      fmt::format("{} the law {} with {}", failure.is_undecided ? "leaves undecided" : "breaks",
-                  campaign.law->name, campaign.candidate);
+  const std::string reason = fmt::format(
+      "{} the law {} with {}{}", failure.is_undecided ? "leaves undecided" : "breaks",
+      campaign.law->name, campaign.candidate,
+      failure.tries > 0 ? fmt::format("\nshrunk for {} tries; may be smaller", failure.tries) : "");
   return broken_law_text(
       campaign.law->sentence, discrepancies,
       explanations_text(campaign.explanations, draws ? "pixels" : "answers"),

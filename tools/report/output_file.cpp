@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "scene/invalid_input.h"
+
 namespace raycheck::tools {
 
 namespace fs = std::filesystem;
@@ -18,7 +20,7 @@ namespace fs = std::filesystem;
 OutputFile::OutputFile(std::string named_by, std::string path)
     : named_by_(std::move(named_by)), path_(std::move(path)) {
   const auto refuse = [&](const std::string& why) {
-    throw std::invalid_argument(fmt::format("{} {}: cannot be written: {}", named_by_, path_, why));
+    throw scene::InvalidInput(named_by_, path_, "cannot be written: " + why);
   };
   if (path_.empty()) refuse("it names no file");
   std::error_code ignored;
@@ -71,8 +73,8 @@ void require_no_input(const std::string& named_by, const std::string& path,
   for (const std::string& input : inputs) {
     std::error_code error;
     if (!fs::equivalent(path, input, error)) continue;
-    throw std::invalid_argument(
-        fmt::format("{} {}: is {}, which is read; give another file", named_by, path, input));
+    throw scene::InvalidInput(named_by, path,
+                              fmt::format("is {}, which is read; give another file", input));
   }
 }
 

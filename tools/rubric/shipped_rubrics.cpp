@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "scene/files/file_text.h"
+#include "scene/invalid_input.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/report/output_file.h"
 #include "tools/report/words.h"
@@ -50,14 +51,14 @@ std::string copy_rubric(const std::string& name, const std::string& out) {
   // A user's own changes are not overwritten.
   for (const auto& [file, source] : files) {
     if (fs::exists(fs::path(out) / file)) {
-      throw std::invalid_argument(fmt::format("out {}: {} is there already", out, file));
+      throw scene::InvalidInput("out", out, file + " is there already");
     }
   }
   for (const auto& [file, source] : files) {
     const fs::path to = fs::path(out) / file;
     std::error_code error;
     fs::create_directories(to.parent_path(), error);
-    if (error) throw std::invalid_argument(fmt::format("out {}: {}", out, error.message()));
+    if (error) throw scene::InvalidInput("out", out, error.message());
     OutputFile("out", to).write(scene::file_text(source));
   }
   return fmt::format("wrote {} and {}\n", (fs::path(out) / from.filename()).string(),

@@ -2,12 +2,13 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+
+#include "scene/invalid_input.h"
 
 namespace raycheck::tools {
 namespace {
@@ -26,17 +27,20 @@ constexpr Scheduler kSchedulers[] = {{"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_C
                                      {"TEST_SHARD_INDEX", "TEST_TOTAL_SHARDS"},
                                      {"CI_NODE_INDEX", "CI_NODE_TOTAL", 1}};
 
-std::int64_t number_of(const std::string& named_by, std::string_view text) {
+std::int64_t number_of(const std::string& field, const std::string& value, std::string_view text) {
+  constexpr std::int64_t kMost = 1'000'000'000;
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc{} && end == text.data() + text.size() && number >= 0) return number;
-  throw std::invalid_argument(fmt::format("{}: '{}' is not a whole number", named_by, text));
+  const bool is_all = error == std::errc{} && end == text.data() + text.size();
+  if (is_all && number >= 0 && number <= kMost) return number;
+  throw scene::InvalidInput(field, value,
+                            fmt::format("'{}' is not a whole number up to {}", text, kMost));
 }
 
 std::optional<std::int64_t> variable(const char* name) {
   const char* const text = name != nullptr ? std::getenv(name) : nullptr;
   if (text == nullptr) return std::nullopt;
-  return number_of(name, text);
+  return number_of(name, "", text);
 }
 
 /// Empty: this scheduler says nothing. `of`: what was said otherwise.
@@ -48,15 +52,20 @@ std::optional<Shard> shard_of(const Scheduler& scheduler, std::optional<std::int
   if (!count) {
     throw std::invalid_argument(said_by + ": nothing says of how many; give auto/N as the shard");
   }
-  const std::int64_t after = *index - variable(scheduler.first).value_or(scheduler.least);
-  const std::int64_t step = std::max<std::int64_t>(1, variable(scheduler.step).value_or(1));
-  return Shard{after / step + 1, *count, said_by};
+  const std::int64_t first = variable(scheduler.first).value_or(scheduler.least);
+  const std::int64_t step = variable(scheduler.step).value_or(1);
+  if (step == 0 || (*index - first) % step != 0) {
+    throw std::invalid_argument(
+        fmt::format("{}: is not {} and some steps of {}={}", said_by, first, scheduler.step, step));
+  }
+  return Shard{(*index - first) / step + 1, *count, said_by};
 }
 
-Shard checked(Shard shard) {
+Shard checked(Shard shard, const std::string& field, const std::string& value) {
   if (shard.number >= 1 && shard.number <= shard.of) return shard;
-  throw std::invalid_argument(fmt::format("{}: there is no shard {} of {}; the first is shard 1",
-                                          shard.said_by, shard.number, shard.of));
+  throw scene::InvalidInput(
+      field, value,
+      fmt::format("there is no shard {} of {}; the first is shard 1", shard.number, shard.of));
 }
 
 }  // namespace
@@ -64,22 +73,23 @@ Shard checked(Shard shard) {
 Shard chosen_shard(const std::string& text) {
   const std::size_t slash = text.find('/');
   if (!text.empty() && slash == std::string::npos) {
-    throw std::invalid_argument(fmt::format("shard {}: give K/N, or auto/N", text));
+    throw scene::InvalidInput("shard", text, "give K/N, or auto/N");
   }
   const std::string number = text.substr(0, slash);
   std::optional<std::int64_t> of;
-  if (!text.empty()) of = number_of("shard " + text, text.substr(slash + 1));
+  if (!text.empty()) of = number_of("shard", text, text.substr(slash + 1));
   if (!text.empty() && number != "auto") {
-    return checked({number_of("shard " + text, number), *of, "shard " + text});
+    return checked({number_of("shard", text, number), *of, "shard " + text}, "shard", text);
   }
   for (const Scheduler& scheduler : kSchedulers) {
-    if (const std::optional<Shard> shard = shard_of(scheduler, of)) return checked(*shard);
+    if (const std::optional<Shard> shard = shard_of(scheduler, of))
+      return checked(*shard, shard->said_by, "");
   }
   if (text.empty()) return {};
-  throw std::invalid_argument(
-      fmt::format("shard {}: no scheduler says the number by SLURM_ARRAY_TASK_ID, "
-                  "JOB_COMPLETION_INDEX, TEST_SHARD_INDEX or CI_NODE_INDEX",
-                  text));
+  throw scene::InvalidInput("shard", text,
+                            "no scheduler says the number by SLURM_ARRAY_TASK_ID, "
+                            "JOB_COMPLETION_INDEX, TEST_SHARD_INDEX or "
+                            "CI_NODE_INDEX");
 }
 
 }  // namespace raycheck::tools

@@ -1,7 +1,8 @@
 #pragma once
 
 // Results of units as bytes: little-endian numbers one after the other, and before a list how many
-// elements it has. What is read is not trusted: no count above the bytes that are left is believed.
+// elements it has. What is read is not trusted: no count above the bytes that are left is believed,
+// and no enumerator that there is not.
 
 #include <algorithm>
 #include <bit>
@@ -14,7 +15,43 @@
 #include <string_view>
 #include <type_traits>
 
+#include "properties/verdict.h"
+#include "scene/conventions.h"
+#include "scene/precision.h"
+
 namespace raycheck::tools {
+
+/// How many enumerators there are, of each enumeration that a result has.
+template <class Enum>
+inline constexpr std::size_t kEnumerators = 0;
+template <>
+inline constexpr std::size_t kEnumerators<scene::Rows> = scene::kRowsNames.size();
+template <>
+inline constexpr std::size_t kEnumerators<scene::Samples> = scene::kSamplesNames.size();
+template <>
+inline constexpr std::size_t kEnumerators<scene::Origin> = scene::kOriginNames.size();
+template <>
+inline constexpr std::size_t kEnumerators<scene::Root> = scene::kRootNames.size();
+template <>
+inline constexpr std::size_t kEnumerators<scene::Tangent> = scene::kTangentNames.size();
+template <>
+inline constexpr std::size_t kEnumerators<scene::Ends> = 4;
+template <>
+inline constexpr std::size_t kEnumerators<scene::TUnit> = scene::kTUnitNames.size();
+template <>
+inline constexpr std::size_t kEnumerators<scene::Culling> = scene::kCullingNames.size();
+template <>
+inline constexpr std::size_t kEnumerators<scene::Precision> = scene::kPrecisionNames.size();
+template <>
+inline constexpr std::size_t kEnumerators<properties::Quantity> = properties::kQuantityCount;
+template <>
+inline constexpr std::size_t kEnumerators<properties::Wrong> = properties::kWrongCount;
+template <>
+inline constexpr std::size_t kEnumerators<properties::ExcuseKind> = properties::kExcuses.size();
+template <>
+inline constexpr std::size_t kEnumerators<properties::Outcome> = properties::kOutcomeCount;
+template <>
+inline constexpr std::size_t kEnumerators<properties::Blame> = properties::kBlameNames.size();
 
 class UnitWriter : public cereal::OutputArchive<UnitWriter, cereal::AllowEmptyClassElision> {
  public:
@@ -42,6 +79,7 @@ class UnitReader : public cereal::InputArchive<UnitReader, cereal::AllowEmptyCla
   /// Throws std::invalid_argument where fewer bytes are left.
   void take(void* to, std::size_t size, std::size_t of_number) {
     require(size);
+    if (size == 0) return;  // there may be no address, either
     auto* const first = static_cast<char*>(to);
     std::memcpy(first, left_.data(), size);
     if constexpr (std::endian::native == std::endian::big) {
@@ -77,6 +115,22 @@ void load(UnitReader& archive, Number& number) {
     archive.take(&number, sizeof number, sizeof number);
   }
 }
+template <class Enum>
+requires std::is_enum_v<Enum>
+void save(UnitWriter& archive, const Enum& value) {
+  save(archive, static_cast<std::underlying_type_t<Enum>>(value));
+}
+template <class Enum>
+requires std::is_enum_v<Enum>
+void load(UnitReader& archive, Enum& value) {
+  static_assert(kEnumerators<Enum> > 0, "of an enumeration in results its enumerators are counted");
+  std::underlying_type_t<Enum> number = 0;
+  load(archive, number);
+  if (number < 0 || static_cast<std::size_t>(number) >= kEnumerators<Enum>) {
+    throw std::invalid_argument("a number is no enumerator");
+  }
+  value = static_cast<Enum>(number);
+}
 template <class Numbers>
 void save(UnitWriter& archive, const cereal::BinaryData<Numbers>& data) {
   using Number = std::remove_pointer_t<Numbers>;
@@ -108,3 +162,17 @@ void load(UnitReader& archive, cereal::SizeTag<Count>& count) {
 }  // namespace raycheck::tools
 
 CEREAL_SETUP_ARCHIVE_TRAITS(raycheck::tools::UnitReader, raycheck::tools::UnitWriter)
+
+namespace cereal {
+// In place of cereal's own for enumerations, which take any number.
+template <class Enum>
+requires std::is_enum_v<Enum>
+struct specialize<raycheck::tools::UnitReader, Enum, specialization::non_member_load_save>
+    : std::true_type {
+};
+template <class Enum>
+requires std::is_enum_v<Enum>
+struct specialize<raycheck::tools::UnitWriter, Enum, specialization::non_member_load_save>
+    : std::true_type {
+};
+}  // namespace cereal

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "scene/invalid_input.h"
 #include "tools/report/digest.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
@@ -45,6 +47,18 @@ std::string bytes_of(const fs::path& file) {
 std::string digest_of(const std::string& campaign, std::int64_t unit, std::size_t size,
                       const std::string& result) {
   return digest({campaign, std::to_string(unit), std::to_string(size), result});
+}
+
+/// Removes what a worker that was killed had not placed. One that runs, on whatever machine, places
+/// it at once.
+void remove_if_abandoned(const fs::path& file) {
+  constexpr std::chrono::hours kAbandoned{1};
+  const std::string name = file.filename().string();
+  const bool is_ours = name.starts_with(kCampaignFile) || name.find(kUnitEnding) != name.npos;
+  if (!is_ours || file.extension() != ".part") return;
+  std::error_code error;
+  const auto written = fs::last_write_time(file, error);
+  if (!error && fs::file_time_type::clock::now() - written > kAbandoned) fs::remove(file, error);
 }
 
 /// As users know it.
@@ -141,8 +155,7 @@ void Units::make_folder() const {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) {
-    throw std::invalid_argument(
-        fmt::format("out {}: cannot be made: {}", folder.string(), error.message()));
+    throw scene::InvalidInput("out", folder.string(), "cannot be made: " + error.message());
   }
   if (!fs::exists(folder / kCampaignFile)) {
     OutputFile("out", (folder / kCampaignFile).string())
@@ -161,6 +174,7 @@ std::vector<std::int64_t> Units::open(std::int64_t count) {
   for (const fs::path& folder : folders_) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
       const std::string name = entry.path().filename().string();
+      if (!is_merged_) remove_if_abandoned(entry.path());
       if (entry.path().extension() != kUnitEnding) continue;
       std::int64_t unit = -1;
       std::from_chars(name.data(), name.data() + name.size(), unit);

@@ -49,6 +49,7 @@ class Units {
   /// Whether all units are seen, so that there is something to report.
   bool are_all() const { return is_merged_ || shard_.of == 1; }
   const Shard& shard() const { return shard_; }
+  const CampaignIdentity& campaign() const { return campaign_; }
 
   /// What a unit's file has, or empty if it is missing or, where it can be done again, damaged.
   /// Errors, to be merged: std::invalid_argument naming the file that is damaged, or two that

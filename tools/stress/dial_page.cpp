@@ -9,6 +9,7 @@
 
 #include "properties/cases/random.h"
 #include "scene/interruption.h"
+#include "scene/invalid_input.h"
 #include "tools/report/words.h"
 #include "tools/stress/stress.h"
 #include "tools/view/scene_view.h"
@@ -98,13 +99,13 @@ ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
 ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
                            const properties::RunControl& control) {
   if (options.families.size() != 1) {
-    throw std::invalid_argument("family: a dial is one family's; name one");
+    throw scene::InvalidInput("family", "", "a dial is one family's; name one");
   }
   const StressReport report = run_stress(options, control);
   if (report.interrupted) throw scene::Interrupted();
   const FamilyReport& family = report.families.front();
   if (family.curves.empty()) {
-    throw std::invalid_argument("method: asks nothing of this family");
+    throw scene::InvalidInput("method", "", "asks nothing of this family");
   }
   // Of both stages the one that the family is about: intersections if it has any.
   const properties::Stage stage = family.curves.back().stage;

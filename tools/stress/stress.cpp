@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "properties/search/campaign.h"
+#include "scene/invalid_input.h"
 #include "tools/shards/run_units.h"
 
 namespace raycheck::tools {
@@ -31,7 +32,7 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
   for (const std::string& name : names) {
     const CaseSource* const family = properties::find_case_source(name);
     if (family == nullptr || !family->dial) {
-      throw std::invalid_argument("family " + name + ": no such family; the families are " + known);
+      throw scene::InvalidInput("family", name, "no such family; the families are " + known);
     }
     if (std::find(families.begin(), families.end(), family) == families.end()) {
       families.push_back(family);
@@ -60,8 +61,9 @@ void require_severities(const std::vector<const CaseSource*>& families,
                                    : to > (*most)->dial->highest   ? *most
                                                                    : nullptr;
   if (beyond == nullptr) return;
-  throw std::invalid_argument(fmt::format("severity {}..{}: the severities of {} are 0..{}", from,
-                                          to, beyond->name, beyond->dial->highest));
+  throw scene::InvalidInput(
+      "severity", fmt::format("{}..{}", from, to),
+      fmt::format("the severities of {} are 0..{}", beyond->name, beyond->dial->highest));
 }
 
 std::vector<int> severities_of(const CaseSource& family, const StressOptions& options) {

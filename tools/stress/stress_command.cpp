@@ -46,7 +46,8 @@ int run_stress(StressArguments& arguments) {
   arguments.options.implementations = find_by_stages(arguments.methods, arguments.external);
   std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
   std::optional<OutputFile> view = opened("--view", arguments.view);
-  const std::unique_ptr<Units> units = units_of(arguments.shards);
+  const std::unique_ptr<Units> units =
+      units_of(arguments.shards, arguments.options.implementations);
   const StressReport report =
       run_stress(arguments.options, run_control("stress", arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);

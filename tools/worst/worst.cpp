@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "properties/cases/random.h"
+#include "scene/invalid_input.h"
 #include "tools/shards/run_units.h"
 
 namespace raycheck::tools {
@@ -44,8 +45,8 @@ properties::ChosenSource chosen_family(const std::string& name) {
   try {
     return properties::chosen_source(name);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("family " + name + ": " + error.what() +
-                                "; `raycheck list` shows the sources");
+    throw scene::InvalidInput("family", name,
+                              std::string(error.what()) + "; `raycheck list` shows the sources");
   }
 }
 
@@ -56,8 +57,8 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
     if (name == chosen) return quantity;
     known += (known.empty() ? "" : ", ") + name;
   }
-  throw std::invalid_argument(
-      fmt::format("quantity {}: no such quantity of {}; there are {}", chosen, name(stage), known));
+  throw scene::InvalidInput(
+      "quantity", chosen, fmt::format("no such quantity of {}; there are {}", name(stage), known));
 }
 
 /// Counts how many times a function fails.
@@ -105,8 +106,8 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
   properties::SearchOptions& search = report.search;
   search.sources = {chosen_family(options.family)};
   if (report.stage == Stage::kRays && !report.source().source->has_camera) {
-    throw std::invalid_argument(fmt::format("family {}: has no camera, and {} makes rays",
-                                            options.family, report.method.name));
+    throw scene::InvalidInput("family", options.family,
+                              fmt::format("has no camera, and {} makes rays", report.method.name));
   }
   search.quantity = chosen_quantity(options.quantity, report.stage);
   report.searches = options.searches;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "scene/invalid_input.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/shard_arguments.h"
@@ -30,8 +31,9 @@ Implementation chosen_method(const WorstArguments& arguments) {
   if (arguments.method.empty()) return find_by_stages(arguments.external).front();
   const std::vector<Implementation> methods = find_methods({arguments.method});
   if (methods.size() > 1) {
-    throw std::invalid_argument(
-        fmt::format("method {0}: there are two; give rays/{0} or intersect/{0}", arguments.method));
+    throw scene::InvalidInput(
+        "method", arguments.method,
+        fmt::format("there are two; give rays/{0} or intersect/{0}", arguments.method));
   }
   return methods.front();
 }
@@ -46,7 +48,7 @@ int run_worst(WorstArguments& arguments) {
   arguments.options.method = chosen_method(arguments);
   std::optional<OutputFile> scene = opened("--save", arguments.save);
   std::optional<OutputFile> view = opened("--view", arguments.view);
-  const std::unique_ptr<Units> units = units_of(arguments.shards);
+  const std::unique_ptr<Units> units = units_of(arguments.shards, {&arguments.options.method, 1});
   const WorstReport report =
       find_worst(arguments.options, run_control("worst", arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);

@@ -8,7 +8,7 @@ it, which is sought in this folder, those above it and their npm/; of a JavaScri
 import pathlib
 import re
 
-_STRING = re.compile(r'`([^`]*)`|"((?:[^"\\]|\\.|\\\n)*)"', re.DOTALL)
+_STRING = re.compile(r'`([^`]*)`|"((?:[^"\\]|\\.)*)"', re.DOTALL)
 
 
 def _included(path):

@@ -212,8 +212,33 @@ TEST(Shrink, FindsTheSmallestImageByHalving) {
   Case the_case = source.make(source.dial->highest, 1);
   ASSERT_EQ(the_case.scene.camera->width, scene::kMostPixelsAcross);
   const auto is_wide = [](const Case& c) { return c.scene.camera->width > 46340; };
-  the_case = smallest(the_case, 10000, is_wide);
+  ShrinkBudget budget = {.tries = 10000};
+  the_case = smallest(the_case, budget, is_wide);
   EXPECT_EQ(the_case.scene.camera->width, 46341);
+}
+
+/// As many as no memory holds with one number of each simpler.
+TEST(Shrink, TakesHalvesOfManySpheresFirstAndGivesUpWhereAllAreNeeded) {
+  Case many;
+  many.scene.rays = {{{}, {0, 0, 1}}};
+  many.scene.spheres.assign(20'000, {{1.3, 2.7, 9.1}, 2.9});
+  many.scene.spheres[12'345].radius = 8.5;
+  ShrinkBudget budget;
+  const Case one = smallest(many, budget, [](const Case& next) {
+    return std::any_of(next.scene.spheres.begin(), next.scene.spheres.end(),
+                       [](const scene::Sphere& sphere) { return sphere.radius == 8.5; });
+  });
+  EXPECT_EQ(one.scene.spheres, (std::vector<scene::Sphere>{{{0, 0, 0}, 8.5}}));
+  EXPECT_FALSE(budget.is_spent());
+  budget = {};
+  std::int64_t tries = 0;
+  const Case all = smallest(many, budget, [&](const Case& next) {
+    ++tries;
+    return next.scene.spheres.size() == many.scene.spheres.size();
+  });
+  EXPECT_TRUE(budget.is_spent());
+  EXPECT_LE(tries, ShrinkBudget::kParts / std::ssize(many.scene.spheres) * 2 + 1);
+  EXPECT_EQ(all.scene.spheres.size(), many.scene.spheres.size());
 }
 
 TEST(Shrink, EndsAtAPlainCaseByValidOnes) {

@@ -198,6 +198,73 @@ TEST(Candidate, in_JavaScript_offers_all_that_one_in_Python_does) {
   expect_right(kCamera, "command:node " + folder + "/right.mjs");
 }
 
+/// What is said of a candidate that does not come to be asked.
+std::string refusal_of(const std::string& candidate, const std::string& more = "") {
+  return run("check " + kRays + " --candidate '" + candidate + "' " + more, 2).err;
+}
+
+TEST(Candidate, in_JavaScript_says_what_is_wrong_with_it) {
+  if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
+  const std::string folder = temporary_folder("wrong-javascript");
+  fs::copy_file(RAYCHECK_SOURCE_DIR "/tools/external/adapters/raycheck_candidate.mjs",
+                folder + "/raycheck_candidate.mjs");
+  const auto candidate = [&](const std::string& text) {
+    std::ofstream(folder + "/it.mjs") << "import { run } from './raycheck_candidate.mjs';\n"
+                                      << text;
+    return "command:node " + folder + "/it.mjs";
+  };
+  expect_parts(refusal_of(candidate("throw new Error('no library')")),
+               {"it exited with 1; it said: Error: no library\n"});
+  for (const auto& [roots, wrong] : {std::pair("5", "5"), {"{ tmin: 1 }", "tmin"}, {"0", "0"}}) {
+    expect_parts(refusal_of(candidate(std::string("run('it', { intersect: () => null, roots: ") +
+                                      roots + " })")),
+                 {std::string("no such roots: ") + wrong});
+  }
+  for (const char* hit : {"0", "NaN", "[]"}) {
+    const json report = judged(
+        kRays,
+        candidate(std::string("run('it', { returns: 'class', intersect: () => ") + hit + " })"));
+    expect_parts(report["worst"].dump(), {"neither true nor false"});
+  }
+  // Address space that is reserved and not used.
+  const std::string wasm = candidate(
+      "new WebAssembly.Memory({ initial: 1, maximum: 65536 });\nrun('it', { intersect: () => null "
+      "})");
+  expect_parts(
+      refusal_of(wasm),
+      {"raycheck lets it use, and each process reserve, at most 4096 MiB of memory (--memory)"});
+  EXPECT_GT(judged(kRays, wasm, "--memory 65536")["discrepancies"], 0);
+}
+
+TEST(Candidate, says_which_limit_it_met_and_why_it_ended) {
+  const auto says = [](const std::string& text) {
+    return refusal_of("command:python3 " +
+                      temporary_file("says.py", "import sys\nsys.exit('" + text + "')\n"));
+  };
+  const std::string thread = says(
+      "Exception in thread main java.lang.OutOfMemoryError: unable to create native thread: "
+      "possibly out of memory\\n\\tat Mine.main(Mine.java:3)");
+  expect_parts(thread, {"it said: Exception in thread main",
+                        "it may have at most 64 processes and threads"});
+  EXPECT_FALSE(has(thread, "MiB of memory"));
+  expect_parts(says("MemoryError"), {"at most 4096 MiB of memory (--memory)"});
+}
+
+TEST(Candidate, that_declares_what_there_is_not_is_told_its_own_number) {
+  expect_parts(
+      refusal_of("source:" + temporary_file("seven.cpp", R"(#include <raycheck/candidate.hpp>
+using namespace raycheck;
+static std::optional<Hit> intersect(const Ray&, const Sphere&, const Conventions&) { return {}; }
+RAYCHECK_CANDIDATE(.rows = static_cast<Rows>(7), .intersect = intersect)
+)")),
+      {"no such rows: 7"});
+}
+
+TEST(Candidate, that_is_a_folder_in_place_of_a_library_is_refused) {
+  expect_parts(refusal_of("library:tests"),
+               {"--candidate library:tests: it is no file: give a shared library"});
+}
+
 TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
   const std::string candidate = "--candidate 'command:python3 tests/candidates/right.py'";
   run("properties --filter nearest-root --source rays --cases 60 " + candidate, 0);

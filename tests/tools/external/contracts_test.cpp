@@ -38,6 +38,9 @@ TEST(Contracts, that_return_less_are_judged_by_what_they_return) {
 }
 
 TEST(Contracts, that_return_something_else_than_they_say_are_broken) {
+  const std::string number = tracer("number.py", "s >= 0", "0", "returns='class'");
+  expect_parts(report_of("properties --filter class", number, 1)["campaigns"][0].dump(),
+               {"neither True nor False: 0"});
   const std::string far =
       tracer("far.py", "s >= 0", "[x + 1e-3 for x in point]", "returns='point'");
   EXPECT_EQ(finding(laws_of(far, "--filter hit-point", 1), "hit-point"), "broken");

@@ -88,6 +88,18 @@ INSTANTIATE_TEST_SUITE_P(Each, Engines,
                                          kVecgeom),
                          [](const auto& one) { return one.param.name; });
 
+TEST(Shaders, of_a_module_with_a_string_that_does_not_end_are_read) {
+  std::string module = "`float hit;`\n\"";
+  for (int k = 0; k < 100; ++k) module += "\\\n";
+  const std::string shader = temporary_file(
+      "of.glsl", "// raycheck include " + temporary_file("module.js", module) + "\n");
+  const std::string read =
+      "import signal, sys; signal.alarm(60); sys.path.insert(0, 'examples/engines/shaders'); "
+      "import shader; print(shader.read('" +
+      shader + "')[0])";
+  expect_parts(run_python("-c " + quoted(read), 0).out, {"float hit;"});
+}
+
 TEST(ShownEngines, are_judged_as_the_page_shows) {
   if (!kEmbree.is_built() || !kVecgeom.is_built())
     GTEST_SKIP() << "embree and vecgeom are not built";

@@ -244,7 +244,7 @@ const std::vector<Brought> kRefused = {
             {"signal 25 (File size limit exceeded): a file may have at most 1 MiB (file_mib)"},
             kLimits),
     refused("takes_too_much_memory", {{"rt.py", "x = bytearray(1 << 30)\n"}},
-            {"it may use at most 300 MiB (memory_mib)", "MemoryError"}, kLimits),
+            {"at most 300 MiB of memory (memory_mib)", "MemoryError"}, kLimits),
     refused("takes_too_long", {{"rt.sh", "while :; do :; done\n"}},
             {"did not end within 1 s of CPU time (reply_seconds)"},
             "[limits]\nreply_seconds = 1\n"),

@@ -201,13 +201,15 @@ TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
   EXPECT_EQ(grading.grade(rubric(10), folders, "out", asked + "2/2").out, "");
   EXPECT_TRUE(fs::exists(grading.path("out/ben/result.json")));
   EXPECT_FALSE(fs::exists(grading.path("out/ada/result.json")));
-  expect_refused("merge " + grading.path("out"),
+  expect_refused("merge " + grading.path("out"), "--run-candidates");
+  expect_refused("merge --run-candidates " + grading.path("out"),
                  grading.path("out") + ": unit 1 of 3 is missing, and 1 more");
   grading.grade(rubric(10), folders, "out", asked + "1/2");
   EXPECT_FALSE(fs::exists(grading.path("out/index.html")));
   const std::size_t starts = lines("starts");
   grading.grade(rubric(10), folders, "out", asked + "1/1");
-  const json merged = printed_json("merge " + (kLimitsOnly + grading.path("out")), 0);
+  const json merged =
+      printed_json("merge --run-candidates " + (kLimitsOnly + grading.path("out")), 0);
   EXPECT_EQ(lines("starts"), starts);
   ASSERT_EQ(merged["submissions"].size(), folders.size());
   for (std::size_t k = 0; k < folders.size(); ++k) {

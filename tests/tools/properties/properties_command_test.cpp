@@ -2,6 +2,7 @@
 #include "properties/laws/law.h"
 #include "scene/number.h"
 #include "tests/tools/program.h"
+#include "tools/properties/properties.h"
 
 namespace raycheck::tests {
 namespace {
@@ -60,6 +61,17 @@ TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {
 
 const std::string kBreaks =
     "properties --filter class --intersect quadratic --level extreme --cases 150 ";
+
+TEST(PropertiesCommand, says_where_shrinking_was_given_up) {
+  tools::CampaignReport campaign{};
+  campaign.law = properties::find_law("class");
+  campaign.candidate = "mine";
+  properties::Failure failure{{}, properties::Verdict("class"), ""};
+  EXPECT_FALSE(has(failure_text(campaign, failure, false), "may be smaller"));
+  failure.tries = 7;
+  expect_parts(failure_text(campaign, failure, false),
+               {"# breaks the law class with mine\n", "# shrunk for 7 tries; may be smaller\n"});
+}
 
 /// What it keeps is tried first, breaks the law again, and is mended once another is right there.
 TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {

@@ -80,9 +80,12 @@ TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
       EXPECT_EQ(lines_of(shard.err).front(),
                 fmt::format("raycheck: shard {0} of {1} (--shard {0}/{1})", k, of));
     }
-    EXPECT_EQ(run(fmt::format("merge {} {} --format json", folder, twice), exit_code).out, whole())
+    EXPECT_EQ(
+        run(fmt::format("merge --run-candidates {} {} --format json", folder, twice), exit_code)
+            .out,
+        whole())
         << of;
-    EXPECT_EQ(run("merge --format json " + folder, exit_code).out, whole()) << of;
+    EXPECT_EQ(run("merge --run-candidates --format json " + folder, exit_code).out, whole()) << of;
   }
 }
 
@@ -109,7 +112,7 @@ TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
   }
   EXPECT_GT(all, 0u);
   run(asked() + " --out " + folder, exit_code);
-  EXPECT_EQ(run("merge --format json " + folder, exit_code).out, whole());
+  EXPECT_EQ(run("merge --run-candidates --format json " + folder, exit_code).out, whole());
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, ShardsOf, testing::ValuesIn(kSharded),
@@ -196,6 +199,8 @@ TEST_F(Merge, names_what_belongs_to_another_campaign) {
   expect_refused("merge " + folder, "is truncated or was changed");
   expect_refused("merge " + fresh_folder("nowhere"), "there is no such folder");
   expect_refused("merge tests", "tests: holds no campaign");
+  // Named like an option, which it is not.
+  expect_refused("merge format", "raycheck: format: there is no such folder");
 }
 
 TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
@@ -206,12 +211,15 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
   const std::string its = fresh_folder("judged");
   run(asked + source + " --shard 1/1 --out " + its, 0);
   std::ofstream(source, std::ios::app) << "// another\n";
-  expect_refused("merge " + its, "holds units of another " + source + ", which has changed since");
+  expect_refused("merge --run-candidates " + its,
+                 "holds units of another " + source + ", which has changed since");
   // In a folder, with a header, all of it.
   const std::string sources = fresh_folder("sources"), units = fresh_folder("of_sources");
   fs::create_directories(sources + "/deeper");
   std::ofstream(sources + "/deeper/mine.h") << "// mine\n";
-  std::ofstream(sources + "/mine.cpp") << text << "#include \"deeper/mine.h\"\n";
+  // However it is included: the compiler says what it read.
+  std::ofstream(sources + "/mine.cpp") << "#define MINE \"deeper/mine.h\"\n"
+                                       << text << "%:/**/include MINE\n";
   for (const std::string& named : {sources, sources + "/mine.cpp"}) {
     fs::remove_all(units);
     const std::string line = asked + named + " --shard 1/1 --out " + units;
@@ -258,6 +266,32 @@ TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
   EXPECT_EQ(contents(victim), "mine");
 }
 
+/// A candidate that the folder names, and whoever merges it does not know.
+TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
+  const std::string folder = fresh_folder("runs"), ran = fresh_folder("ran");
+  const std::string candidate =
+      "command:python3 " +
+      temporary_file("leaves_a_trace.py",
+                     "open('" + ran + "', 'w')\n" +
+                         contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"));
+  const std::string asked =
+      "properties --filter class --source rays --cases 20 --candidate '" + candidate + "'";
+  const Outcome whole = run(asked + " --sandbox none --i-know", 0);
+  expect_parts(run(asked + " --sandbox none --i-know --shard 1/2 --out " + folder, 0).err,
+               {"once all are: raycheck merge " + folder + " --run-candidates"});
+  run(asked + " --sandbox none --i-know --shard 2/2 --out " + folder, 0);
+  fs::remove(ran);
+  const std::string told =
+      folder + ": its campaign runs candidates: raycheck properties --filter class --cases 20";
+  const Outcome refused = run("merge --sandbox none --i-know " + folder, 2);
+  expect_parts(refused.err, {told, "'" + candidate + "'", "merge it with --run-candidates"});
+  EXPECT_FALSE(fs::exists(ran));
+  const Outcome merged = run("merge --run-candidates --sandbox none --i-know " + folder, 0);
+  EXPECT_EQ(lines_of(merged.err).front().find("raycheck: " + told), 0u) << merged.err;
+  EXPECT_EQ(merged.out, whole.out);
+  EXPECT_TRUE(fs::exists(ran));
+}
+
 /// A candidate that hangs on some cases: whatever was asked before, and by however many threads.
 TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
   const std::string asked =
@@ -267,7 +301,7 @@ TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
   EXPECT_EQ(run(asked + " --threads 3", 1).out, whole);
   const std::string folder = fresh_folder("silent");
   for (const int k : {3, 1, 2}) run(fmt::format("{} --shard {}/3 --out {}", asked, k, folder), 0);
-  EXPECT_EQ(run("merge --format json " + folder, 1).out, whole);
+  EXPECT_EQ(run("merge --run-candidates --format json " + folder, 1).out, whole);
 }
 
 /// Each request without a reply takes all of its time: laws in tens, sources in tens, and a few
@@ -339,6 +373,16 @@ TEST(Shards, refuse_what_is_no_shard) {
     const Variable index("JOB_COMPLETION_INDEX", "0");
     expect_refused(kAsked + out, "JOB_COMPLETION_INDEX=0: nothing says of how many; give auto/N");
   }
+  {
+    const Variable index("SLURM_ARRAY_TASK_ID", "9223372036854775807"),
+        step("SLURM_ARRAY_TASK_STEP", "2");
+    const Variable count("SLURM_ARRAY_TASK_COUNT", "2");
+    expect_refused(kAsked + out,
+                   "SLURM_ARRAY_TASK_ID: '9223372036854775807' is not a whole number");
+    const Variable between("SLURM_ARRAY_TASK_ID", "3"), first("SLURM_ARRAY_TASK_MIN", "0");
+    expect_refused(kAsked + out,
+                   "SLURM_ARRAY_TASK_ID=3: is not 0 and some steps of SLURM_ARRAY_TASK_STEP=2");
+  }
   const Variable index("CI_NODE_INDEX", "0"), count("CI_NODE_TOTAL", "2");
   expect_refused(kAsked + out, "CI_NODE_INDEX=0: there is no shard 0 of 2");
 }
@@ -359,6 +403,24 @@ TEST(Units, are_each_done_by_one_shard) {
     for (const std::int64_t unit : shard.open(100)) ++done[static_cast<std::size_t>(unit)];
   }
   EXPECT_EQ(done, std::vector<int>(100, 1));
+}
+
+TEST(Units, remove_what_a_worker_left_that_was_killed) {
+  const std::string folder = fresh_folder("left");
+  tools::Units(kCampaign, folder, {}).open(1);
+  for (const char* name :
+       {"000000-0123.unit.7.0badcafe.part", "000000-0123.unit.8.0badcafe.part", "mine.part"}) {
+    std::ofstream(folder + "/" + name) << "some";
+    const bool is_new = std::string(name).find(".8.") != std::string::npos;
+    if (!is_new)
+      fs::last_write_time(folder + "/" + name,
+                          fs::file_time_type::clock::now() - std::chrono::hours(2));
+  }
+  tools::Units(kCampaign, folder, {}).open(1);
+  std::vector<std::string> left = names_in(folder);
+  std::sort(left.begin(), left.end());
+  EXPECT_EQ(left, (std::vector<std::string>{"000000-0123.unit.8.0badcafe.part", "campaign.json",
+                                            "mine.part"}));
 }
 
 TEST(Units, that_contradict_each_other_are_named) {
@@ -420,6 +482,12 @@ TEST(Units, refuse_bytes_that_are_no_result) {
   EXPECT_TRUE(is_refused(whole + '\0'));
   for (std::size_t size = 0; size < whole.size(); size += 1 + size / 50) {
     EXPECT_TRUE(is_refused(whole.substr(0, size))) << size;
+  }
+  const properties::DefectKind of_none[] = {{static_cast<properties::Quantity>(16), {}},
+                                            {{}, static_cast<properties::Wrong>(-1)}};
+  for (const properties::DefectKind& kind : of_none) {
+    EXPECT_THROW(tools::from_bytes<properties::DefectKind>(tools::to_bytes(kind)),
+                 std::invalid_argument);
   }
   // A number of parts that no memory holds.
   EXPECT_TRUE(is_refused(std::string(8, '\xff') + whole.substr(8)));

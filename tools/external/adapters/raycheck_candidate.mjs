@@ -35,6 +35,7 @@ const protocolNames = {
   intersect: "intersect", intersectBatch: "intersect", nearest: "nearest",
 };
 const conventionNames = ["rows", "samples", "origin", "root", "tangent"];
+const rootsNames = ["ends", "tMin", "tMax", "unit", "culling"];
 const declarationNames = [...conventionNames, "level", "lengths", "precision", "roots", "directions", "returns"];
 
 const numberOf = (word) => (word.endsWith("inf") ? (word[0] === "-" ? -Infinity : Infinity) : Number(word));
@@ -98,6 +99,7 @@ async function readRequest(lines, first) {
 // s and Q of a hit as the reply's line has them: 0 for what is not returned; null for a miss.
 function hitWords(hit, returns) {
   if (hit === null || hit === undefined || hit === false) return null;
+  if (returns === "class" && hit !== true) throw new TypeError(`neither true nor false: ${hit}`);
   if (returns === "class") return line([0, 0, 0, 0]);
   if (returns === "point") return line([0], hit);
   return returns === "hit" ? line([hit.s], hit.point) : line([hit, 0, 0, 0]);
@@ -131,6 +133,8 @@ export async function run(name, given) {
   const unknown = Object.keys(given).find((key) => !(key in protocolNames) && !declarationNames.includes(key));
   if (unknown) throw new Error(`raycheck_candidate.run: no such function or declaration: ${unknown}`);
   const { level, lengths, precision, roots, directions, returns = "hit" } = given;
+  const wrong = typeof roots === "object" ? Object.keys(roots ?? {}).find((key) => !rootsNames.includes(key)) : roots;
+  if (wrong !== undefined && typeof roots !== "string") throw new Error(`raycheck_candidate.run: no such roots: ${wrong}`);
   const functions = Object.keys(protocolNames).filter((key) => given[key]);
   const said = [`raycheck 1 ${name || "-"}`, ...new Set(functions.map((key) => `function ${protocolNames[key]}`))];
   for (const key of conventionNames) if (given[key]) said.push(`convention ${key} ${given[key]}`);

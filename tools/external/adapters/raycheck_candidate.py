@@ -100,6 +100,13 @@ def _hit(hit, returns):
     return hit if returns == "hit" else (hit, (0, 0, 0))
 
 
+def _truth(value):
+    """True or False, numpy's too."""
+    if type(value).__name__ not in ("bool", "bool_"):
+        raise TypeError(f"neither True nor False: {value!r}")
+    return bool(value)
+
+
 def _hits(functions, rays, sphere, asked):
     if "intersect_batch" in functions:
         return functions["intersect_batch"](rays, sphere, asked)
@@ -116,6 +123,8 @@ def _answer(functions, returns, request):
         lines = []
         for s, sphere in enumerate(request["spheres"]):
             for r, hit in enumerate(_hits(functions, request["rays"], sphere, asked)):
+                if returns == "class" and hit is not None:
+                    hit = _truth(hit)
                 if hit is not None and hit is not False:
                     lines.append(f"{r} {s} {_line(*_hit(hit, returns))}")
         return lines

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -222,10 +223,12 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
   }
 }
 
-std::string_view name_in(std::span<const std::string_view> names, std::int32_t index,
-                         std::string_view what) {
-  if (index < 0 || static_cast<std::size_t>(index) >= names.size()) {
-    give_up("no such " + std::string(what) + ": " + std::to_string(index));
+/// The name of an enumerator, the first of which has the value `first`.
+std::string_view name_in(std::span<const std::string_view> names, std::int32_t value,
+                         std::string_view what, std::int32_t first = 0) {
+  const std::int64_t index = std::int64_t{value} - first;
+  if (index < 0 || index >= std::ssize(names)) {
+    give_up("no such " + std::string(what) + ": " + std::to_string(value));
   }
   return names[static_cast<std::size_t>(index)];
 }
@@ -233,7 +236,7 @@ std::string_view name_in(std::span<const std::string_view> names, std::int32_t i
 /// Missing in libraries of version 1.
 void introduce_contract(const raycheck_candidate& candidate, Reply& reply) {
   if (candidate.level != RAYCHECK_LEVEL_UNSTATED) {
-    reply << "level " << name_in(raycheck::properties::kLevelNames, candidate.level - 1, "level")
+    reply << "level " << name_in(raycheck::properties::kLevelNames, candidate.level, "level", 1)
           << "\n";
   }
   if (candidate.smallest_length != 0 || candidate.largest_length != 0) {
@@ -281,7 +284,7 @@ void introduce(const raycheck_candidate& candidate, Reply& reply) {
   for (std::size_t k = 0; k < declared.size(); ++k) {
     if (declared[k] == RAYCHECK_AS_ASKED) continue;
     const auto& [name, values] = kConventionWords[k];
-    reply << "convention " << name << " " << name_in(values, declared[k] - 1, name) << "\n";
+    reply << "convention " << name << " " << name_in(values, declared[k], name, 1) << "\n";
   }
   if (candidate.version >= 2) introduce_contract(candidate, reply);
   if (candidate.version >= 3) introduce_numbers(candidate, reply);

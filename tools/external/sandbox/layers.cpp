@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "scene/invalid_input.h"
 #include "tools/external/sandbox/control_group.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/private_folder.h"
@@ -175,10 +176,12 @@ LayersHere chosen_layers(Sandbox sandbox) {
   for (const auto& [name, why] : here.missing) {
     missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", name, why);
   }
-  throw std::invalid_argument(fmt::format(
-      "sandbox require: not available here: {}. Make it work (bubblewrap is the Debian "
-      "package of that name), or take sandbox available, which goes on with what does: {}",
-      missing, here.layers.text()));
+  throw scene::InvalidInput(
+      "sandbox", "require",
+      fmt::format(
+          "not available here: {}. Make it work (bubblewrap is the Debian "
+          "package of that name), or take sandbox available, which goes on with what does: {}",
+          missing, here.layers.text()));
 }
 
 std::vector<fs::path> system_paths() {

@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -80,10 +81,17 @@ std::string reason_ended(int status, const Limits& limits) {
 }  // namespace
 
 std::string last_line_text(const KeptText& said) {
-  std::string text = said.text();
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  const std::size_t line = text.rfind('\n');
-  if (line != std::string::npos) text.erase(0, line + 1);
+  std::istringstream lines(said.text());
+  std::string text, last;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) last = line;
+    // After the reason Java prints where it was thrown, Node what the error has, and itself.
+    const bool is_reason = !line.empty() &&
+                           std::string_view(" \t}").find(line[0]) == std::string_view::npos &&
+                           !line.starts_with("Node.js v");
+    if (is_reason) text = line;
+  }
+  if (text.empty()) text = last;
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
   }
@@ -93,12 +101,14 @@ std::string last_line_text(const KeptText& said) {
 std::string limit_text(const KeptText& said, const Limits& limits) {
   using Signs = std::vector<std::string_view>;
   const std::pair<std::string, Signs> rows[] = {
-      {fmt::format("it may use at most {} MiB{}", limits.memory >> 20, called(limits.names.memory)),
-       {"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory", "out of memory"}},
       {fmt::format("it may have at most {} processes and threads{}", limits.processes,
                    called(limits.names.processes)),
        {"can't start new thread", "unable to create native thread",
         "Resource temporarily unavailable"}},
+      {fmt::format("raycheck lets it use, and each process reserve, at most {} MiB of memory{}",
+                   limits.memory >> 20, called(limits.names.memory)),
+       {"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory", "out of memory",
+        "Out of memory", "could not allocate memory"}},
       {file_limit_text(limits), {"File too large"}}};
   const std::string text = said.text();
   for (const auto& [limit, signs] : rows) {

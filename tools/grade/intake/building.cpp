@@ -210,7 +210,7 @@ Built build_submission(const Unbuilt& submission, const fs::path& to, const RunO
   std::error_code error;
   const fs::path source = fs::canonical(from / program.what, error);
   if (error) throw CandidateError(fmt::format("{}: {}", program.what, error.message()));
-  return {{compile(source, to, options).filename()}, words};
+  return {{compile(source, to, options).library.filename()}, words};
 }
 
 std::string build_key(const Unbuilt& submission, const Layers& layers) {

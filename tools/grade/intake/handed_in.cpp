@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/invalid_input.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
@@ -176,9 +177,10 @@ void require_disjoint(const std::string& out, const std::vector<Submission>& sub
                           : is_in(results, handed_in[k]) ? "lies in"
                                                          : nullptr;
       if (where == nullptr) continue;
-      throw std::invalid_argument(
-          fmt::format("out {}: {} {} {}, which is handed in; results take another folder", out,
-                      folder.string(), where, submissions[k].path.string()));
+      throw scene::InvalidInput(
+          "out", out,
+          fmt::format("{} {} {}, which is handed in; results take another folder", folder.string(),
+                      where, submissions[k].path.string()));
     }
   };
   require(out);

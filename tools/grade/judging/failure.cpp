@@ -157,7 +157,8 @@ Case simplest(const FailedCase& first, const Examinee& who, const properties::Fa
   const Case& from = first.item_case.the_case;
   if (first.failure == FailureKind::kTimeUp) return from;
   const bool failed = first.discrepancy.wrong == Wrong::kFailed;
-  const int tries = failed ? kTriesOfFailures : who.pictures ? kTriesOfPictures : kTries;
+  properties::ShrinkBudget budget;
+  budget.tries = failed ? kTriesOfFailures : who.pictures ? kTriesOfPictures : kTries;
   // Every pixel of a picture is judged.
   const auto whole = [&](Case the_case) {
     if (who.pictures) the_case.pixels = properties::all_pixels(*the_case.scene.camera);
@@ -165,7 +166,7 @@ Case simplest(const FailedCase& first, const Examinee& who, const properties::Fa
   };
   Case start = from;
   if (who.pictures) start.pixels.clear();
-  return whole(properties::smallest(std::move(start), tries, [&](const Case& next) {
+  return whole(properties::smallest(std::move(start), budget, [&](const Case& next) {
     if (is_late() || !is_alike(next.scene, from.scene)) return false;
     if (!properties::is_of_format(next.scene, who.candidate.input_format())) return false;
     const Case judged = whole(next);

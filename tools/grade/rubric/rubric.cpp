@@ -12,6 +12,7 @@
 
 #include "scene/files/file_text.h"
 #include "scene/files/toml_fields.h"
+#include "scene/invalid_input.h"
 
 namespace raycheck::tools {
 namespace {
@@ -370,7 +371,7 @@ Rubric load_rubric(const fs::path& path, const std::string& dialect) {
   try {
     rubric.driver = driver_rule(dialect);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("dialect " + dialect + ": " + error.what());
+    throw scene::InvalidInput("dialect", dialect, error.what());
   }
   rubric.dialect = dialect;
   return rubric;

@@ -125,7 +125,7 @@ struct Rubric {
   properties::DeclaredConventions conventions;  ///< Override what a submission declares.
   double seconds = 120;                         ///< For all questions to a submission.
   double reply_seconds = 5;                     ///< For one reply, or one picture.
-  double build_seconds = 60;
+  double build_seconds = 120;
   SubmissionLimits limits;
   DriverRule driver;
   std::string dialect;  ///< The text of `driver` if not the file's own; else empty.

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/invalid_input.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/report/digest.h"
@@ -133,7 +134,7 @@ Store::Store(const fs::path& out) {
     if (!error) fs::create_directory(part, error);
   }
   if (error) {
-    throw std::invalid_argument(fmt::format("out {}: {}", folder.string(), error.message()));
+    throw scene::InvalidInput("out", folder.string(), error.message());
   }
 }
 
@@ -261,10 +262,10 @@ OwnFiles::OwnFiles(fs::path out) : out_(std::move(out)) {
   std::string line;
   if (!fs::is_regular_file(fs::symlink_status(path)) || !std::getline(file, line) ||
       line != kHeading) {
-    throw std::invalid_argument(fmt::format(
-        "out {}: {} is not raycheck's list of the files that it wrote; move it away, or "
-        "give another folder",
-        out_.string(), path.string()));
+    throw scene::InvalidInput("out", out_.string(),
+                              path.string() +
+                                  " is not raycheck's list of the files that it wrote; move it "
+                                  "away, or give another folder");
   }
   while (std::getline(file, line)) digests_.insert(line);
 }
@@ -281,10 +282,10 @@ bool OwnFiles::is_own(const fs::path& name) const {
 
 void OwnFiles::require_own(const fs::path& name) const {
   if (!is_there(out_ / name) || is_own(name)) return;
-  throw std::invalid_argument(fmt::format(
-      "out {}: {} is not as raycheck wrote it, and stays; move it away, or give another "
-      "folder",
-      out_.string(), (out_ / name).string()));
+  throw scene::InvalidInput(
+      "out", out_.string(),
+      (out_ / name).string() +
+          " is not as raycheck wrote it, and stays; move it away, or give another folder");
 }
 
 void OwnFiles::list(const std::string& digest) {
@@ -311,7 +312,7 @@ void OwnFiles::make_folder(const fs::path& name) const {
   std::error_code error;
   fs::create_directories(out_ / name, error);
   if (!error) return;
-  throw std::invalid_argument(fmt::format("out {}: {}", out_.string(), error.message()));
+  throw scene::InvalidInput("out", out_.string(), error.message());
 }
 
 void OwnFiles::replace(const fs::path& folder, const std::map<std::string, std::string>& files) {
