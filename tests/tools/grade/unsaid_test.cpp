@@ -30,10 +30,8 @@ BEGIN {
 class Unsaid : public GradingTest {
  protected:
   Unsaid() {
-    grading.write("full.toml", kFullScene);
-    std::string uneven = kFullScene;
-    uneven.replace(uneven.find("right = 1"), 9, "right = 2");
-    grading.write("uneven.toml", uneven);
+    grading.write("uneven.toml",
+                  replaced(contents(grading.path("full.toml")), "right = 1", "right = 2"));
     grading.write("submissions/right/main.py", renderer_in_python());
     grading.write("submissions/dull/rt.sh", kDull);
     wrapper_ = grading.write("wrapper/wrap.sh", kWrapper);
