@@ -222,7 +222,7 @@ TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
 }
 
 TEST_F(Probe, prefers_of_the_forms_that_are_read_the_one_that_leaves_nothing_unsaid) {
-  const json drawn = probed({hand_in("any", "rt.py", renderer_in_python())})[0]["dry_run"];
+  const json drawn = probed({grading_.hand_in("any", "rt.py", renderer_in_python())})[0]["dry_run"];
   EXPECT_EQ(drawn["driver"]["extra_lines"], json({"recursionlevel 0"})) << drawn;
   EXPECT_EQ(drawn["dialect"], "2019");
 }
@@ -237,12 +237,13 @@ TEST_F(Probe, says_what_draws_differently_each_time) {
     discs += is_seen ? "9 9 9\n" : "0 0 0\n";
   }
   const std::string once = grading_.path("once");
-  hand_in("unsteady", "discs.txt", discs);
-  const json unsteady = probed(
-      {hand_in("unsteady", "rt.sh",
-               "if [ ! -e " + once + " ]; then : > " + once +
-                   "; { echo P3 25 25 255; cat discs.txt; } > \"$2\"; exit; fi\n" + kBlackPicture)},
-      one_form("2019"))[0];
+  grading_.hand_in("unsteady", "discs.txt", discs);
+  const json unsteady =
+      probed({grading_.hand_in("unsteady", "rt.sh",
+                               "if [ ! -e " + once + " ]; then : > " + once +
+                                   "; { echo P3 25 25 255; cat discs.txt; } > \"$2\"; exit; fi\n" +
+                                   kBlackPicture)},
+             one_form("2019"))[0];
   EXPECT_EQ(unsteady["dry_run"]["shows_a_sphere"], true);
   expect_parts(unsteady["notes"].dump(), {"it draws differently each time", "not initialised"});
 }
