@@ -119,6 +119,14 @@ std::vector<Mistake> ray_mistakes() {
                     },
                 .direction = [](const Camera& c, const Point3& P,
                                 auto&) { return normalised(P - c.eye); }}},
+      {.sentence = "P lies on a sphere around the eye: P = E + |near| D",
+       .step = Step::kPixelPoint,
+       .rays = {.point =
+                    [](const Camera& c, const Vector3& g) {
+                      const Vector3 D = scaled(std::abs(c.near), normalised(g));
+                      return Point3{c.eye.x + D.x, c.eye.y + D.y, c.eye.z + D.z};
+                    }},
+       .is_told_by_pictures = false},
       {.sentence = "directions are not normalised: D = P - E",
        .step = Step::kRay,
        .rays = {.direction = unchanged},

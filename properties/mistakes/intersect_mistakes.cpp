@@ -46,6 +46,10 @@ Hit larger_wherever_behind(const Ray& ray, const Roots& roots, const Conventions
   return hit_at(ray, roots.smaller >= 0 ? roots.smaller : roots.larger);
 }
 
+Hit near_wherever_ahead(const Ray& ray, const Roots& roots, const Conventions& conventions) {
+  return roots.larger < 0 ? Hit() : wherever_behind(ray, roots, conventions);
+}
+
 /// |v - d|
 Hit without_sign(const Ray& ray, const Roots& roots, const Conventions& conventions) {
   if (!meets(roots, conventions) || roots.larger < 0) return {};
@@ -80,6 +84,13 @@ ChooseHit untested(bool is_number) {
     if (!is_number) return hit_at(ray, std::numeric_limits<double>::quiet_NaN());
     const double s = roots.axial_distance / norm(ray.direction);
     return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
+  };
+}
+
+/// s is this many times the right one, and Q follows from it.
+ChangeHit times(double factor) {
+  return [factor](const Ray& ray, const HitAnswer& hit) {
+    return hit_at(ray, factor * hit.parameter);
   };
 }
 
@@ -126,6 +137,14 @@ std::vector<Mistake> intersect_mistakes() {
                  ahead_or_behind),
       of_answers("v + d counts though it is negative: spheres behind the origin are hit",
                  larger_wherever_behind),
+      of_answers("the near root is given though it is negative: from inside spheres are hit behind "
+                 "the origin",
+                 near_wherever_ahead),
+      of_answers("T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
+                 "their origin",
+                 [](const Ray& ray, const Roots& roots, const Conventions& c) {
+                   return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
+                 }),
       of_answers("s is |v - d|, which from inside a sphere is no root", without_sign),
       of_hits("the far root is taken for the near one",
               {.choose =
@@ -143,6 +162,8 @@ std::vector<Mistake> intersect_mistakes() {
                [](const Ray& ray, const HitAnswer& hit) {
                  return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
                }),
+      of_value("s is half of the right one", times(0.5)),
+      of_value("s is twice the right one", times(2)),
       of_value("s is a length whatever the length of the direction",
                [](const Ray& ray, const HitAnswer& hit) {
                  return HitAnswer{hit.parameter * norm(ray.direction), hit.point};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -164,6 +165,14 @@ void truncate_sphere(Sphere& sphere) {
   sphere.radius = std::trunc(sphere.radius);
 }
 
+/// The root of r * r in 32-bit integers; 0 where that is negative. Spheres too large for one stay.
+double root_of_wrapped_square(double radius) {
+  if (!(radius < 0x1p32)) return radius;
+  const auto r = static_cast<std::uint32_t>(radius);
+  const auto square = static_cast<std::int32_t>(r * r);
+  return square < 0 ? 0 : std::sqrt(square);
+}
+
 Mistake sphere_mistake(std::string sentence, ChangeSphere change) {
   return {.sentence = std::move(sentence), .step = Step::kIntersect, .sphere = std::move(change)};
 }
@@ -193,6 +202,15 @@ std::vector<Mistake> read_mistakes() {
                          truncate_sphere),
           sphere_mistake("the centre is left out: spheres are about the world's origin",
                          [](Sphere& sphere) { sphere.centre = {}; }),
+          sphere_mistake("the radius is taken for the diameter: spheres are half as large",
+                         [](Sphere& sphere) { sphere.radius /= 2; }),
+          sphere_mistake("the diameter is taken for the radius: spheres are twice as large",
+                         [](Sphere& sphere) { sphere.radius *= 2; }),
+          sphere_mistake("r^2 is an integer of 32 bits: it wraps around from a radius of 46,341 on",
+                         [](Sphere& sphere) {
+                           if (sphere.radius < 46341) return;
+                           sphere.radius = root_of_wrapped_square(sphere.radius);
+                         }),
           sphere_mistake("the squared radius is squared again: d^2 = r^4 - (|T|^2 - v^2)",
                          [](Sphere& sphere) { sphere.radius *= sphere.radius; }),
           sphere_mistake("the radius is not squared: d^2 = r - (|T|^2 - v^2)",
