@@ -45,9 +45,10 @@ StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
     const std::size_t first = answers.size();
     answers.resize(first + asked.rays.size());
     for (const auto& [ray, hit] : hits) {
-      answers[first + ray] = {0, {Vector3{}, Vector3{}}};
-      if (asked.class_alone) continue;
-      answers[first + ray].vectors = {Vector3{hit.parameter, 0, 0}, vector(hit.point)};
+      answers[first + ray].choice = 0;
+      auto& [s, Q, none] = answers[first + ray].vectors;
+      if (asked.returns != Returns::kClass) s.x = hit.parameter;
+      if (gives_point(asked.returns)) Q = vector(hit.point);
     }
   }
   return answers;
@@ -168,7 +169,7 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
   for (const Case& the_case : cases) {
     auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
     if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
-    asked_.push_back({*std::move(rounded), {}, candidate.returns == Returns::kClass});
+    asked_.push_back({*std::move(rounded), {}, candidate.returns});
     AskedCase& asked = asked_.back();
     scene::Conventions& conventions = asked.the_case.scene.conventions;
     conventions = candidate.declared.over(conventions);
@@ -211,14 +212,40 @@ std::uint64_t Examination::not_numbers(Step step) {
   return not_number_counts_[static_cast<std::size_t>(step)];
 }
 
-std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step last,
+bool Examination::has_numbers(Step step, double tolerance) {
+  const std::vector<Comparison>& all = at(step);
+  return step != Step::kNearest && candidate_.returns != Returns::kClass &&
+         std::any_of(all.begin(), all.end(), [&](const Comparison& comparison) {
+           for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+             const bool is_miss = step == Step::kIntersect && !comparison.answers[k].choice;
+             if (!is_miss && is_different(comparison, k, comparison.right, tolerance)) return true;
+           }
+           return false;
+         });
+}
+
+bool Examination::shows(const Candidate& made, Step first, Step last, double tolerance) {
+  for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
+    for (const Comparison& comparison : at(static_cast<Step>(step))) {
+      const auto its = try_to_ask(static_cast<Step>(step), *comparison.asked, made);
+      if (!its) continue;
+      const bool is_right = std::equal(
+          its->begin(), its->end(), comparison.right.begin(), comparison.right.end(),
+          [tolerance](const Answer& a, const Answer& b) { return agree(a, b, tolerance); });
+      if (!is_right) return true;
+    }
+  }
+  return false;
+}
+
+std::uint64_t Examination::contradicted(const Candidate& made, Step first, Step last,
                                         double tolerance, std::uint64_t most) {
   std::uint64_t count = 0;
   for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
     for (const Comparison& comparison : at(static_cast<Step>(step))) {
       if (count > most) return count;
-      const auto made = try_to_ask(static_cast<Step>(step), *comparison.asked, mistake.candidate);
-      count += count_different(comparison, made ? *made : comparison.right, tolerance);
+      const auto its = try_to_ask(static_cast<Step>(step), *comparison.asked, made);
+      count += count_different(comparison, its ? *its : comparison.right, tolerance);
     }
   }
   return count;
@@ -227,7 +254,7 @@ std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step
 DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance) {
   DoubtTally all;
   for (const Comparison& comparison : at(step)) {
-    const auto& [the_case, rays, class_alone] = *comparison.asked;
+    const auto& [the_case, rays, returns] = *comparison.asked;
     const scene::Conventions& conventions = the_case.scene.conventions;
     const std::vector<bool> is_dropped = dropped(step, comparison);
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
@@ -245,10 +272,12 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
       const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
       // Roundings of d^2 move Q along the ray.
       const bool is_on_ray =
-          !s || agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
-      all.add(is_wrong, is_dropped[k], is_on_ray && hit.allows(s), hit.is_doubtful() || is_wide,
-              hit.radii);
-      if (is_wrong || !s || class_alone) continue;
+          !s || !gives_point(returns) ||
+          agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
+      const bool is_allowed =
+          s && returns == Returns::kClass ? hit.is_possible : is_on_ray && hit.allows(s);
+      all.add(is_wrong, is_dropped[k], is_allowed, hit.is_doubtful() || is_wide, hit.radii);
+      if (is_wrong || !s || returns == Returns::kClass) continue;
       const double exact = comparison.right[k].vectors[0].x;
       ++all.hits;
       all.precise += std::abs(*s - exact) <= kPrecise * exact ? 1 : 0;

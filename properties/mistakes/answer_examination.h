@@ -26,7 +26,7 @@ using StepAnswers = std::vector<Answer>;
 struct AskedCase {
   Case the_case;
   std::vector<scene::Ray> rays;
-  bool class_alone = false;  ///< That a ray hits is all that is known of a hit.
+  Returns returns = Returns::kHit;  ///< What is known of a hit.
 };
 
 /// What a candidate answered to a case at a step, what is right, and what other right formulas
@@ -48,18 +48,28 @@ class Examination {
 
   const std::vector<Comparison>& at(Step step);
 
+  const Candidate& candidate() const { return candidate_; }
   bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
-  bool is_of_unit_directions() const { return candidate_.unit_directions; }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
 
   std::uint64_t errors(Step step, double tolerance);
   /// How many answers at a step are no numbers where numbers are right.
   std::uint64_t not_numbers(Step step);
 
-  /// How many answers up to a step are not as a mistake makes them; any number above `most` if
-  /// there are more.
-  std::uint64_t contradicted(const Mistake& mistake, Step first, Step last, double tolerance,
+  /// Whether a wrong answer at a step has numbers, which tell more than a class or a choice.
+  bool has_numbers(Step step, double tolerance);
+
+  /// Whether all answers at a step are numbers where numbers are right, but for those left out.
+  bool are_numbers(Step step) {
+    return not_numbers_ == NotNumbers::kLeftOut || not_numbers(step) == 0;
+  }
+
+  /// How many answers up to a step are not as `made` gives them; any number above `most` if there
+  /// are more.
+  std::uint64_t contradicted(const Candidate& made, Step first, Step last, double tolerance,
                              std::uint64_t most);
+  /// Whether `made` gives any of these answers otherwise than right.
+  bool shows(const Candidate& made, Step first, Step last, double tolerance);
 
   /// How well the roundings of a formula agree with the answers at kIntersect or kNearest.
   DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance);

@@ -42,9 +42,8 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
       return {{"right under " + under->conventions + ", which it does not declare", under->defects,
                under->defects}};
     }
-    std::vector<Explanation> found = candidate.image
-                                         ? explanations(picture_causes(shown(asked, candidate)))
-                                         : explanations(answer_causes(asked, candidate));
+    if (!candidate.image) return explanations(answer_causes(asked, candidate));
+    std::vector<Explanation> found = explanations(picture_causes(shown(asked, candidate)));
     std::erase_if(found, [](const Explanation& one) { return one.errors < kFewestErrorsOfACause; });
     return found;
   } catch (const NoAnswer&) {

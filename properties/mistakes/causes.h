@@ -14,8 +14,6 @@ namespace raycheck::properties {
 /// their pictures may have.
 inline constexpr std::size_t kCasesOfACause = 12;
 inline constexpr std::int64_t kMostPixelsOfACause = std::int64_t{1} << 16;
-/// Fewer wrong answers than this fit too many explanations to name a mistake.
-inline constexpr std::uint64_t kFewestErrorsOfACause = 3;
 
 /// Why a candidate breaks a law on some of these cases: it is right under conventions that it does
 /// not declare (right_under), or the classic mistakes that explain its answers.

@@ -28,8 +28,17 @@ Mistake of_answers(std::string sentence, ChooseHit choose) {
 }
 
 /// Right hits, changed afterwards.
-Mistake of_value(std::string sentence, ChangeHit change) {
-  return {.sentence = std::move(sentence), .step = Step::kIntersect, .hit = std::move(change)};
+Mistake of_value(std::string sentence, ChangeHit change,
+                 bool (*is_offered)(const Candidate&) = nullptr) {
+  return {.sentence = std::move(sentence),
+          .step = Step::kIntersect,
+          .hit = std::move(change),
+          .is_offered = is_offered};
+}
+
+bool returns_points(const Candidate& candidate) { return gives_point(candidate.returns); }
+bool returns_multiples(const Candidate& candidate) {
+  return candidate.returns == Returns::kHit || candidate.returns == Returns::kParameter;
 }
 
 Hit wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
@@ -158,20 +167,26 @@ std::vector<Mistake> intersect_mistakes() {
                    [](const Ray& ray, const Roots& roots, const Conventions& c) {
                      return roots.axial_distance < 0 ? Hit() : usual_choice(ray, roots, c);
                    }}),
-      of_value("Q = s D: the origin is not added",
-               [](const Ray& ray, const HitAnswer& hit) {
-                 return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
-               }),
+      of_value(
+          "Q = s D: the origin is not added",
+          [](const Ray& ray, const HitAnswer& hit) {
+            return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
+          },
+          returns_points),
       of_value("s is half of the right one", times(0.5)),
       of_value("s is twice the right one", times(2)),
-      of_value("s is a length whatever the length of the direction",
-               [](const Ray& ray, const HitAnswer& hit) {
-                 return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
-               }),
-      of_value("s is a length, and Q = L + s D though D is no unit vector",
-               [](const Ray& ray, const HitAnswer& hit) {
-                 return hit_at(ray, hit.parameter * norm(ray.direction));
-               }),
+      of_value(
+          "s is a length whatever the length of the direction",
+          [](const Ray& ray, const HitAnswer& hit) {
+            return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
+          },
+          returns_multiples),
+      of_value(
+          "s is a length, and Q = L + s D though D is no unit vector",
+          [](const Ray& ray, const HitAnswer& hit) {
+            return hit_at(ray, hit.parameter * norm(ray.direction));
+          },
+          returns_points),
       of_hits("the first sphere in the file wins", {.rank = by_index(1)}),
       of_hits("the last sphere in the file wins", {.rank = by_index(-1)}),
       of_hits("the sphere with the largest discriminant wins", {.rank = by_discriminant(-1)}),

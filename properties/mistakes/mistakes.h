@@ -50,9 +50,10 @@ struct Mistake {
   bool black_outside = false;
   CameraFormulas rays = {};
   HitFormulas hits = {};
-  ChangeHit hit = {};                   ///< Pictures do not show it.
-  bool is_told_by_pictures = true;      ///< Apart from what all pictures of one colour share.
-  bool needs_other_directions = false;  ///< Who demands unit directions does not make it.
+  ChangeHit hit = {};               ///< Pictures do not show it.
+  bool is_told_by_pictures = true;  ///< Apart from what all pictures of one colour share.
+  /// Whether a candidate has what the sentence is about; null: every candidate does.
+  bool (*is_offered)(const Candidate&) = nullptr;
   /// Mistakes of one family differ in a size, and each does all that the one before it does: of
   /// several that explain the same answers the first is meant. Empty: it is alone.
   std::string_view family = {};
@@ -66,6 +67,8 @@ struct Mistake {
 
 /// Every mistake; their sentences differ.
 std::span<const Mistake> mistakes();
+/// Makes several, which can be together (fault.h), as a mistake's candidate makes one.
+Candidate candidate_with(std::span<const Mistake* const> mistakes);
 /// The mistake with this sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);
 

@@ -43,7 +43,8 @@ const std::vector<Mistake> kOfFunctions = {
     {"near_negated", 105, "width and height",
      "near has the wrong sign, the image plane is behind the eye", 2},
     {"centre_behind", 109.67, "robustness",
-     "only the near root counts, so that spheres around the origin are not seen, or: v < 0 counts "
+     "only the near root counts, so that spheres around the origin are not seen, or: v >= 0 is "
+     "tested in place of s >= 0: spheres around the origin are hit behind it, or: v < 0 counts "
      "as a miss, so that spheres around the origin are not seen where their centres lie behind it",
      1},
 };
