@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -100,6 +101,12 @@ std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*
   return found;
 }
 
+std::vector<Fault> each_alone(const std::vector<const Mistake*>& mistakes) {
+  std::vector<Fault> faults;
+  for (const Mistake* mistake : mistakes) faults.push_back({mistake});
+  return faults;
+}
+
 AnswerCause cause_of(const std::vector<Fault>& alternatives, AnswerCause cause,
                      std::uint64_t errors, std::uint64_t left) {
   for (const Fault& fault : alternatives) {
@@ -108,8 +115,30 @@ AnswerCause cause_of(const std::vector<Fault>& alternatives, AnswerCause cause,
   return cause;
 }
 
+/// Answers that are right up to kAnswerTolerances differ by more where floats are their cause; it
+/// is one if it makes the same answers up to this.
+constexpr double kOfFloats = 1e-10;
+
+/// Numbers that are rounded to floats, at the first step of a part at which that shows.
+std::optional<AnswerCause> rounding_in(Examination& examination, const Part& part) {
+  for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
+    const auto step = static_cast<Step>(at);
+    const std::uint64_t errors = examination.errors(step, kOfFloats);
+    if (errors < kFewestErrorsOfACause) continue;
+    std::vector<const Mistake*> suspects = offered(examination.candidate(), part, step);
+    std::erase_if(suspects, [](const Mistake* one) { return !one->is_rounding; });
+    std::uint64_t left = most_unexplained(errors);
+    suspects = best_of(examination, suspects, {part.first, step}, kOfFloats, left);
+    if (suspects.size() > 1) tell_apart(examination, step, part.last, kOfFloats, suspects);
+    if (suspects.empty() || suspects.size() > kMostAlternatives) return {};
+    return cause_of(each_alone(suspects), {step, {}, {}, kOfFloats}, errors, left);
+  }
+  return {};
+}
+
 /// At the first step of a part that has errors.
 AnswerCause find_cause(Examination& examination, const Part& part) {
+  AnswerCause too_few;
   for (const double tolerance : kAnswerTolerances) {
     for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
       const auto step = static_cast<Step>(at);
@@ -125,7 +154,8 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       if (errors < kFewestErrorsOfACause && !suspects.empty() &&
           (suspects.size() > 1 || !examination.has_numbers(step, tolerance))) {
         cause.alternatives = {{std::string(kTooFewErrors), errors, 0}};
-        return cause;
+        too_few = cause;
+        break;
       }
       const bool all_by_mistake = !suspects.empty() && left == 0;
       if (!all_by_mistake && part.first >= Step::kIntersect) {
@@ -140,15 +170,19 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       }
       if (suspects.empty()) break;
       if (suspects.size() > kMostAlternatives) return {};
-      std::vector<Fault> alternatives;
-      for (const Mistake* mistake : suspects) alternatives.push_back({mistake});
-      return cause_of(alternatives, cause, errors, left);
+      return cause_of(each_alone(suspects), cause, errors, left);
     }
+  }
+  if (part.last != Step::kNearest) {
+    if (auto cause = rounding_in(examination, part)) return *std::move(cause);
+  }
+  if (part.last == Step::kRay) {
+    if (auto cause = lost_digits_of_rays(examination)) return *std::move(cause);
   }
   if (part.last == Step::kIntersect) {
     if (auto cause = lost_digits(examination)) return *std::move(cause);
   }
-  return {};
+  return too_few;
 }
 
 /// Whether the cause of one part's errors also explains those at a step of another part.
@@ -203,10 +237,9 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
     const auto step = static_cast<Step>(at);
     const std::uint64_t count = examination.not_numbers(step);
     if (count == 0) continue;
-    // A separate defect, which no other cause has to explain.
     Examination rest(cases, candidate, NotNumbers::kLeftOut);
     found = causes_in(rest);
-    found.push_back({step, {{"not a number, or infinite", count, count}}});
+    found.push_back({step, {{std::string(kNotNumbers), count, count}}});
     break;
   }
   return found;

@@ -16,6 +16,8 @@ struct Explanation {
   std::vector<const Mistake*> mistakes = {};  ///< Of answers: that are made together.
 };
 
+/// Of answers: a separate defect, which no other cause has to explain.
+inline constexpr std::string_view kNotNumbers = "not a number, or infinite";
 /// In place of a mistake; `explained` is 0.
 inline constexpr std::string_view kTooFewErrors = "too few wrong answers to tell why";
 /// Fewer wrong answers than this fit too many explanations. A mistake is named nevertheless if it

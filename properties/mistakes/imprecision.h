@@ -14,14 +14,16 @@ namespace raycheck::properties {
 
 /// How d^2 is computed, from the smallest rounding errors to the largest.
 enum class Arithmetic {
-  kDifference,        ///< In doubles, r^2 - (|T|^2 - v^2) or b^2 - 4ac.
+  kDifference,        ///< In doubles, a difference that cancels: r^2 - (|T|^2 - v^2), b^2 - 4ac.
+  kExpanded,          ///< In doubles, with |T|^2 = |C|^2 - 2 L . C + |L|^2.
   kSingle,            ///< In floats, r^2 - |T x D|^2 or another form that does not cancel.
   kSingleDifference,  ///< In floats, as a difference that cancels.
   kProduct            ///< In doubles, r^2 - |T x D|^2: no mistake.
 };
 /// Those that are mistakes.
-inline constexpr std::array<Arithmetic, 3> kArithmetics = {
-    Arithmetic::kDifference, Arithmetic::kSingle, Arithmetic::kSingleDifference};
+inline constexpr std::array<Arithmetic, 4> kArithmetics = {
+    Arithmetic::kDifference, Arithmetic::kExpanded, Arithmetic::kSingle,
+    Arithmetic::kSingleDifference};
 
 /// The number of roundings, each of a share u of a term, between the numbers of a scene and d^2: 5
 /// in |T|^2, 15 in v^2 (T, D, their product and the square), and those of r^2 and the differences.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fast/camera_frame.h"
 #include "fast/intersect.h"
 #include "properties/mistakes/mistake_list.h"
 
@@ -96,15 +97,19 @@ std::optional<AnswerCause> cancelling_difference(Examination& examination) {
     };
   };
   const auto stable = within(is_single ? Arithmetic::kSingle : Arithmetic::kProduct);
-  const Arithmetic difference = is_single ? Arithmetic::kSingleDifference : Arithmetic::kDifference;
-  const auto cancels = within(difference);
-  const auto found = small_errors(examination, cancels, cancels,
-                                  [&](const auto&... of) { return !stable(of...); });
-  if (!found) return {};
-  AnswerCause cause =
-      small_cause(sentence_of(examination, Arithmetic::kDifference, found->radii), *found);
-  cause.roundings = difference;
-  return cause;
+  for (const Arithmetic difference :
+       is_single ? std::vector{Arithmetic::kSingleDifference}
+                 : std::vector{Arithmetic::kDifference, Arithmetic::kExpanded}) {
+    const auto cancels = within(difference);
+    const auto found = small_errors(examination, cancels, cancels,
+                                    [&](const auto&... of) { return !stable(of...); });
+    if (!found) continue;
+    const Arithmetic said = is_single ? Arithmetic::kDifference : difference;
+    AnswerCause cause = small_cause(sentence_of(examination, said, found->radii), *found);
+    cause.roundings = difference;
+    return cause;
+  }
+  return {};
 }
 
 }  // namespace
@@ -130,6 +135,33 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
 std::optional<AnswerCause> lost_digits(Examination& examination) {
   if (auto cause = cancelling_q(examination)) return cause;
   return cancelling_difference(examination);
+}
+
+std::optional<AnswerCause> lost_digits_of_rays(Examination& examination) {
+  const double u = examination.roundoff();
+  std::uint64_t wrong = 0;
+  for (const Comparison& comparison : examination.at(Step::kRay)) {
+    const scene::Camera& camera = *comparison.asked->the_case.scene.camera;
+    const scene::Vector3 W = vector(fast::camera_frame(camera).W), E = vector(camera.eye);
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const scene::Vector3 &D = comparison.answers[k].vectors[1],
+                           &right = comparison.right[k].vectors[1];
+      const double off = norm(scene::Vector3{D.x - right.x, D.y - right.y, D.z - right.z});
+      if (off <= kNoticed * u) continue;
+      // |P - E|: D . W is the cosine of its angle to the view.
+      const double g = std::abs(camera.near / (right.x * W.x + right.y * W.y + right.z * W.z));
+      if (!(off <= kRoundings * u * (norm(E) / g + 1))) return {};
+      ++wrong;
+    }
+  }
+  if (wrong < kFewestWrongByRoundings) return {};
+  return AnswerCause{
+      Step::kRay,
+      {{"E is added to P and subtracted again: far from the world's origin D loses its digits, "
+        "which nW + alpha U + beta V keeps",
+        wrong, wrong}},
+      {},
+      kAnswerTolerances.front()};
 }
 
 }  // namespace raycheck::properties

@@ -13,5 +13,7 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
 
 /// Of answers that are right up to kAnswerTolerances what their errors tell, if anything.
 std::optional<AnswerCause> lost_digits(Examination& examination);
+/// The same of directions.
+std::optional<AnswerCause> lost_digits_of_rays(Examination& examination);
 
 }  // namespace raycheck::properties

@@ -54,6 +54,7 @@ struct Mistake {
   bool is_told_by_pictures = true;  ///< Apart from what all pictures of one colour share.
   /// Whether a candidate has what the sentence is about; null: every candidate does.
   bool (*is_offered)(const Candidate&) = nullptr;
+  bool is_rounding = false;  ///< Rounds numbers to floats, which few answers show up to 1e-6.
   /// Mistakes of one family differ in a size, and each does all that the one before it does: of
   /// several that explain the same answers the first is meant. Empty: it is alone.
   std::string_view family = {};

@@ -313,7 +313,9 @@ FoundReport found(const Candidate& candidate) {
         break;
       }
     }
-    const auto cases = telling_cases(campaign, properties::kCasesOfACause);
+    const auto cases = [&](std::size_t round) {
+      return telling_cases(campaign, properties::kCasesOfACause, round);
+    };
     for (const properties::Explanation& one : properties::causes(law, cases, candidate)) {
       const auto at = std::find(result.sentences.begin(), result.sentences.end(), one.sentence);
       if (at == result.sentences.end()) result.sentences.push_back(one.sentence);

@@ -148,6 +148,10 @@ std::vector<Mutant> plane_mutants() {
       {"the first pixel is one ulp off, where the formula promises its bits",
        {"bounds"},
        first_pixel_one_ulp_off()},
+      from_mistake("single-camera", "the camera's numbers are rounded to floats",
+                   {"pixel-point", "direction"}),
+      from_mistake("single-P", "P is rounded to floats", {"pixel-point"}),
+      from_mistake("single-D", "D is rounded to floats", {"direction", "unit-direction"}),
       from_mistake("curved-plane", "P lies on a sphere around the eye: P = E + |near| D",
                    {"image-plane", "pixel-point", "ray-origin"}),
   };

@@ -185,23 +185,10 @@ std::vector<Mutant> value_mutants() {
                      return sphere;
                    })},
       from_mistake("origin-forgotten", "Q = s D: the origin is not added", {"hit-point"}),
-      {"Q is kept in single precision",
-       {"hit-point"},
-       with_hits("single-point",
-                 [](const auto&, const auto&, const auto&, Hit hit) {
-                   if (!hit) return hit;
-                   for (double* x : {&hit->point.x, &hit->point.y, &hit->point.z}) {
-                     if (std::abs(*x) < 1e30) *x = static_cast<double>(static_cast<float>(*x));
-                   }
-                   return hit;
-                 })},
-      {"s is kept in single precision",
-       {"parameter", "backward-error"},
-       with_hits("single-parameter",
-                 [](const Ray& ray, const auto&, const auto&, const Hit& hit) -> Hit {
-                   if (!hit || !(hit->parameter < 1e30)) return hit;
-                   return hit_at(ray, static_cast<double>(static_cast<float>(hit->parameter)));
-                 })},
+      from_mistake("single-point", "Q is rounded to floats", {"hit-point"}),
+      from_mistake("single-parameter", "s is rounded to a float", {"parameter", "backward-error"}),
+      from_mistake("single-spheres", "the spheres' numbers are rounded to floats", {"parameter"}),
+      from_mistake("single-rays", "rays are rounded to floats", {"parameter"}),
       from_mistake("half-the-radius",
                    "the radius is taken for the diameter: spheres are half as large",
                    {"class", "parameter"}),

@@ -331,8 +331,7 @@ std::vector<ShownPicture> shown_by(const fast::PixelRayMethod& rays,
   return pictures;
 }
 
-constexpr const char* kDifference =
-    "the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits from 10^";
+constexpr const char* kDifference = "d^2 loses its digits from 10^";
 
 TEST(PictureCauses, OfRoundingsAreThoseOfTheLeastFormula) {
   std::vector<Scene> scenes = rubric_scenes();

@@ -79,7 +79,9 @@ const std::vector<Mistake> kOfPictures = {
     {"upside_down", 105, "pixel (0, 0)", "rows are upside down", 2},
     {"mirrored", 103, "pixel (0, 0), robustness", "columns are mirrored", 3},
     {"cancelling", 108, "robustness",
-     "the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits from 10^8 radii away", 1},
+     "d^2 loses its digits from 10^8 radii away, where larger numbers cancel (r^2 - |T x D|^2 "
+     "keeps them)",
+     1},
     {"left_and_right_negated", 103, "boundary pixels, robustness",
      "left and right are both negated, or: U has the wrong sign", 4},
     {"bottom_and_top_negated", 105, "boundary pixels",
