@@ -212,16 +212,18 @@ std::uint64_t Examination::not_numbers(Step step) {
   return not_number_counts_[static_cast<std::size_t>(step)];
 }
 
-bool Examination::has_numbers(Step step, double tolerance) {
-  const std::vector<Comparison>& all = at(step);
-  return step != Step::kNearest && candidate_.returns != Returns::kClass &&
-         std::any_of(all.begin(), all.end(), [&](const Comparison& comparison) {
-           for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
-             const bool is_miss = step == Step::kIntersect && !comparison.answers[k].choice;
-             if (!is_miss && is_different(comparison, k, comparison.right, tolerance)) return true;
-           }
-           return false;
-         });
+std::uint64_t Examination::wrong_numbers(Step step, double tolerance, const Candidate* other) {
+  std::uint64_t count = 0;
+  if (step == Step::kNearest || candidate_.returns == Returns::kClass) return 0;
+  for (const Comparison& comparison : at(step)) {
+    const auto its = other ? try_to_ask(step, *comparison.asked, *other) : std::nullopt;
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const bool is_miss = step == Step::kIntersect && !comparison.answers[k].choice;
+      if (is_miss || !is_different(comparison, k, comparison.right, tolerance)) continue;
+      count += its && agree(comparison.answers[k], (*its)[k], tolerance) ? 0 : 1;
+    }
+  }
+  return count;
 }
 
 bool Examination::shows(const Candidate& made, Step first, Step last, double tolerance) {

@@ -56,8 +56,9 @@ class Examination {
   /// How many answers at a step are no numbers where numbers are right.
   std::uint64_t not_numbers(Step step);
 
-  /// Whether a wrong answer at a step has numbers, which tell more than a class or a choice.
-  bool has_numbers(Step step, double tolerance);
+  /// How many wrong answers at a step have numbers, which tell more than a class or a choice, and
+  /// are not as `other` gives them.
+  std::uint64_t wrong_numbers(Step step, double tolerance, const Candidate* other = nullptr);
 
   /// Whether all answers at a step are numbers where numbers are right, but for those left out.
   bool are_numbers(Step step) {

@@ -70,7 +70,7 @@ std::vector<const Mistake*> offered(const Candidate& candidate, Part part, Step 
 }
 
 /// Two mistakes must explain at least this many wrong answers together, all there are, and each
-/// kFewestErrorsOfACause that the other alone does not.
+/// kFewestErrorsOfACause with numbers that the other alone does not.
 constexpr std::uint64_t kFewestErrorsOfTwo = 12;
 
 /// The pairs that contradict no answer; of pairs that differ within a family, the first.
@@ -79,9 +79,9 @@ std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*
   std::erase_if(mistakes, [&](const Mistake* one) {
     return !examination.shows(one->candidate, steps.first, steps.last, tolerance);
   });
-  const auto is_enough = [&](const Mistake* alone) {
-    return examination.contradicted(alone->candidate, steps.first, steps.last, tolerance,
-                                    kFewestErrorsOfACause) >= kFewestErrorsOfACause;
+  const auto is_too_much = [&](const Mistake* alone) {
+    return examination.wrong_numbers(steps.last, tolerance, &alone->candidate) >=
+           kFewestErrorsOfACause;
   };
   std::set<std::pair<std::string_view, std::string_view>> known;
   const auto name = [](const Mistake* one) {
@@ -94,7 +94,7 @@ std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*
       if (!can_be_together(*pair[0], *pair[1])) continue;
       if (examination.contradicted(candidate_with(pair), steps.first, steps.last, tolerance, 0) > 0)
         continue;
-      if (!is_enough(pair[0]) || !is_enough(pair[1])) continue;
+      if (!is_too_much(pair[0]) || !is_too_much(pair[1])) continue;
       if (known.insert({name(pair[0]), name(pair[1])}).second) found.push_back(pair);
     }
   }
@@ -152,7 +152,7 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       if (suspects.size() > kMostAlternatives) keep_told(suspects);
       AnswerCause cause = {step, {}, {}, tolerance};
       if (errors < kFewestErrorsOfACause && !suspects.empty() &&
-          (suspects.size() > 1 || !examination.has_numbers(step, tolerance))) {
+          (suspects.size() > 1 || examination.wrong_numbers(step, tolerance) == 0)) {
         cause.alternatives = {{std::string(kTooFewErrors), errors, 0}};
         too_few = cause;
         break;
@@ -163,7 +163,8 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
         // If roundings may have caused it, too, the cause is unknown.
         if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
       }
-      if (!all_by_mistake && errors >= kFewestErrorsOfTwo && examination.are_numbers(step)) {
+      if (!all_by_mistake && errors >= kFewestErrorsOfTwo && examination.are_numbers(step) &&
+          examination.wrong_numbers(step, tolerance) >= kFewestErrorsOfACause) {
         const std::vector<Fault> pairs = pairs_of(examination, all, steps, tolerance);
         if (pairs.size() > kMostAlternatives) return {};
         if (!pairs.empty()) return cause_of(pairs, cause, errors, 0);

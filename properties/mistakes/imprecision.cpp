@@ -53,6 +53,8 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   hit.is_certain = half_chord_sq - error > 0 && (far_counts ? far_least : near_least) >= 0;
   hit.least = std::max(0.0, near_most >= 0 ? near_least : far_least) / size;
   hit.most = (near_least >= 0 || !far_counts ? near_most : far_most) / size;
+  hit.between = near_most / size;
+  hit.and_between = far_least / size;
   return hit;
 }
 

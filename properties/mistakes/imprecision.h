@@ -32,11 +32,13 @@ inline constexpr double kRoundings = 24;
 /// Where a formula may see a ray meet a sphere: somewhere, nowhere or either.
 struct PossibleHit {
   bool is_possible = false, is_certain = false;
-  double least = 0, most = 0;  ///< s, where it is possible.
-  double radii = 0;            ///< From the ray's origin to the centre.
+  double least = 0, most = 0;           ///< s, where it is possible,
+  double between = 0, and_between = 0;  ///< but not between these: there it is neither root.
+  double radii = 0;                     ///< From the ray's origin to the centre.
   bool is_doubtful() const { return is_possible && !is_certain; }
   bool allows(const std::optional<double>& s) const {
-    return s ? is_possible && least <= *s && *s <= most : !is_certain;
+    if (!s) return !is_certain;
+    return is_possible && least <= *s && *s <= most && !(between < *s && *s < and_between);
   }
 };
 PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,

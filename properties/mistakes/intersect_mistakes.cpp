@@ -59,6 +59,16 @@ Hit near_wherever_ahead(const Ray& ray, const Roots& roots, const Conventions& c
   return roots.larger < 0 ? Hit() : wherever_behind(ray, roots, conventions);
 }
 
+/// 0 from inside; where both roots are negative none, or the larger.
+ChooseHit of_solid(bool counts_behind) {
+  return [counts_behind](const Ray& ray, const Roots& roots, const Conventions& conventions) {
+    if (!meets(roots, conventions) || (roots.larger < 0 && !counts_behind)) return Hit();
+    return Hit(hit_at(ray, roots.larger < 0    ? roots.larger
+                           : roots.smaller < 0 ? 0
+                                               : roots.smaller));
+  };
+}
+
 /// |v - d|
 Hit without_sign(const Ray& ray, const Roots& roots, const Conventions& conventions) {
   if (!meets(roots, conventions) || roots.larger < 0) return {};
@@ -149,6 +159,9 @@ std::vector<Mistake> intersect_mistakes() {
       of_answers("the near root is given though it is negative: from inside spheres are hit behind "
                  "the origin",
                  near_wherever_ahead),
+      of_answers("spheres are solid: from inside s is 0", of_solid(false)),
+      of_answers("spheres are solid: from inside s is 0, and v + d counts though it is negative",
+                 of_solid(true)),
       of_answers("T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
                  "their origin",
                  [](const Ray& ray, const Roots& roots, const Conventions& c) {

@@ -207,8 +207,8 @@ std::span<const KnownReport> known_reports() {
        .said = "in floats, rays from far away miss small spheres",
        .mutant = "quadratic-in-floats",
        .hit = quadratic_in_floats,
-       .sentences = {},
-       .needed = "more wrong answers than two of 500 cases: the farther spheres are demanding",
+       .sentences = {"in floats d^2 loses its digits near tangents, where larger numbers cancel "
+                     "(r^2 - |T x D|^2 keeps them)"},
        .precision = scene::Precision::kSingle},
       {.thread = "ebruneton/precomputed_atmospheric_scattering#21",
        .said = "in floats, -b + sqrt(b^2 - c) cancels near a planet's surface",

@@ -114,6 +114,7 @@ std::vector<Mutant> choice_mutants() {
                    "the near root is given though it is negative: from inside spheres are hit "
                    "behind the origin",
                    {"nearest-root"}),
+      from_mistake("solid", "spheres are solid: from inside s is 0", {"nearest-root"}),
       from_mistake("level-is-missed",
                    "T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
                    "their origin",
