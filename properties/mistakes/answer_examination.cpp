@@ -175,7 +175,9 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
     conventions = candidate.declared.over(conventions);
     asked.rays = Trial(asked.the_case, right_).rays();
     for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
-    if (ends_matter(asked)) asked_.pop_back();
+    if (!ends_matter(asked)) continue;
+    asked_.pop_back();
+    ++left_out_;
   }
 }
 

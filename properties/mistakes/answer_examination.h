@@ -50,6 +50,8 @@ class Examination {
 
   const Candidate& candidate() const { return candidate_; }
   bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
+  /// Whether at most half of the cases are left out since the ends of valid roots matter there.
+  bool is_of_most() const { return left_out_ <= asked_.size(); }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
 
   std::uint64_t errors(Step step, double tolerance);
@@ -84,6 +86,7 @@ class Examination {
   const Candidate right_ = right_candidate();
   const std::vector<Candidate> others_;
   std::vector<AskedCase> asked_;
+  std::size_t left_out_ = 0;
   std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
 };
 

@@ -180,7 +180,7 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
   if (part.last == Step::kRay) {
     if (auto cause = lost_digits_of_rays(examination)) return *std::move(cause);
   }
-  if (part.last == Step::kIntersect) {
+  if (part.last == Step::kIntersect && examination.is_of_most()) {
     if (auto cause = lost_digits(examination)) return *std::move(cause);
   }
   return too_few;

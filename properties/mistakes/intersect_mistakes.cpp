@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "properties/mistakes/mistake_list.h"
@@ -21,8 +22,9 @@ Mistake of_hits(std::string sentence, HitFormulas formulas) {
 }
 
 /// The same where s and Q tell it from other mistakes, and pictures do not.
-Mistake of_answers(std::string sentence, ChooseHit choose) {
+Mistake of_answers(std::string sentence, ChooseHit choose, std::string_view family = {}) {
   Mistake mistake = of_hits(std::move(sentence), {.choose = std::move(choose)});
+  mistake.family = family;
   mistake.is_told_by_pictures = false;
   return mistake;
 }
@@ -155,13 +157,13 @@ std::vector<Mistake> intersect_mistakes() {
       of_answers("v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
                  ahead_or_behind),
       of_answers("v + d counts though it is negative: spheres behind the origin are hit",
-                 larger_wherever_behind),
+                 larger_wherever_behind, "negative far roots"),
+      of_answers("spheres are solid: from inside s is 0, and v + d counts though it is negative",
+                 of_solid(true), "negative far roots"),
       of_answers("the near root is given though it is negative: from inside spheres are hit behind "
                  "the origin",
                  near_wherever_ahead),
       of_answers("spheres are solid: from inside s is 0", of_solid(false)),
-      of_answers("spheres are solid: from inside s is 0, and v + d counts though it is negative",
-                 of_solid(true)),
       of_answers("T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
                  "their origin",
                  [](const Ray& ray, const Roots& roots, const Conventions& c) {

@@ -116,7 +116,8 @@ std::optional<AnswerCause> cancelling_difference(Examination& examination) {
 
 /// The roundings that explain the answers at a step, if any do.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
-  for (const Arithmetic arithmetic : kArithmetics) {
+  for (const Arithmetic arithmetic : {Arithmetic::kDifference, Arithmetic::kExpanded,
+                                      Arithmetic::kSingle, Arithmetic::kSingleDifference}) {
     const DoubtTally tally = examination.tally(step, arithmetic, tolerance);
     if (!tally.tells()) continue;
     // Whose right answers have more digits than floats does not compute in them.

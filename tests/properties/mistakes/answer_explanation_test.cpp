@@ -528,6 +528,22 @@ TEST(AnswerExplanation, OfLostDigitsSaysWhatWasLostAndWhere) {
          "|C - L|^2 loses its digits far from the world's origin");
 }
 
+/// Cases in which other roots count are left out; of the rest nothing is said where it is less.
+TEST(AnswerExplanation, OfLostDigitsIsOfMostCases) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  answer_by(candidate, hits_by({.roots = roots_of([](auto&, auto&, auto& T, double v, double r) {
+                                  return r * r - (dot(T, T) - v * v);
+                                })}));
+  std::vector<Case> cases = cases_of({"rays"}, 20);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    cases.push_back(find_case_source("inside")->make(0, seed));
+    cases.push_back(find_case_source("distance")->make(3, seed));
+  }
+  EXPECT_EQ(sentences_for(candidate, cases).size(), 1u);
+  candidate.declared.valid = scene::ValidRoots{.t_max = 1, .culling = scene::Culling::kNone};
+  EXPECT_EQ(sentences_for(candidate, cases), Sentences());
+}
+
 /// Of easy cases some that give no number; of harder ones digits that are lost.
 TEST(AnswerExplanation, OfAnotherCauseAtAnotherLevelIsToldToo) {
   const MakeRoots naive = roots_of(

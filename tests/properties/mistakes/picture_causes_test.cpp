@@ -337,8 +337,11 @@ TEST(PictureCauses, OfRoundingsAreThoseOfTheLeastFormula) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   for (const auto* intersect : {&fast::kLecture, &fast::kQuadratic}) {
-    EXPECT_EQ(sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
-              Sentences{kDifference + std::string("8 radii away")})
+    EXPECT_EQ(
+        sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
+        Sentences{
+            kDifference +
+            std::string("8 radii away, where larger numbers cancel (r^2 - |T x D|^2 keeps them)")})
         << intersect->name;
   }
   for (const auto* intersect : {&fast::kSingleLecture, &fast::kSingleQuadratic}) {
@@ -372,7 +375,8 @@ TEST(PictureCauses, OfRoundingsBesideAMistakeAreBoth) {
   std::vector<ShownPicture> pictures = shown_with(fault, rubric_scenes());
   pictures.push_back(shown_by(fast::kDirectRays, fast::kLecture, {far_scene(2e8)}).front());
   EXPECT_EQ(sentences_for(pictures),
-            Sentences{std::string("top is -bottom; and ") + kDifference + "8 radii away"});
+            Sentences{std::string("top is -bottom; and ") + kDifference +
+                      "8 radii away, where larger numbers cancel (r^2 - |T x D|^2 keeps them)"});
 }
 
 /// Where nothing is certain, nothing is known.
