@@ -53,6 +53,8 @@ class Examination {
   /// Whether at most half of the cases are left out since the ends of valid roots matter there.
   bool is_of_most() const { return left_out_ <= asked_.size(); }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
+  /// Whether a few roundings of the input make such an error of s, which says nothing of a formula.
+  bool is_of_input(const scene::Ray& ray, const scene::Sphere& sphere, double error) const;
 
   std::uint64_t errors(Step step, double tolerance);
   /// How many answers at a step are no numbers where numbers are right.

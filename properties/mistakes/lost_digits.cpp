@@ -47,6 +47,7 @@ std::optional<SmallErrors> small_errors(Examination& examination, const AllowsCl
       const double s = answer.vectors[0].x, exact = right.vectors[0].x;
       const double off = std::abs(s - exact) / exact;
       if (off <= kNoticed * examination.roundoff()) continue;
+      if (examination.is_of_input(ray, sphere, s - exact)) continue;
       if (!allows(asked, ray, sphere, s, off)) return {};
       if (!is_telling(asked, ray, sphere, s)) continue;
       const double radii = norm(sphere.centre - ray.origin) / sphere.radius;

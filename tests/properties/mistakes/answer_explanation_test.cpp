@@ -544,6 +544,18 @@ TEST(AnswerExplanation, OfLostDigitsIsOfMostCases) {
   EXPECT_EQ(sentences_for(candidate, cases), Sentences());
 }
 
+/// Tiny roots of origins on the sphere: inputs close by have others.
+TEST(AnswerExplanation, OfWhatTheInputIsUnsureOfIsNone) {
+  const Candidate candidate = with_hits([](const auto& ray, const auto&, Hit& hit) {
+    if (hit->parameter < 1e-12) *hit = hit_at(ray, 2 * hit->parameter);
+  });
+  std::vector<Case> cases;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    cases.push_back(find_case_source("surface")->make(15, seed));
+  }
+  EXPECT_EQ(sentences_for(candidate, cases), Sentences());
+}
+
 /// Of easy cases some that give no number; of harder ones digits that are lost.
 TEST(AnswerExplanation, OfAnotherCauseAtAnotherLevelIsToldToo) {
   const MakeRoots naive = roots_of(
