@@ -549,8 +549,8 @@ TEST(AnswerExplanation, OfWhatTheInputIsUnsureOfIsNone) {
   const Candidate candidate = with_hits([](const auto& ray, const auto&, Hit& hit) {
     if (hit->parameter < 1e-12) *hit = hit_at(ray, 2 * hit->parameter);
   });
-  std::vector<Case> cases;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  std::vector<Case> cases = cases_of({"rays", "cameras"}, 20);
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     cases.push_back(find_case_source("surface")->make(15, seed));
   }
   EXPECT_EQ(sentences_for(candidate, cases), Sentences());
