@@ -62,9 +62,15 @@ std::string reason_of(const CampaignResult& result) {
                      info(few->first).name, name(few->second), result.fewest_right);
 }
 
+properties::TellingCases telling_of(const CampaignResult& result) {
+  return [&result](std::size_t round) {
+    return telling_cases(result, properties::kCasesOfACause, round);
+  };
+}
+
 Verdict verdict_of(const CampaignResult& result, const properties::Law& law,
                    const properties::Candidate& candidate,
-                   const std::vector<properties::Case>& telling) {
+                   const properties::TellingCases& telling) {
   Verdict verdict;
   verdict.law = law.name;
   verdict.candidate = candidate.name;
@@ -146,7 +152,7 @@ Verdict judge(const Candidate& candidate, const std::string& law_name, const std
     }
   }
   const CampaignResult result = run_campaign(law, inside, asked);
-  return verdict_of(result, law, inside, telling_cases(result, properties::kCasesOfACause));
+  return verdict_of(result, law, inside, telling_of(result));
 }
 
 Verdict judge_case(const Candidate& candidate, const std::string& law_name, const Case& the_case,
@@ -155,14 +161,17 @@ Verdict judge_case(const Candidate& candidate, const std::string& law_name, cons
   const properties::Candidate inside = library::inside(candidate);
   const properties::Case asked = library::case_of(the_case);
   const CampaignResult result = run_case(law, inside, asked, options.max_error, options.strict);
-  return verdict_of(result, law, inside, {asked});
+  const auto telling = [&](std::size_t round) {
+    return round == 0 ? std::vector{asked} : std::vector<properties::Case>();
+  };
+  return verdict_of(result, law, inside, telling);
 }
 
 Verdict replay(const Candidate& candidate, const std::string& text, const JudgeOptions& options) {
   const properties::Replay parsed = properties::parse_replay(text);
   const properties::Candidate inside = library::inside(candidate);
   const CampaignResult result = run_replay(parsed, inside, options.max_error, options.strict);
-  return verdict_of(result, *parsed.law, inside, telling_cases(result, properties::kCasesOfACause));
+  return verdict_of(result, *parsed.law, inside, telling_of(result));
 }
 
 }  // namespace raycheck

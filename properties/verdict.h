@@ -299,7 +299,7 @@ struct Discrepancy {
   std::string symbol;
   std::vector<double> got;       ///< Empty: a miss, or no number.
   std::vector<double> exact;     ///< Correctly rounded to `precision`; empty as for got.
-  bool got_some_sphere = false;  ///< A picture shows a sphere, but not which.
+  bool got_some_sphere = false;  ///< A picture's sphere, but not which; a hit, but not where.
   double error = 0;              ///< In the quantity's unit; infinite for decisions.
   scene::Precision precision = scene::Precision::kDouble;  ///< The format of that unit.
   Wrong wrong = Wrong::kNot;

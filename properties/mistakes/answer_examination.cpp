@@ -45,9 +45,10 @@ StepAnswers hit_answers(const AskedCase& asked, const Trial& trial) {
     const std::size_t first = answers.size();
     answers.resize(first + asked.rays.size());
     for (const auto& [ray, hit] : hits) {
-      answers[first + ray] = {0, {Vector3{}, Vector3{}}};
-      if (asked.class_alone) continue;
-      answers[first + ray].vectors = {Vector3{hit.parameter, 0, 0}, vector(hit.point)};
+      answers[first + ray].choice = 0;
+      auto& [s, Q, none] = answers[first + ray].vectors;
+      if (asked.returns != Returns::kClass) s.x = hit.parameter;
+      if (gives_point(asked.returns)) Q = vector(hit.point);
     }
   }
   return answers;
@@ -168,13 +169,15 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
   for (const Case& the_case : cases) {
     auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
     if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
-    asked_.push_back({*std::move(rounded), {}, candidate.returns == Returns::kClass});
+    asked_.push_back({*std::move(rounded), {}, candidate.returns});
     AskedCase& asked = asked_.back();
     scene::Conventions& conventions = asked.the_case.scene.conventions;
     conventions = candidate.declared.over(conventions);
     asked.rays = Trial(asked.the_case, right_).rays();
     for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
-    if (ends_matter(asked)) asked_.pop_back();
+    if (!ends_matter(asked)) continue;
+    asked_.pop_back();
+    ++left_out_;
   }
 }
 
@@ -211,23 +214,57 @@ std::uint64_t Examination::not_numbers(Step step) {
   return not_number_counts_[static_cast<std::size_t>(step)];
 }
 
-std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step last,
-                                        double tolerance, std::uint64_t most) {
+std::uint64_t Examination::wrong_numbers(Step step, double tolerance, const Candidate* other) {
   std::uint64_t count = 0;
-  for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
-    for (const Comparison& comparison : at(static_cast<Step>(step))) {
-      if (count > most) return count;
-      const auto made = try_to_ask(static_cast<Step>(step), *comparison.asked, mistake.candidate);
-      count += count_different(comparison, made ? *made : comparison.right, tolerance);
+  if (step == Step::kNearest || candidate_.returns == Returns::kClass) return 0;
+  for (const Comparison& comparison : at(step)) {
+    const auto its = other ? try_to_ask(step, *comparison.asked, *other) : std::nullopt;
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const bool is_miss = step == Step::kIntersect && !comparison.answers[k].choice;
+      if (is_miss || !is_different(comparison, k, comparison.right, tolerance)) continue;
+      count += its && agree(comparison.answers[k], (*its)[k], tolerance) ? 0 : 1;
     }
   }
   return count;
 }
 
+bool Examination::shows(const Candidate& made, Step first, Step last, double tolerance) {
+  for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
+    for (const Comparison& comparison : at(static_cast<Step>(step))) {
+      const auto its = try_to_ask(static_cast<Step>(step), *comparison.asked, made);
+      if (!its) continue;
+      const bool is_right = std::equal(
+          its->begin(), its->end(), comparison.right.begin(), comparison.right.end(),
+          [tolerance](const Answer& a, const Answer& b) { return agree(a, b, tolerance); });
+      if (!is_right) return true;
+    }
+  }
+  return false;
+}
+
+std::uint64_t Examination::contradicted(const Candidate& made, Step first, Step last,
+                                        double tolerance, std::uint64_t most) {
+  std::uint64_t count = 0;
+  for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
+    for (const Comparison& comparison : at(static_cast<Step>(step))) {
+      if (count > most) return count;
+      const auto its = try_to_ask(static_cast<Step>(step), *comparison.asked, made);
+      count += count_different(comparison, its ? *its : comparison.right, tolerance);
+    }
+  }
+  return count;
+}
+
+bool Examination::is_of_input(const scene::Ray& ray, const scene::Sphere& sphere,
+                              double error) const {
+  const double lengths = norm(ray.origin) + norm(sphere.centre) + sphere.radius;
+  return std::abs(error) * norm(ray.direction) <= 8 * roundoff() * lengths;
+}
+
 DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance) {
   DoubtTally all;
   for (const Comparison& comparison : at(step)) {
-    const auto& [the_case, rays, class_alone] = *comparison.asked;
+    const auto& [the_case, rays, returns] = *comparison.asked;
     const scene::Conventions& conventions = the_case.scene.conventions;
     const std::vector<bool> is_dropped = dropped(step, comparison);
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
@@ -245,10 +282,17 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
       const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
       // Roundings of d^2 move Q along the ray.
       const bool is_on_ray =
-          !s || agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
-      all.add(is_wrong, is_dropped[k], is_on_ray && hit.allows(s), hit.is_doubtful() || is_wide,
+          !s || !gives_point(returns) ||
+          agree(answer.vectors[1], vector(hit_at(rays[k % rays.size()], *s).point), 1e-3);
+      const bool is_allowed =
+          s && returns == Returns::kClass ? hit.is_possible : is_on_ray && hit.allows(s);
+      const bool is_of_both = s && comparison.right[k].choice && returns != Returns::kClass;
+      const bool is_excused =
+          is_of_both && is_of_input(rays[k % rays.size()], the_case.scene.spheres[k / rays.size()],
+                                    *s - comparison.right[k].vectors[0].x);
+      all.add(is_wrong && !is_excused, is_dropped[k], is_allowed, hit.is_doubtful() || is_wide,
               hit.radii);
-      if (is_wrong || !s || class_alone) continue;
+      if (is_wrong || !s || returns == Returns::kClass) continue;
       const double exact = comparison.right[k].vectors[0].x;
       ++all.hits;
       all.precise += std::abs(*s - exact) <= kPrecise * exact ? 1 : 0;

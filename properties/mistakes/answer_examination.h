@@ -26,7 +26,7 @@ using StepAnswers = std::vector<Answer>;
 struct AskedCase {
   Case the_case;
   std::vector<scene::Ray> rays;
-  bool class_alone = false;  ///< That a ray hits is all that is known of a hit.
+  Returns returns = Returns::kHit;  ///< What is known of a hit.
 };
 
 /// What a candidate answered to a case at a step, what is right, and what other right formulas
@@ -48,18 +48,33 @@ class Examination {
 
   const std::vector<Comparison>& at(Step step);
 
+  const Candidate& candidate() const { return candidate_; }
   bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
-  bool is_of_unit_directions() const { return candidate_.unit_directions; }
+  /// Whether at most half of the cases are left out since the ends of valid roots matter there.
+  bool is_of_most() const { return left_out_ <= asked_.size(); }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
+  /// Whether a few roundings of the input make such an error of s, which says nothing of a formula.
+  bool is_of_input(const scene::Ray& ray, const scene::Sphere& sphere, double error) const;
 
   std::uint64_t errors(Step step, double tolerance);
   /// How many answers at a step are no numbers where numbers are right.
   std::uint64_t not_numbers(Step step);
 
-  /// How many answers up to a step are not as a mistake makes them; any number above `most` if
-  /// there are more.
-  std::uint64_t contradicted(const Mistake& mistake, Step first, Step last, double tolerance,
+  /// How many wrong answers at a step have numbers, which tell more than a class or a choice, and
+  /// are not as `other` gives them.
+  std::uint64_t wrong_numbers(Step step, double tolerance, const Candidate* other = nullptr);
+
+  /// Whether all answers at a step are numbers where numbers are right, but for those left out.
+  bool are_numbers(Step step) {
+    return not_numbers_ == NotNumbers::kLeftOut || not_numbers(step) == 0;
+  }
+
+  /// How many answers up to a step are not as `made` gives them; any number above `most` if there
+  /// are more.
+  std::uint64_t contradicted(const Candidate& made, Step first, Step last, double tolerance,
                              std::uint64_t most);
+  /// Whether `made` gives any of these answers otherwise than right.
+  bool shows(const Candidate& made, Step first, Step last, double tolerance);
 
   /// How well the roundings of a formula agree with the answers at kIntersect or kNearest.
   DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance);
@@ -73,6 +88,7 @@ class Examination {
   const Candidate right_ = right_candidate();
   const std::vector<Candidate> others_;
   std::vector<AskedCase> asked_;
+  std::size_t left_out_ = 0;
   std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
 };
 

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
-#include "fast/intersect.h"
 #include "properties/mistakes/answer_examination.h"
-#include "properties/mistakes/mistake_list.h"
+#include "properties/mistakes/fault.h"
+#include "properties/mistakes/lost_digits.h"
 
 namespace raycheck::properties {
 namespace {
@@ -25,7 +28,7 @@ std::vector<const Mistake*> best_of(Examination& examination,
   std::vector<const Mistake*> best;
   for (const Mistake* mistake : suspects) {
     const std::uint64_t left =
-        examination.contradicted(*mistake, steps.first, steps.last, tolerance, fewest);
+        examination.contradicted(mistake->candidate, steps.first, steps.last, tolerance, fewest);
     if (left > fewest) continue;
     if (left < fewest) best.clear();
     fewest = left;
@@ -56,158 +59,131 @@ void keep_told(std::vector<const Mistake*>& suspects) {
   std::erase_if(suspects, std::not_fn(is_told));
 }
 
-/// Who promises floats is not told that it computes in them, but what is lost there.
-std::string sentence_of(const Examination& examination, Arithmetic arithmetic, double radii) {
-  if (!examination.is_single()) return imprecision_sentence(arithmetic, radii);
-  return "in floats " + imprecision_sentence(Arithmetic::kDifference, radii);
+/// The mistakes in a part up to a step that a candidate can make.
+std::vector<const Mistake*> offered(const Candidate& candidate, Part part, Step step) {
+  std::vector<const Mistake*> all;
+  for (const Mistake& mistake : mistakes()) {
+    if (mistake.step < part.first || mistake.step > step) continue;
+    if (mistake.is_offered == nullptr || mistake.is_offered(candidate)) all.push_back(&mistake);
+  }
+  return all;
 }
 
-/// The roundings that explain the answers at a step, if any do.
-std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
-  for (const Arithmetic arithmetic : kArithmetics) {
-    const DoubtTally tally = examination.tally(step, arithmetic, tolerance);
-    if (!tally.tells()) continue;
-    // Whose right answers have more digits than floats does not compute in them.
-    if (arithmetic != Arithmetic::kDifference && 2 * tally.precise > tally.hits) continue;
-    // Who promises floats makes no mistake by computing in them.
-    if (arithmetic == Arithmetic::kSingle && examination.is_single()) continue;
-    return AnswerCause{
-        step,
-        {{sentence_of(examination, arithmetic, tally.radii), tally.wrong, tally.wrong}},
-        arithmetic,
-        tolerance};
+/// Two mistakes must explain at least this many wrong answers together, all there are, and each
+/// kFewestErrorsOfACause with numbers that the other alone does not.
+constexpr std::uint64_t kFewestErrorsOfTwo = 12;
+
+/// The pairs that contradict no answer; of pairs that differ within a family, the first.
+std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*> mistakes,
+                            Part steps, double tolerance) {
+  std::erase_if(mistakes, [&](const Mistake* one) {
+    return !examination.shows(one->candidate, steps.first, steps.last, tolerance);
+  });
+  const auto is_too_much = [&](const Mistake* alone) {
+    return examination.wrong_numbers(steps.last, tolerance, &alone->candidate) >=
+           kFewestErrorsOfACause;
+  };
+  std::set<std::pair<std::string_view, std::string_view>> known;
+  const auto name = [](const Mistake* one) {
+    return one->family.empty() ? std::string_view(one->sentence) : one->family;
+  };
+  std::vector<Fault> found;
+  for (std::size_t a = 0; a < mistakes.size(); ++a) {
+    for (std::size_t b = a + 1; b < mistakes.size(); ++b) {
+      const Fault pair = {mistakes[a], mistakes[b]};
+      if (!can_be_together(*pair[0], *pair[1])) continue;
+      if (examination.contradicted(candidate_with(pair), steps.first, steps.last, tolerance, 0) > 0)
+        continue;
+      if (!is_too_much(pair[0]) || !is_too_much(pair[1])) continue;
+      if (known.insert({name(pair[0]), name(pair[1])}).second) found.push_back(pair);
+    }
+  }
+  return found;
+}
+
+std::vector<Fault> each_alone(const std::vector<const Mistake*>& mistakes) {
+  std::vector<Fault> faults;
+  for (const Mistake* mistake : mistakes) faults.push_back({mistake});
+  return faults;
+}
+
+AnswerCause cause_of(const std::vector<Fault>& alternatives, AnswerCause cause,
+                     std::uint64_t errors, std::uint64_t left) {
+  for (const Fault& fault : alternatives) {
+    cause.alternatives.push_back({sentence_of(fault), errors, errors - left, fault});
+  }
+  return cause;
+}
+
+/// Answers that are right up to kAnswerTolerances differ by more where floats are their cause; it
+/// is one if it makes the same answers up to this.
+constexpr double kOfFloats = 1e-10;
+
+/// Numbers that are rounded to floats, at the first step of a part at which that shows.
+std::optional<AnswerCause> rounding_in(Examination& examination, const Part& part) {
+  for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
+    const auto step = static_cast<Step>(at);
+    const std::uint64_t errors = examination.errors(step, kOfFloats);
+    if (errors < kFewestErrorsOfACause) continue;
+    std::vector<const Mistake*> suspects = offered(examination.candidate(), part, step);
+    std::erase_if(suspects, [](const Mistake* one) { return !one->is_rounding; });
+    std::uint64_t left = most_unexplained(errors);
+    suspects = best_of(examination, suspects, {part.first, step}, kOfFloats, left);
+    if (suspects.size() > 1) tell_apart(examination, step, part.last, kOfFloats, suspects);
+    if (suspects.empty() || suspects.size() > kMostAlternatives) return {};
+    return cause_of(each_alone(suspects), {step, {}, {}, kOfFloats}, errors, left);
   }
   return {};
 }
 
-/// Relative errors of s above so many roundings of the candidate's format are looked at.
-constexpr double kNoticed = 512;
-
-/// Errors of s that tell of one formula.
-struct SmallErrors {
-  std::uint64_t wrong = 0;
-  double radii = 0;  ///< The least distance of one.
-};
-/// The errors at kIntersect that tell of a formula. Empty if it does not allow some class or error,
-/// or if too few tell of it.
-template <class AllowsClass, class Allows, class IsTelling>
-std::optional<SmallErrors> small_errors(Examination& examination, const AllowsClass& allows_class,
-                                        const Allows& allows, const IsTelling& is_telling) {
-  SmallErrors found;
-  for (const Comparison& comparison : examination.at(Step::kIntersect)) {
-    const AskedCase& asked = *comparison.asked;
-    if (asked.class_alone) return {};
-    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
-      const Answer &answer = comparison.answers[k], &right = comparison.right[k];
-      const scene::Ray& ray = asked.rays[k % asked.rays.size()];
-      const scene::Sphere& sphere = asked.the_case.scene.spheres[k / asked.rays.size()];
-      if (answer.choice != right.choice) {
-        const auto given = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
-        if (!allows_class(asked, ray, sphere, given)) return {};
-        continue;
-      }
-      if (!right.choice) continue;
-      const double s = answer.vectors[0].x, exact = right.vectors[0].x;
-      const double off = std::abs(s - exact) / exact;
-      if (off <= kNoticed * examination.roundoff()) continue;
-      if (!allows(asked, ray, sphere, s, off)) return {};
-      if (!is_telling(asked, ray, sphere, s)) continue;
-      const double radii = norm(sphere.centre - ray.origin) / sphere.radius;
-      found.radii = found.wrong == 0 ? radii : std::min(found.radii, radii);
-      ++found.wrong;
-    }
-  }
-  if (found.wrong < kFewestWrongByRoundings) return {};
-  return found;
-}
-
-AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
-  return {Step::kIntersect,
-          {{std::move(sentence), errors.wrong, errors.wrong}},
-          {},
-          kAnswerTolerances.front()};
-}
-
-/// Roots q/a and c/q lose what q = v + d or v - d does, the larger one, too, where q is the one
-/// that cancels. Roundings of d^2 leave that root alone from inside a sphere.
-std::optional<AnswerCause> cancelling_q(Examination& examination) {
-  const auto found = small_errors(
-      examination, [](const auto&...) { return false; },
-      [&](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double,
-          double off) {
-        const auto roots = fast::kCross.roots(ray, sphere);
-        const double v = std::abs(roots.axial_distance);
-        const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
-        const double lost = kRoundings * examination.roundoff() * (v + d) / std::abs(v - d);
-        return off <= lost;
-      },
-      [](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double s) {
-        const auto roots = fast::kCross.roots(ray, sphere);
-        return roots.smaller < 0 && s * norm(ray.direction) > std::abs(roots.axial_distance);
-      });
-  if (!found) return {};
-  return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", *found);
-}
-
-/// d^2 as a difference that cancels: s loses digits that r^2 - |T x D|^2 keeps, also where so much
-/// is in doubt that wrong classes say nothing.
-std::optional<AnswerCause> cancelling_difference(Examination& examination) {
-  const bool is_single = examination.is_single();
-  const auto within = [](Arithmetic arithmetic) {
-    return [arithmetic](const AskedCase& asked, const scene::Ray& ray, const scene::Sphere& sphere,
-                        std::optional<double> s, auto...) {
-      return possible_hit(arithmetic, ray, sphere, asked.the_case.scene.conventions).allows(s);
-    };
-  };
-  const auto stable = within(is_single ? Arithmetic::kSingle : Arithmetic::kProduct);
-  const Arithmetic difference = is_single ? Arithmetic::kSingleDifference : Arithmetic::kDifference;
-  const auto cancels = within(difference);
-  const auto found = small_errors(examination, cancels, cancels,
-                                  [&](const auto&... of) { return !stable(of...); });
-  if (!found) return {};
-  AnswerCause cause =
-      small_cause(sentence_of(examination, Arithmetic::kDifference, found->radii), *found);
-  cause.roundings = difference;
-  return cause;
-}
-
 /// At the first step of a part that has errors.
 AnswerCause find_cause(Examination& examination, const Part& part) {
+  AnswerCause too_few;
   for (const double tolerance : kAnswerTolerances) {
     for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
       const auto step = static_cast<Step>(at);
       const std::uint64_t errors = examination.errors(step, tolerance);
       if (errors == 0) continue;
+      const Part steps = {part.first, step};
       std::uint64_t left = most_unexplained(errors);
-      std::vector<const Mistake*> suspects;
-      for (const Mistake& mistake : mistakes()) {
-        if (mistake.step < part.first || mistake.step > step) continue;
-        if (!mistake.is_told_by_answers) continue;
-        if (mistake.needs_other_directions && examination.is_of_unit_directions()) continue;
-        suspects.push_back(&mistake);
-      }
-      suspects = best_of(examination, suspects, {part.first, step}, tolerance, left);
+      const std::vector<const Mistake*> all = offered(examination.candidate(), part, step);
+      std::vector<const Mistake*> suspects = best_of(examination, all, steps, tolerance, left);
       if (suspects.size() > 1) tell_apart(examination, step, part.last, tolerance, suspects);
-      keep_told(suspects);
+      if (suspects.size() > kMostAlternatives) keep_told(suspects);
+      AnswerCause cause = {step, {}, {}, tolerance};
+      if (errors < kFewestErrorsOfACause && !suspects.empty() &&
+          (suspects.size() > 1 || examination.wrong_numbers(step, tolerance) == 0)) {
+        cause.alternatives = {{std::string(kTooFewErrors), errors, 0}};
+        too_few = cause;
+        break;
+      }
       const bool all_by_mistake = !suspects.empty() && left == 0;
       if (!all_by_mistake && part.first >= Step::kIntersect) {
         if (const auto found = roundings_at(examination, step, tolerance)) return *found;
         // If roundings may have caused it, too, the cause is unknown.
         if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
       }
-      if (suspects.empty()) break;
-      AnswerCause found = {step, {}, {}, tolerance};
-      for (const Mistake* mistake : suspects) {
-        found.alternatives.push_back({mistake->sentence, errors, errors - left, mistake});
+      if (!all_by_mistake && errors >= kFewestErrorsOfTwo && examination.are_numbers(step) &&
+          examination.wrong_numbers(step, tolerance) >= kFewestErrorsOfACause) {
+        const std::vector<Fault> pairs = pairs_of(examination, all, steps, tolerance);
+        if (pairs.size() > kMostAlternatives) return {};
+        if (!pairs.empty()) return cause_of(pairs, cause, errors, 0);
       }
-      return found;
+      if (suspects.empty()) break;
+      if (suspects.size() > kMostAlternatives) return {};
+      return cause_of(each_alone(suspects), cause, errors, left);
     }
   }
-  if (part.last == Step::kIntersect) {
-    if (auto cause = cancelling_q(examination)) return *std::move(cause);
-    if (auto cause = cancelling_difference(examination)) return *std::move(cause);
+  if (part.last != Step::kNearest) {
+    if (auto cause = rounding_in(examination, part)) return *std::move(cause);
   }
-  return {};
+  if (part.last == Step::kRay) {
+    if (auto cause = lost_digits_of_rays(examination)) return *std::move(cause);
+  }
+  if (part.last == Step::kIntersect && examination.is_of_most()) {
+    if (auto cause = lost_digits(examination)) return *std::move(cause);
+  }
+  return too_few;
 }
 
 /// Whether the cause of one part's errors also explains those at a step of another part.
@@ -220,7 +196,9 @@ bool explains(Examination& examination, const AnswerCause& found, Step step) {
   const std::uint64_t most = most_unexplained(errors);
   const auto& all = found.alternatives;
   return errors > 0 && std::any_of(all.begin(), all.end(), [&](const Explanation& one) {
-           return examination.contradicted(*one.mistake, step, step, tolerance, most) <= most;
+           return !one.mistakes.empty() &&
+                  examination.contradicted(candidate_with(one.mistakes), step, step, tolerance,
+                                           most) <= most;
          });
 }
 
@@ -260,10 +238,9 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
     const auto step = static_cast<Step>(at);
     const std::uint64_t count = examination.not_numbers(step);
     if (count == 0) continue;
-    // A separate defect, which no other cause has to explain.
     Examination rest(cases, candidate, NotNumbers::kLeftOut);
     found = causes_in(rest);
-    found.push_back({step, {{"not a number, or infinite", count, count}}});
+    found.push_back({step, {{std::string(kNotNumbers), count, count}}});
     break;
   }
   return found;
@@ -272,7 +249,10 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
 std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes) {
   std::vector<Explanation> all;
   for (const AnswerCause& cause : causes) {
-    all.insert(all.end(), cause.alternatives.begin(), cause.alternatives.end());
+    all.push_back(cause.alternatives.front());
+    for (std::size_t k = 1; k < cause.alternatives.size(); ++k) {
+      all.back().sentence += ", or: " + cause.alternatives[k].sentence;
+    }
   }
   return all;
 }

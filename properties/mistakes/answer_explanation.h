@@ -40,7 +40,7 @@ struct AnswerCause {
 /// Domain: valid scenes, pixels inside their images; otherwise throws std::invalid_argument.
 std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate);
 
-/// The alternatives of all causes together.
+/// A sentence for each cause: its alternatives joined, "A, or: B".
 std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes);
 
 }  // namespace raycheck::properties

@@ -93,13 +93,66 @@ std::vector<Mistake> frame_mistakes() {
   };
 }
 
-/// The lecture's v and d, which assume |D| = 1, used as multiples of D.
+/// The lecture's v and d, which assume |D| = 1, used as multiples of D. Where that is so they lose
+/// no digits: what is lost is another mistake.
 fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
-  const Vector3 T = sphere.centre - ray.origin;
-  const double v = dot(T, ray.direction);
-  const double half_chord_sq = sphere.radius * sphere.radius - (dot(T, T) - v * v);
-  const double half_chord = std::sqrt(half_chord_sq);
-  return {v, half_chord_sq, v - half_chord, v + half_chord};
+  fast::Roots roots = fast::kCross.roots(ray, sphere);
+  const double size = norm(ray.direction), excess = size * size - 1;
+  const double v = roots.axial_distance;
+  if (std::abs(excess) > 1e-12) roots.half_chord_sq += v * v * excess;
+  const double d = std::sqrt(roots.half_chord_sq);
+  return {size * v, roots.half_chord_sq, size * v - d, size * v + d};
+}
+
+/// The same where d^2 = r^2 - |T x D|^2, and one root is (|T|^2 - r^2) over the other.
+fast::Roots stable_roots_of_unit(const Ray& ray, const Sphere& sphere) {
+  fast::Roots roots = fast::kCross.roots(ray, sphere);
+  const double size = norm(ray.direction), excess = size * size - 1;
+  const double r = sphere.radius, t = norm(sphere.centre - ray.origin);
+  if (std::abs(excess) > 1e-12) {
+    roots.half_chord_sq -= excess * (r * r - roots.half_chord_sq);
+  }
+  const double v = size * roots.axial_distance, d = std::sqrt(roots.half_chord_sq);
+  const double q = v >= 0 ? v + d : v - d, other = (t - r) * (t + r) / q;
+  return {v, roots.half_chord_sq, v >= 0 ? other : q, v >= 0 ? q : other};
+}
+
+bool returns_distances(const Candidate& candidate) {
+  return candidate.returns == Returns::kDistance || candidate.returns == Returns::kSquaredDistance;
+}
+
+/// Hits by roots of unit directions, which are multiples of D or a distance.
+Mistake unit_mistake(std::string sentence, MakeRoots roots, bool as_distance) {
+  Mistake mistake = {.sentence = std::move(sentence), .step = Step::kIntersect, .hits = {roots}};
+  mistake.is_told_by_pictures = false;
+  if (!as_distance) {
+    mistake.is_offered = [](const Candidate& c) {
+      return !c.unit_directions && !returns_distances(c);
+    };
+    return mistake;
+  }
+  mistake.sentence += ", in the distance that is returned, too";
+  mistake.hits.roots = [roots](const Ray& ray, const Sphere& sphere) {
+    const auto [v, half_chord_sq, smaller, larger] = roots(ray, sphere);
+    return fast::Roots{v, half_chord_sq, smaller / norm(ray.direction),
+                       larger / norm(ray.direction)};
+  };
+  mistake.is_offered = [](const Candidate& c) {
+    return !c.unit_directions && returns_distances(c);
+  };
+  return mistake;
+}
+
+std::vector<Mistake> unit_mistakes() {
+  std::vector<Mistake> all;
+  for (const bool as_distance : {false, true}) {
+    all.push_back(unit_mistake("directions are taken for unit ones, whatever their length",
+                               roots_of_unit, as_distance));
+    all.push_back(unit_mistake("directions are taken for unit ones in d^2 = r^2 - |T x D|^2",
+                               stable_roots_of_unit, as_distance));
+  }
+  all.front().is_told_by_pictures = true;
+  return all;
 }
 
 /// Hits between the eye and the image plane only; s is in multiples of P - E.
@@ -119,19 +172,24 @@ std::vector<Mistake> ray_mistakes() {
                     },
                 .direction = [](const Camera& c, const Point3& P,
                                 auto&) { return normalised(P - c.eye); }}},
+      {.sentence = "P lies on a sphere around the eye: P = E + |near| D",
+       .step = Step::kPixelPoint,
+       .rays = {.point =
+                    [](const Camera& c, const Vector3& g) {
+                      const Vector3 D = scaled(std::abs(c.near), normalised(g));
+                      return Point3{c.eye.x + D.x, c.eye.y + D.y, c.eye.z + D.z};
+                    }},
+       .is_told_by_pictures = false},
       {.sentence = "directions are not normalised: D = P - E",
        .step = Step::kRay,
        .rays = {.direction = unchanged},
        .hits = {.roots = roots_of_unit}},
-      {.sentence = "directions are taken for unit ones, whatever their length",
-       .step = Step::kIntersect,
-       .hits = {.roots = roots_of_unit},
-       .needs_other_directions = true},
       {.sentence =
            "only what lies between the eye and the image plane is seen: near is taken for far",
        .step = Step::kRay,
        .rays = {.direction = unchanged, .starts_at_eye = true},
-       .hits = {.choose = before_the_plane}},
+       .hits = {.choose = before_the_plane},
+       .is_offered = [](const Candidate& c) { return static_cast<bool>(c.image); }},
       {.sentence = "directions run from the pixel to the eye: D = (E - P)/|E - P|",
        .step = Step::kRay,
        .rays = {.direction = [](auto&, auto&,
@@ -157,6 +215,8 @@ std::vector<Mistake> ray_mistakes() {
 
 }  // namespace
 
-std::vector<Mistake> camera_mistakes() { return all_of({frame_mistakes(), ray_mistakes()}); }
+std::vector<Mistake> camera_mistakes() {
+  return all_of({frame_mistakes(), ray_mistakes(), unit_mistakes()});
+}
 
 }  // namespace raycheck::properties

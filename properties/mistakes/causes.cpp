@@ -1,5 +1,6 @@
 #include "properties/mistakes/causes.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -42,15 +43,36 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
       return {{"right under " + under->conventions + ", which it does not declare", under->defects,
                under->defects}};
     }
-    std::vector<Explanation> found = candidate.image
-                                         ? explanations(picture_causes(shown(asked, candidate)))
-                                         : explanations(answer_causes(asked, candidate));
+    if (!candidate.image) return explanations(answer_causes(asked, candidate));
+    std::vector<Explanation> found = explanations(picture_causes(shown(asked, candidate)));
     std::erase_if(found, [](const Explanation& one) { return one.errors < kFewestErrorsOfACause; });
     return found;
   } catch (const NoAnswer&) {
     return {};  // the verdict says that it gives no answer
   } catch (const scene::Interrupted&) {
     return {};
+  }
+}
+
+std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
+                                const Candidate& candidate) {
+  std::vector<Explanation> all;
+  for (std::size_t round = 0;; ++round) {
+    const std::vector<Case> cases = telling(round);
+    if (cases.empty()) return all;
+    bool is_told = false;
+    for (Explanation& one : causes(law, cases, candidate)) {
+      if (one.explained > 0) {  // more than too few
+        is_told = is_told || one.sentence != kNotNumbers;
+        std::erase_if(all, [](const Explanation& known) { return known.explained == 0; });
+      }
+      const bool is_known = std::any_of(all.begin(), all.end(), [&](const Explanation& known) {
+        return known.sentence == one.sentence;
+      });
+      if (!is_known && (one.explained > 0 || all.empty())) all.push_back(std::move(one));
+    }
+    if (is_told) return all;
+    if (round == 1 && (all.empty() || all.front().explained == 0)) return all;
   }
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "properties/candidate.h"
@@ -14,12 +16,17 @@ namespace raycheck::properties {
 /// their pictures may have.
 inline constexpr std::size_t kCasesOfACause = 12;
 inline constexpr std::int64_t kMostPixelsOfACause = std::int64_t{1} << 16;
-/// Fewer wrong answers than this fit too many explanations to name a mistake.
-inline constexpr std::uint64_t kFewestErrorsOfACause = 3;
 
 /// Why a candidate breaks a law on some of these cases: it is right under conventions that it does
 /// not declare (right_under), or the classic mistakes that explain its answers.
 std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
+                                const Candidate& candidate);
+
+/// Cases of a law, in rounds that are searched until they tell a cause; empty: there are no more.
+using TellingCases = std::function<std::vector<Case>(std::size_t round)>;
+/// The same of these cases. Rounds after the second are searched only if all that these tell is
+/// that answers are no numbers.
+std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
                                 const Candidate& candidate);
 
 }  // namespace raycheck::properties

@@ -22,8 +22,9 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
                          const scene::Conventions& conventions) {
   const bool is_single =
       arithmetic == Arithmetic::kSingle || arithmetic == Arithmetic::kSingleDifference;
-  const bool cancels =
-      arithmetic == Arithmetic::kDifference || arithmetic == Arithmetic::kSingleDifference;
+  const bool is_expanded = arithmetic == Arithmetic::kExpanded;
+  const bool cancels = is_expanded || arithmetic == Arithmetic::kDifference ||
+                       arithmetic == Arithmetic::kSingleDifference;
   const double u = is_single ? 0x1p-24 : 0x1p-53;
   const double size = norm(ray.direction);
   const Vector3 D = {ray.direction.x / size, ray.direction.y / size, ray.direction.z / size};
@@ -36,6 +37,10 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   const double off = kRoundings * u * (norm(ray.origin) + norm(sphere.centre) + t + r);
   double error = 2 * off * (m + r) + off * off;
   if (cancels) error += kRoundings * u * (t * t + r * r);
+  if (is_expanded) {
+    const double c = norm(sphere.centre), o = norm(ray.origin);
+    error += kRoundings * u * (c * c + o * o);
+  }
   const double half_chord_sq = (r - m) * (r + m);
   const double longest = std::sqrt(std::max(0.0, half_chord_sq + error));
   const double shortest = std::sqrt(std::max(0.0, half_chord_sq - error));
@@ -48,6 +53,8 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
   hit.is_certain = half_chord_sq - error > 0 && (far_counts ? far_least : near_least) >= 0;
   hit.least = std::max(0.0, near_most >= 0 ? near_least : far_least) / size;
   hit.most = (near_least >= 0 || !far_counts ? near_most : far_most) / size;
+  hit.between = near_most / size;
+  hit.and_between = far_least / size;
   return hit;
 }
 
@@ -77,11 +84,16 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
 
 std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
   if (arithmetic == Arithmetic::kSingle) return "computed in single precision";
+  if (arithmetic == Arithmetic::kExpanded) {
+    return "|C - L|^2 loses its digits far from the world's origin, where larger squares cancel "
+           "((C - L) . (C - L) keeps them)";
+  }
   return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
                                                                  : "") +
-         "the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits " +
+         "d^2 loses its digits " +
          (radii < 10 ? "near tangents"
-                     : "from 10^" + std::to_string(power_of_ten(radii)) + " radii away");
+                     : "from 10^" + std::to_string(power_of_ten(radii)) + " radii away") +
+         ", where larger numbers cancel (r^2 - |T x D|^2 keeps them)";
 }
 
 void DoubtTally::add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful,

@@ -14,12 +14,13 @@ namespace raycheck::properties {
 
 /// How d^2 is computed, from the smallest rounding errors to the largest.
 enum class Arithmetic {
-  kDifference,        ///< In doubles, r^2 - (|T|^2 - v^2) or b^2 - 4ac.
+  kDifference,        ///< In doubles, a difference that cancels: r^2 - (|T|^2 - v^2), b^2 - 4ac.
+  kExpanded,          ///< In doubles, with |T|^2 = |C|^2 - 2 L . C + |L|^2.
   kSingle,            ///< In floats, r^2 - |T x D|^2 or another form that does not cancel.
   kSingleDifference,  ///< In floats, as a difference that cancels.
   kProduct            ///< In doubles, r^2 - |T x D|^2: no mistake.
 };
-/// Those that are mistakes.
+/// Those that are mistakes, and that pictures show.
 inline constexpr std::array<Arithmetic, 3> kArithmetics = {
     Arithmetic::kDifference, Arithmetic::kSingle, Arithmetic::kSingleDifference};
 
@@ -30,11 +31,13 @@ inline constexpr double kRoundings = 24;
 /// Where a formula may see a ray meet a sphere: somewhere, nowhere or either.
 struct PossibleHit {
   bool is_possible = false, is_certain = false;
-  double least = 0, most = 0;  ///< s, where it is possible.
-  double radii = 0;            ///< From the ray's origin to the centre.
+  double least = 0, most = 0;           ///< s, where it is possible,
+  double between = 0, and_between = 0;  ///< but not between these: there it is neither root.
+  double radii = 0;                     ///< From the ray's origin to the centre.
   bool is_doubtful() const { return is_possible && !is_certain; }
   bool allows(const std::optional<double>& s) const {
-    return s ? is_possible && least <= *s && *s <= most : !is_certain;
+    if (!s) return !is_certain;
+    return is_possible && least <= *s && *s <= most && !(between < *s && *s < and_between);
   }
 };
 PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,

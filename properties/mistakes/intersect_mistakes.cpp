@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "properties/mistakes/mistake_list.h"
@@ -21,15 +22,25 @@ Mistake of_hits(std::string sentence, HitFormulas formulas) {
 }
 
 /// The same where s and Q tell it from other mistakes, and pictures do not.
-Mistake of_answers(std::string sentence, ChooseHit choose) {
+Mistake of_answers(std::string sentence, ChooseHit choose, std::string_view family = {}) {
   Mistake mistake = of_hits(std::move(sentence), {.choose = std::move(choose)});
+  mistake.family = family;
   mistake.is_told_by_pictures = false;
   return mistake;
 }
 
 /// Right hits, changed afterwards.
-Mistake of_value(std::string sentence, ChangeHit change) {
-  return {.sentence = std::move(sentence), .step = Step::kIntersect, .hit = std::move(change)};
+Mistake of_value(std::string sentence, ChangeHit change,
+                 bool (*is_offered)(const Candidate&) = nullptr) {
+  return {.sentence = std::move(sentence),
+          .step = Step::kIntersect,
+          .hit = std::move(change),
+          .is_offered = is_offered};
+}
+
+bool returns_points(const Candidate& candidate) { return gives_point(candidate.returns); }
+bool returns_multiples(const Candidate& candidate) {
+  return candidate.returns == Returns::kHit || candidate.returns == Returns::kParameter;
 }
 
 Hit wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
@@ -44,6 +55,20 @@ Hit ahead_or_behind(const Ray& ray, const Roots& roots, const Conventions& conve
 Hit larger_wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
   if (!meets(roots, conventions)) return {};
   return hit_at(ray, roots.smaller >= 0 ? roots.smaller : roots.larger);
+}
+
+Hit near_wherever_ahead(const Ray& ray, const Roots& roots, const Conventions& conventions) {
+  return roots.larger < 0 ? Hit() : wherever_behind(ray, roots, conventions);
+}
+
+/// 0 from inside; where both roots are negative none, or the larger.
+ChooseHit of_solid(bool counts_behind) {
+  return [counts_behind](const Ray& ray, const Roots& roots, const Conventions& conventions) {
+    if (!meets(roots, conventions) || (roots.larger < 0 && !counts_behind)) return Hit();
+    return Hit(hit_at(ray, roots.larger < 0    ? roots.larger
+                           : roots.smaller < 0 ? 0
+                                               : roots.smaller));
+  };
 }
 
 /// |v - d|
@@ -80,6 +105,13 @@ ChooseHit untested(bool is_number) {
     if (!is_number) return hit_at(ray, std::numeric_limits<double>::quiet_NaN());
     const double s = roots.axial_distance / norm(ray.direction);
     return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
+  };
+}
+
+/// s is this many times the right one, and Q follows from it.
+ChangeHit times(double factor) {
+  return [factor](const Ray& ray, const HitAnswer& hit) {
+    return hit_at(ray, factor * hit.parameter);
   };
 }
 
@@ -125,7 +157,18 @@ std::vector<Mistake> intersect_mistakes() {
       of_answers("v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
                  ahead_or_behind),
       of_answers("v + d counts though it is negative: spheres behind the origin are hit",
-                 larger_wherever_behind),
+                 larger_wherever_behind, "negative far roots"),
+      of_answers("spheres are solid: from inside s is 0, and v + d counts though it is negative",
+                 of_solid(true), "negative far roots"),
+      of_answers("the near root is given though it is negative: from inside spheres are hit behind "
+                 "the origin",
+                 near_wherever_ahead),
+      of_answers("spheres are solid: from inside s is 0", of_solid(false)),
+      of_answers("T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
+                 "their origin",
+                 [](const Ray& ray, const Roots& roots, const Conventions& c) {
+                   return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
+                 }),
       of_answers("s is |v - d|, which from inside a sphere is no root", without_sign),
       of_hits("the far root is taken for the near one",
               {.choose =
@@ -139,18 +182,26 @@ std::vector<Mistake> intersect_mistakes() {
                    [](const Ray& ray, const Roots& roots, const Conventions& c) {
                      return roots.axial_distance < 0 ? Hit() : usual_choice(ray, roots, c);
                    }}),
-      of_value("Q = s D: the origin is not added",
-               [](const Ray& ray, const HitAnswer& hit) {
-                 return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
-               }),
-      of_value("s is a length whatever the length of the direction",
-               [](const Ray& ray, const HitAnswer& hit) {
-                 return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
-               }),
-      of_value("s is a length, and Q = L + s D though D is no unit vector",
-               [](const Ray& ray, const HitAnswer& hit) {
-                 return hit_at(ray, hit.parameter * norm(ray.direction));
-               }),
+      of_value(
+          "Q = s D: the origin is not added",
+          [](const Ray& ray, const HitAnswer& hit) {
+            return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
+          },
+          returns_points),
+      of_value("s is half of the right one", times(0.5)),
+      of_value("s is twice the right one", times(2)),
+      of_value(
+          "s is a length whatever the length of the direction",
+          [](const Ray& ray, const HitAnswer& hit) {
+            return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
+          },
+          returns_multiples),
+      of_value(
+          "s is a length, and Q = L + s D though D is no unit vector",
+          [](const Ray& ray, const HitAnswer& hit) {
+            return hit_at(ray, hit.parameter * norm(ray.direction));
+          },
+          returns_points),
       of_hits("the first sphere in the file wins", {.rank = by_index(1)}),
       of_hits("the last sphere in the file wins", {.rank = by_index(-1)}),
       of_hits("the sphere with the largest discriminant wins", {.rank = by_discriminant(-1)}),

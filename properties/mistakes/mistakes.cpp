@@ -118,31 +118,27 @@ void change_spheres(const Mistake& mistake, Candidate& candidate) {
   candidate.nearest = taking(candidate.nearest);
 }
 
-void change_hits(const Mistake& mistake, Candidate& candidate) {
-  if (mistake.hit) {
-    answer_by(candidate, [ask = hits_of(candidate), change = mistake.hit](
-                             Candidate::Rays rays, const scene::Sphere& sphere,
-                             const Conventions& conventions) {
-      std::vector<Hit> hits = ask(rays, sphere, conventions);
-      for (std::size_t k = 0; k < hits.size(); ++k) {
-        if (hits[k]) hits[k] = change(rays[k], *hits[k]);
-      }
-      return hits;
-    });
-  } else if (mistake.hits.rank) {
-    candidate.nearest = nearest_by(mistake.hits);  // the hits stay as they are
-  } else if (mistake.hits) {
-    answer_by(candidate, hits_by(mistake.hits));
-  }
+void change_hits(const ChangeHit& change, Candidate& candidate) {
+  answer_by(candidate,
+            [ask = hits_of(candidate), change](Candidate::Rays rays, const scene::Sphere& sphere,
+                                               const Conventions& conventions) {
+              std::vector<Hit> hits = ask(rays, sphere, conventions);
+              for (std::size_t k = 0; k < hits.size(); ++k) {
+                if (hits[k]) hits[k] = change(rays[k], *hits[k]);
+              }
+              return hits;
+            });
 }
 
-Candidate candidate_with(const Mistake& mistake) {
-  Candidate candidate = right_candidate();
-  if (mistake.makes_rays()) use(mistake.rays, candidate);
-  if (mistake.camera || mistake.conventions || mistake.pixel) change_camera(mistake, candidate);
-  if (mistake.sphere || mistake.conventions) change_spheres(mistake, candidate);
-  change_hits(mistake, candidate);
-  return candidate;
+/// Takes the formulas of all. One with a rank leaves the hits as they are.
+void use_hits(std::span<const Mistake* const> mistakes, Candidate& candidate) {
+  HitFormulas hits, nearest;
+  for (const Mistake* one : mistakes) {
+    if (!one->hits.rank) hits = joined(std::move(hits), one->hits).value();
+    nearest = joined(std::move(nearest), one->hits).value();
+  }
+  if (hits) answer_by(candidate, hits_by(hits));
+  if (nearest.rank) candidate.nearest = nearest_by(std::move(nearest));
 }
 
 }  // namespace
@@ -170,11 +166,28 @@ Vector3 normalised(const Vector3& v) {
   return {factor * v.x, factor * v.y, factor * v.z};
 }
 
+Candidate candidate_with(std::span<const Mistake* const> mistakes) {
+  Candidate candidate = right_candidate();
+  use_hits(mistakes, candidate);
+  for (const Mistake* one : mistakes) {
+    if (one->makes_rays()) use(one->rays, candidate);
+  }
+  for (const Mistake* one : mistakes) {
+    if (one->camera || one->conventions || one->pixel) change_camera(*one, candidate);
+    if (one->sphere || one->conventions) change_spheres(*one, candidate);
+    if (one->hit) change_hits(one->hit, candidate);
+  }
+  return candidate;
+}
+
 std::span<const Mistake> mistakes() {
   static const std::vector<Mistake> kMistakes = [] {
     std::vector<Mistake> all = all_of({input_mistakes(), number_mistakes(), camera_mistakes(),
                                        intersect_mistakes(), threshold_mistakes()});
-    for (Mistake& mistake : all) mistake.candidate = candidate_with(mistake);
+    for (Mistake& mistake : all) {
+      const Mistake* const one = &mistake;
+      mistake.candidate = candidate_with({&one, 1});
+    }
     return all;
   }();
   return kMistakes;

@@ -38,6 +38,9 @@ struct CameraFormulas {
   bool starts_at_eye = false;  ///< Whatever the origin convention says.
 };
 
+/// For Mistake::is_offered: only pictures are explained by it.
+inline bool never_of_functions(const Candidate&) { return false; }
+
 /// One classic mistake: the right answer to another question, or wrong formulas.
 struct Mistake {
   std::string sentence;  ///< "rows are upside down"
@@ -50,12 +53,13 @@ struct Mistake {
   bool black_outside = false;
   CameraFormulas rays = {};
   HitFormulas hits = {};
-  ChangeHit hit = {};                   ///< Pictures do not show it.
-  bool is_told_by_pictures = true;      ///< Apart from what all pictures of one colour share.
-  bool is_told_by_answers = true;       ///< Otherwise only pictures are explained by it.
-  bool needs_other_directions = false;  ///< Who demands unit directions does not make it.
-  /// Mistakes of one family differ in a size, or in the scenes on which they are made: of several
-  /// that explain the same answers the first is meant. Empty: it is alone.
+  ChangeHit hit = {};               ///< Pictures do not show it.
+  bool is_told_by_pictures = true;  ///< Apart from what all pictures of one colour share.
+  /// Whether a candidate has what the sentence is about; null: every candidate does.
+  bool (*is_offered)(const Candidate&) = nullptr;
+  bool is_rounding = false;  ///< Rounds numbers to floats, which few answers show up to 1e-6.
+  /// Mistakes of one family differ in a size, and each does all that the one before it does: of
+  /// several that explain the same answers the first is meant. Empty: it is alone.
   std::string_view family = {};
   /// Makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
   /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.
@@ -67,6 +71,8 @@ struct Mistake {
 
 /// Every mistake; their sentences differ.
 std::span<const Mistake> mistakes();
+/// Makes several, which can be together (fault.h), as a mistake's candidate makes one.
+Candidate candidate_with(std::span<const Mistake* const> mistakes);
 /// The mistake with this sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);
 

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "properties/mistakes/mistake_list.h"
+#include "scene/precision.h"
 
 namespace raycheck::properties {
 namespace {
@@ -167,68 +171,149 @@ std::vector<Mistake> bound_mistakes() {
   };
 }
 
+/// How a number is read.
+using Reading = double (*)(double);
+double as_integer(double x) { return std::trunc(x); }
+double as_float(double x) { return scene::rounded_to(scene::Precision::kSingle, x); }
+
 template <class Triple>
-void truncate(Triple& triple) {
-  triple = {std::trunc(triple.x), std::trunc(triple.y), std::trunc(triple.z)};
+void read_triple(Reading as, Triple& triple) {
+  triple = {as(triple.x), as(triple.y), as(triple.z)};
 }
 
-void truncate_bounds(Camera& camera) {
-  for (double Camera::*bound : kBounds) camera.*bound = std::trunc(camera.*bound);
+void read_bounds(Reading as, Camera& camera) {
+  for (double Camera::*bound : kBounds) camera.*bound = as(camera.*bound);
   keep_apart(camera);
 }
 
-void truncate_view(Camera& camera) {
-  truncate(camera.eye);
-  truncate(camera.look_at);
-  truncate(camera.up);
+void read_view(Reading as, Camera& camera) {
+  read_triple(as, camera.eye);
+  read_triple(as, camera.look_at);
+  read_triple(as, camera.up);
 }
 
-void truncate_near(Camera& camera) { camera.near = std::trunc(camera.near); }
-
-void truncate_camera(Camera& camera, const scene::Conventions&) {
-  truncate_view(camera);
-  truncate_near(camera);
-  truncate_bounds(camera);
+ChangeCamera read_camera(Reading as) {
+  return [as](Camera& camera, const scene::Conventions&) {
+    read_view(as, camera);
+    camera.near = as(camera.near);
+    read_bounds(as, camera);
+  };
 }
 
-void truncate_sphere(Sphere& sphere) {
-  truncate(sphere.centre);
-  sphere.radius = std::trunc(sphere.radius);
+ChangeSphere read_sphere(Reading as) {
+  return [as](Sphere& sphere) {
+    read_triple(as, sphere.centre);
+    sphere.radius = as(sphere.radius);
+  };
+}
+
+/// The root of r * r in 32-bit integers; 0 where that is negative. Spheres too large for one stay.
+double root_of_wrapped_square(double radius) {
+  if (!(radius < 0x1p32)) return radius;
+  const auto r = static_cast<std::uint32_t>(radius);
+  const auto square = static_cast<std::int32_t>(r * r);
+  return square < 0 ? 0 : std::sqrt(square);
 }
 
 Mistake sphere_mistake(std::string sentence, ChangeSphere change) {
   return {.sentence = std::move(sentence), .step = Step::kIntersect, .sphere = std::move(change)};
 }
 
-std::vector<Mistake> read_mistakes() {
-  return {{.sentence = "numbers are read as integers: their fractions are dropped",
+/// All numbers, the camera's and the spheres'.
+std::vector<Mistake> readings(Reading as, const std::string& how) {
+  return {{.sentence = "numbers are " + how,
            .step = Step::kFrame,
-           .camera = truncate_camera,
-           .sphere = truncate_sphere},
-          camera_mistake("the camera's numbers are read as integers: their fractions are dropped",
-                         truncate_camera, Step::kFrame),
+           .camera = read_camera(as),
+           .sphere = read_sphere(as)},
+          camera_mistake("the camera's numbers are " + how, read_camera(as), Step::kFrame),
+          sphere_mistake("the spheres' numbers are " + how, read_sphere(as))};
+}
+
+scene::Ray ray_of_floats(scene::Ray ray) {
+  read_triple(as_float, ray.origin);
+  read_triple(as_float, ray.direction);
+  return ray;
+}
+
+/// Q follows from s, unless it is rounded alone.
+HitAnswer of_floats(const scene::Ray& ray, HitAnswer hit, bool s, bool Q) {
+  if (s) hit = hit_at(ray, as_float(hit.parameter));
+  if (Q) read_triple(as_float, hit.point);
+  return hit;
+}
+
+/// Floats within code of doubles: the input, or one result.
+std::vector<Mistake> float_mistakes() {
+  std::vector<Mistake> all = readings(as_float, "rounded to floats");
+  const HitFormulas of_rays = {
+      .roots = [](const scene::Ray& ray,
+                  const Sphere& sphere) { return fast::kCross.roots(ray_of_floats(ray), sphere); },
+      .choose =
+          [](const scene::Ray& ray, const fast::Roots& roots, const scene::Conventions& c) {
+            return usual_choice(ray_of_floats(ray), roots, c);
+          }};
+  const auto add = [&](Mistake mistake) { all.push_back(std::move(mistake)); };
+  add({.sentence = "rays are rounded to floats", .step = Step::kIntersect, .hits = of_rays});
+  add({.sentence = "rays and spheres are rounded to floats",
+       .step = Step::kIntersect,
+       .sphere = read_sphere(as_float),
+       .hits = of_rays});
+  for (const auto& [what, s, Q] : {std::tuple{"s is rounded to a float", true, false},
+                                   std::tuple{"Q is rounded to floats", false, true},
+                                   std::tuple{"s and Q are rounded to floats", true, true}}) {
+    add({.sentence = what, .step = Step::kIntersect, .hit = [s = s, Q = Q](auto& ray, auto hit) {
+           return of_floats(ray, hit, s, Q);
+         }});
+    if (Q) all.back().is_offered = [](const Candidate& c) { return gives_point(c.returns); };
+  }
+  add({.sentence = "P is rounded to floats",
+       .step = Step::kPixelPoint,
+       .rays = {.point = [](const Camera& c, const scene::Vector3& g) {
+         scene::Point3 P = {c.eye.x + g.x, c.eye.y + g.y, c.eye.z + g.z};
+         read_triple(as_float, P);
+         return P;
+       }}});
+  add({.sentence = "D is rounded to floats",
+       .step = Step::kRay,
+       .rays = {.direction = [](auto&, auto&, const scene::Vector3& g) {
+         scene::Vector3 D = normalised(g);
+         read_triple(as_float, D);
+         return D;
+       }}});
+  for (Mistake& mistake : all) {
+    mistake.is_rounding = true;
+    mistake.is_told_by_pictures = false;
+  }
+  return all;
+}
+
+std::vector<Mistake> read_mistakes() {
+  const std::string how = "read as integers: their fractions are dropped";
+  return {camera_mistake(
+              "eye, look and up are " + how, [](Camera& its, auto&) { read_view(as_integer, its); },
+              Step::kFrame),
           camera_mistake(
-              "eye, look and up are read as integers: their fractions are dropped",
-              [](Camera& its, auto&) { truncate_view(its); }, Step::kFrame),
-          camera_mistake(
-              "eye, look, up and d are read as integers: their fractions are dropped",
+              "eye, look, up and d are " + how,
               [](Camera& its, auto&) {
-                truncate_view(its);
-                truncate_near(its);
+                read_view(as_integer, its);
+                its.near = as_integer(its.near);
               },
               Step::kFrame),
           camera_mistake("d is read as an integer: its fraction is dropped",
-                         [](Camera& its, auto&) { truncate_near(its); }),
-          camera_mistake("the bounds are read as integers: their fractions are dropped",
-                         [](Camera& its, auto&) { truncate_bounds(its); }),
-          sphere_mistake("the spheres' numbers are read as integers: their fractions are dropped",
-                         truncate_sphere),
+                         [](Camera& its, auto&) { its.near = as_integer(its.near); }),
+          camera_mistake("the bounds are " + how,
+                         [](Camera& its, auto&) { read_bounds(as_integer, its); }),
           sphere_mistake("the centre is left out: spheres are about the world's origin",
                          [](Sphere& sphere) { sphere.centre = {}; }),
-          sphere_mistake("the radius is taken for a diameter: spheres are half as large",
+          sphere_mistake("the radius is taken for the diameter: spheres are half as large",
                          [](Sphere& sphere) { sphere.radius /= 2; }),
-          sphere_mistake("the radius is doubled: spheres are twice as large",
+          sphere_mistake("the diameter is taken for the radius: spheres are twice as large",
                          [](Sphere& sphere) { sphere.radius *= 2; }),
+          sphere_mistake("r^2 is an integer of 32 bits: it wraps around from a radius of 46,341 on",
+                         [](Sphere& sphere) {
+                           if (sphere.radius < 46341) return;
+                           sphere.radius = root_of_wrapped_square(sphere.radius);
+                         }),
           sphere_mistake("the squared radius is squared again: d^2 = r^4 - (|T|^2 - v^2)",
                          [](Sphere& sphere) { sphere.radius *= sphere.radius; }),
           sphere_mistake("the radius is not squared: d^2 = r - (|T|^2 - v^2)",
@@ -239,7 +324,9 @@ std::vector<Mistake> read_mistakes() {
 
 std::vector<Mistake> number_mistakes() {
   return all_of({bound_mistakes(), field_of_view_mistakes(), aspect_mistakes(), negated_bounds(),
-                 exchanged_bounds(), read_mistakes()});
+                 exchanged_bounds(),
+                 readings(as_integer, "read as integers: their fractions are dropped"),
+                 read_mistakes(), float_mistakes()});
 }
 
 }  // namespace raycheck::properties

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/mistakes/explanation.h"
+#include "properties/mistakes/explanation.h"  // kMostAlternatives, for each of two made at once
 #include "properties/mistakes/fault.h"
 #include "properties/mistakes/imprecision.h"
 #include "properties/mistakes/shown_picture.h"
@@ -45,10 +45,6 @@ struct Causes {
 };
 
 inline constexpr const char* kSidesExchanged = "width and height of the picture are exchanged";
-
-/// How many mistakes that make the same pictures are named, at most, for each of two made at once;
-/// of more none is named.
-inline constexpr std::size_t kMostAlternatives = 3;
 
 /// With fewer wrong pixels outside black pictures no mistake is named, and with fewer than the
 /// second no pair: there are 150 mistakes, and thousands of pairs.

@@ -3,10 +3,12 @@
 // fewest, is named: the actual number may be beyond.
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "properties/mistakes/mistake_list.h"
 
@@ -16,6 +18,8 @@ namespace {
 using fast::Roots;
 using scene::Conventions;
 using scene::Ray;
+using scene::Sphere;
+using scene::Vector3;
 
 /// The sizes that are told apart, the one that drops the fewest first.
 constexpr std::array<const char*, 10> kSizes = {"1e-9", "1e-8",  "1e-7", "1e-6", "1e-5",
@@ -30,12 +34,24 @@ struct ThresholdFamily {
   std::string_view family;
   std::span<const char* const> sizes;
   Hit (*choose)(double size, const Ray&, const Roots&, const Conventions&);
+  Roots (*roots)(double size, const Ray&, const Sphere&) = nullptr;
+  bool is_told_by_pictures = true;
   bool of_steps = false;  ///< s is in multiples of P - E: directions are not normalised.
 };
 
 Hit up_to(double most, const Ray& ray, const Roots& roots, const Conventions& c) {
   const Hit hit = usual_choice(ray, roots, c);
   return hit && hit->parameter <= most ? hit : Hit();
+}
+
+/// d^2 = -1 where the line is less than `least` radii inside.
+Roots roots_of_inner(double least, const Ray& ray, const Sphere& sphere) {
+  Roots roots = fast::kCross.roots(ray, sphere);
+  const double d_sq = roots.half_chord_sq, r = sphere.radius;
+  if (!(d_sq >= 0)) return roots;
+  const double depth = d_sq / (r + std::sqrt(std::fmax(0, r * r - d_sq)));
+  if (depth < least * r) roots.half_chord_sq = -1;
+  return roots;
 }
 
 const ThresholdFamily kFamilies[] = {
@@ -63,21 +79,75 @@ const ThresholdFamily kFamilies[] = {
      up_to},
     {"hits with an s above about ",
      " (perhaps less), in multiples of P - E, are dropped: the largest s that counts is too small",
-     "far hits", kLargeSizes, up_to, true},
+     "far hits", kLargeSizes, up_to, nullptr, true, true},
+    {"where d^2 is below about ",
+     " (perhaps more) both roots are taken to be v: the epsilon is too large", "merged roots",
+     kSizes,
+     [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
+       const double v = roots.axial_distance;
+       if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
+       return v >= 0 ? Hit(hit_at(ray, v / norm(ray.direction))) : Hit();
+     },
+     nullptr, false},
+    {"lines that are less than about ",
+     " radii (perhaps more) inside a sphere miss it: the tolerance is too large", "shallow chords",
+     kSizes,
+     [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
+       return usual_choice(ray, roots, c);
+     },
+     roots_of_inner, false},
+    {"directions with a |D|^2 below about ",
+     " (perhaps more) hit nothing: the epsilon is too large", "short directions", kSizes,
+     [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
+       const double length = norm(ray.direction);
+       return length * length < least ? Hit() : usual_choice(ray, roots, c);
+     },
+     nullptr, false},
 };
+
+/// Axes and directions of which the vectors with a |v|^2 below `least` stay as they are, or are 0.
+Mistake short_vectors(const char* least, bool are_zero) {
+  const auto unit = [size = std::atof(least), are_zero](const Vector3& v) {
+    const double length = norm(v);
+    return length * length >= size ? normalised(v) : are_zero ? Vector3{} : v;
+  };
+  const auto across = [](const Vector3& a, const Vector3& b) {
+    return Vector3{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  };
+  return {
+      .sentence = std::string("vectors with a squared length below about ") + least +
+                  " (perhaps more) are " + (are_zero ? "taken for 0" : "not normalised") +
+                  ": the epsilon is too large",
+      .step = Step::kFrame,
+      .rays = {.frame =
+                   [=](const scene::Camera& camera) {
+                     const Vector3 W = unit(camera.eye - camera.look_at);
+                     const Vector3 U = unit(across(camera.up, W)), V = across(W, U);
+                     return FrameAnswer{{U.x, U.y, U.z}, {V.x, V.y, V.z}, {W.x, W.y, W.z}};
+                   },
+               .direction = [=](const auto&, const auto&, const Vector3& g) { return unit(g); }},
+      .is_told_by_pictures = false,
+      .family = are_zero ? "vectors made 0" : "vectors left as they are"};
+}
 
 }  // namespace
 
 std::vector<Mistake> threshold_mistakes() {
   std::vector<Mistake> all;
-  for (const auto& [before, after, family, sizes, choose, of_steps] : kFamilies) {
+  for (const bool are_zero : {false, true}) {
+    for (const char* size : kSizes) all.push_back(short_vectors(size, are_zero));
+  }
+  for (const auto& [before, after, family, sizes, choose, roots, is_told, of_steps] : kFamilies) {
     for (const char* size : sizes) {
+      HitFormulas hits = {.choose = std::bind_front(choose, std::atof(size))};
+      if (roots) hits.roots = std::bind_front(roots, std::atof(size));
       all.push_back({.sentence = std::string(before) + size + after,
                      .step = Step::kIntersect,
-                     .hits = {.choose = std::bind_front(choose, std::atof(size))},
+                     .hits = std::move(hits),
+                     .is_told_by_pictures = is_told,
                      .family = family});
       if (!of_steps) continue;
-      all.back().is_told_by_answers = false;
+      all.back().is_offered = never_of_functions;
       all.back().rays.direction = [](auto&, auto&, const scene::Vector3& g) { return g; };
     }
   }

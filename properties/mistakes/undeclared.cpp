@@ -1,13 +1,14 @@
 #include "properties/mistakes/undeclared.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <utility>
 
 namespace raycheck::properties {
 namespace {
 
-/// A convention that a candidate may follow whatever it is told.
+/// A convention that a candidate may follow whatever it is told, or declares of the valid roots.
 struct Followed {
   std::string text;
   DeclaredConventions declared;
@@ -35,6 +36,18 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
   }
   add("root", &DeclaredConventions::root, declared, all);
   add("tangent", &DeclaredConventions::tangent, declared, all);
+  const auto add_valid = [&](const char* text, auto member, auto value) {
+    Followed one{text, {}};
+    one.declared.valid = declared.valid;
+    if ((*one.declared.valid).*member == value) return;
+    (*one.declared.valid).*member = value;
+    all.push_back(std::move(one));
+  };
+  if (declared.valid) {
+    add_valid("t_max = infinity", &scene::ValidRoots::t_max,
+              std::numeric_limits<double>::infinity());
+    add_valid("culling = none", &scene::ValidRoots::culling, scene::Culling::kNone);
+  }
   return all;
 }
 

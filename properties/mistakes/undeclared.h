@@ -10,7 +10,8 @@
 
 namespace raycheck::properties {
 
-/// Conventions that a candidate does not declare, and under which it keeps a law that it breaks.
+/// Conventions that a candidate does not declare, and under which it keeps a law that it breaks; or
+/// that count roots which those that it declares exclude.
 struct RightUnder {
   std::string conventions;    ///< "root = nearest"
   std::uint64_t defects = 0;  ///< Under the conventions that it was asked under.

@@ -197,14 +197,17 @@ Finding CampaignResult::finding() const {
   return too_few_right() ? Finding::kTooFewJudged : Finding::kHolds;
 }
 
-std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) {
-  std::vector<std::pair<ChosenSource, std::uint64_t>> broken;
-  Level lowest = Level::kExtreme;
+std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most, std::size_t round) {
+  std::set<Level> levels;
   for (const CampaignPart& part : result.parts) {
-    if (part.is_broken()) lowest = std::min(lowest, part.source.level());
+    if (part.is_broken()) levels.insert(part.source.level());
   }
+  if (round >= 2 * levels.size()) return {};
+  const Level level = *std::next(levels.begin(), static_cast<std::ptrdiff_t>(round / 2));
+  if (round % 2 == 1) most *= 4;
+  std::vector<std::pair<ChosenSource, std::uint64_t>> broken;
   for (const CampaignPart& part : result.parts) {
-    if (!part.is_broken() || part.source.level() > lowest) continue;
+    if (!part.is_broken() || part.source.level() != level) continue;
     broken.emplace_back(part.source, parse_replay(part.breaks.front().replay).seed);
   }
   std::vector<Case> cases;
@@ -215,7 +218,7 @@ std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) 
   }
   std::vector<ChosenSource> any;
   for (const CampaignPart& part : result.parts) {
-    if (part.source.level() <= lowest) any.push_back(part.source);
+    if (part.source.level() <= level) any.push_back(part.source);
   }
   if (broken.empty() || broken.size() == any.size()) return cases;
   for (std::size_t k = 0; k < most; ++k) {

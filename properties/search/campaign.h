@@ -145,7 +145,10 @@ struct CampaignResult {
 /// At most twice `most` cases that may tell why a law is broken: from the lowest level at which it
 /// is, the first that broke it at each source and severity, then more from the same, right or
 /// wrong; then, unless all break it, as many from all, which rule out what would be wrong there.
-std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most);
+/// Later rounds: four times as many; then the same of the next level at which it is broken, and so
+/// on. Empty after the last.
+std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most,
+                                std::size_t round = 0);
 
 /// A unit of work has so many cases of a series, so that threads end together,
 inline constexpr int kUnitCases = 64;

@@ -193,8 +193,8 @@ std::span<const KnownReport> known_reports() {
        .said = "in floats, rays from far away miss small spheres",
        .mutant = "quadratic-in-floats",
        .hit = quadratic_in_floats,
-       .sentences = {},
-       .needed = "more wrong answers than two of 500 cases: the farther spheres are demanding",
+       .sentences = {"in floats d^2 loses its digits near tangents, where larger numbers cancel "
+                     "(r^2 - |T x D|^2 keeps them)"},
        .precision = scene::Precision::kSingle},
       {.thread = "ebruneton/precomputed_atmospheric_scattering#21",
        .said = "in floats, -b + sqrt(b^2 - c) cancels near a planet's surface",
@@ -299,7 +299,9 @@ FoundReport found(const Candidate& candidate) {
         break;
       }
     }
-    const auto cases = telling_cases(campaign, properties::kCasesOfACause);
+    const auto cases = [&](std::size_t round) {
+      return telling_cases(campaign, properties::kCasesOfACause, round);
+    };
     for (const properties::Explanation& one : properties::causes(law, cases, candidate)) {
       const auto at = std::find(result.sentences.begin(), result.sentences.end(), one.sentence);
       if (at == result.sentences.end()) result.sentences.push_back(one.sentence);

@@ -55,20 +55,6 @@ Candidate with_directions(
   return candidate;
 }
 
-Candidate points_on_a_sphere() {
-  Candidate candidate = named("curved-plane");
-  candidate.pixel_points = [rays = candidate.focal_rays](const Camera& camera,
-                                                         const auto&... asked) {
-    std::vector<Point3> points;
-    for (const Ray& ray : rays(camera, asked...)) {
-      const Vector3 step = scaled(std::abs(camera.near), ray.direction);
-      points.push_back({camera.eye.x + step.x, camera.eye.y + step.y, camera.eye.z + step.z});
-    }
-    return points;
-  };
-  return candidate;
-}
-
 std::vector<Mutant> frame_mutants() {
   return {
       from_mistake("flipped-U", "U has the wrong sign", {"frame"}),
@@ -77,6 +63,14 @@ std::vector<Mutant> frame_mutants() {
       {"W = (E - A)/(|E - A| + 1e-6), against a division by zero",
        {"frame", "look-at"},
        with_guarded_W()},
+      from_mistake("short-is-left",
+                   "vectors with a squared length below about 1e-9 (perhaps more) are not "
+                   "normalised: the epsilon is too large",
+                   {"scaling"}),
+      from_mistake("short-is-zero",
+                   "vectors with a squared length below about 1e-9 (perhaps more) are taken for "
+                   "0: the epsilon is too large",
+                   {"scaling"}),
       from_mistake("V-is-up", "V is up/|up|, not made perpendicular to W", {"frame", "up"}),
   };
 }
@@ -136,9 +130,12 @@ std::vector<Mutant> plane_mutants() {
       {"the first pixel is one ulp off, where the formula promises its bits",
        {"bounds"},
        first_pixel_one_ulp_off()},
-      {"pixels lie on a sphere around the eye",
-       {"image-plane", "pixel-point"},
-       points_on_a_sphere()},
+      from_mistake("single-camera", "the camera's numbers are rounded to floats",
+                   {"pixel-point", "direction"}),
+      from_mistake("single-P", "P is rounded to floats", {"pixel-point"}),
+      from_mistake("single-D", "D is rounded to floats", {"direction", "unit-direction"}),
+      from_mistake("curved-plane", "P lies on a sphere around the eye: P = E + |near| D",
+                   {"image-plane", "pixel-point", "ray-origin"}),
   };
 }
 

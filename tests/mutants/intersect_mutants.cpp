@@ -87,6 +87,27 @@ std::vector<Mutant> choice_mutants() {
       from_mistake("never-from-inside",
                    "only the near root counts, so that spheres around the origin are not seen",
                    {"class", "growing-radius"}),
+      from_mistake("near-from-inside",
+                   "the near root is given though it is negative: from inside spheres are hit "
+                   "behind the origin",
+                   {"nearest-root"}),
+      from_mistake("solid", "spheres are solid: from inside s is 0", {"nearest-root"}),
+      from_mistake("level-is-missed",
+                   "T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
+                   "their origin",
+                   {"class"}),
+      from_mistake("merged-roots",
+                   "where d^2 is below about 1e-5 (perhaps more) both roots are taken to be v: the "
+                   "epsilon is too large",
+                   {"parameter", "scaling"}),
+      from_mistake("shallow-is-missed",
+                   "lines that are less than about 1e-7 radii (perhaps more) inside a sphere miss "
+                   "it: the tolerance is too large",
+                   {"class"}),
+      from_mistake("short-is-missed",
+                   "directions with a |D|^2 below about 1e-9 (perhaps more) hit nothing: the "
+                   "epsilon is too large",
+                   {"class"}),
       {"the near root counts from s = 1e-3 on",
        {"nearest-root", "scaling"},
        with_choice("epsilon-on-s",
@@ -142,23 +163,21 @@ std::vector<Mutant> value_mutants() {
                      return sphere;
                    })},
       from_mistake("origin-forgotten", "Q = s D: the origin is not added", {"hit-point"}),
-      {"Q is kept in single precision",
-       {"hit-point"},
-       with_hits("single-point",
-                 [](const auto&, const auto&, const auto&, Hit hit) {
-                   if (!hit) return hit;
-                   for (double* x : {&hit->point.x, &hit->point.y, &hit->point.z}) {
-                     if (std::abs(*x) < 1e30) *x = static_cast<double>(static_cast<float>(*x));
-                   }
-                   return hit;
-                 })},
-      {"s is kept in single precision",
-       {"parameter", "backward-error"},
-       with_hits("single-parameter",
-                 [](const Ray& ray, const auto&, const auto&, const Hit& hit) -> Hit {
-                   if (!hit || !(hit->parameter < 1e30)) return hit;
-                   return hit_at(ray, static_cast<double>(static_cast<float>(hit->parameter)));
-                 })},
+      from_mistake("single-point", "Q is rounded to floats", {"hit-point"}),
+      from_mistake("single-parameter", "s is rounded to a float", {"parameter", "backward-error"}),
+      from_mistake("single-spheres", "the spheres' numbers are rounded to floats", {"parameter"}),
+      from_mistake("single-rays", "rays are rounded to floats", {"parameter"}),
+      from_mistake("half-the-radius",
+                   "the radius is taken for the diameter: spheres are half as large",
+                   {"class", "parameter"}),
+      from_mistake("twice-the-radius",
+                   "the diameter is taken for the radius: spheres are twice as large",
+                   {"class", "parameter"}),
+      from_mistake("wrapped-square",
+                   "r^2 is an integer of 32 bits: it wraps around from a radius of 46,341 on",
+                   {"class", "growing-radius", "scaling"}),
+      from_mistake("half-of-s", "s is half of the right one", {"parameter"}),
+      from_mistake("twice-s", "s is twice the right one", {"parameter"}),
       from_mistake("s-is-a-length", "s is a length whatever the length of the direction",
                    {"parameter"}),
   };

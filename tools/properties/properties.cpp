@@ -74,7 +74,11 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
     report.explanations = {{std::string(properties::kKeepsState), wrong, wrong}};
   } else if (!implementation.methods && report.finding == properties::Finding::kBroken) {
     report.explanations = properties::causes(
-        law, telling_cases(report.result, properties::kCasesOfACause), candidate);
+        law,
+        [&](std::size_t round) {
+          return telling_cases(report.result, properties::kCasesOfACause, round);
+        },
+        candidate);
   }
   if (failure && !failure->is_undecided && !report.keeps_state() &&
       has_ranges(candidate, failure->verdict)) {

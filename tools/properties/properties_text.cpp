@@ -121,7 +121,7 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
     const auto add_to = [&](std::string& laws) {
       laws += (laws.empty() ? "" : ", ") + std::string(campaign->law->name);
     };
-    if (best == all.end()) {
+    if (best == all.end() || best->explained == 0) {
       add_to(unexplained);
       continue;
     }

@@ -52,7 +52,7 @@ Json json_of(const std::vector<double>& numbers) {
 constexpr const char* kSomeSphere = "a sphere";
 
 Json got_json(const Discrepancy& d) {
-  return d.got_some_sphere ? Json::array({kSomeSphere}) : json_of(d.got);
+  return d.got_some_sphere && d.got.empty() ? Json::array({kSomeSphere}) : json_of(d.got);
 }
 
 template <class Triple>

@@ -80,7 +80,8 @@ std::string answer_text(properties::Quantity quantity, std::string_view symbol,
 }
 
 std::string got_text(const Discrepancy& d) {
-  return d.got_some_sphere ? "a sphere" : answer_text(d.quantity, d.symbol, d.got);
+  if (!d.got_some_sphere) return answer_text(d.quantity, d.symbol, d.got);
+  return d.quantity == properties::Quantity::kClass ? "a hit" : "a sphere";
 }
 
 std::string exact_text(const Discrepancy& d) { return answer_text(d.quantity, d.symbol, d.exact); }
@@ -112,8 +113,12 @@ std::string explanations_text(const std::vector<properties::Explanation>& explan
                               std::string_view answers) {
   std::string text;
   for (const properties::Explanation& one : explanations) {
-    text += fmt::format("{}: {} of {} wrong {} are right that way\n", one.sentence, one.explained,
-                        one.errors, answers);
+    text += one.sentence;
+    if (one.explained > 0) {
+      text +=
+          fmt::format(": {} of {} wrong {} are right that way", one.explained, one.errors, answers);
+    }
+    text += '\n';
   }
   return text;
 }

@@ -108,6 +108,8 @@ TEST(Contracts, of_a_class_alone_are_undecided_at_an_end) {
   EXPECT_EQ(outcome.exit_code, 4) << outcome.out;
   const json report = json::parse(outcome.out)["candidates"][0];
   EXPECT_EQ(report["discrepancies_by_standing"]["undecided"], 1);
+  const std::string text = run("check " + scene + " --candidate '" + closed + "'").out;
+  EXPECT_TRUE(text.find("got   a hit\n") != std::string::npos) << text;
   // s itself is excluded by its own word.
   EXPECT_EQ(check(scene, tracer("s.py", "s >= 1", "s", "returns='parameter', " + roots)).exit_code,
             1);

@@ -41,7 +41,8 @@ const std::vector<Mistake> kOfFunctions = {
     {"near_negated", 105, "width and height",
      "near has the wrong sign, the image plane is behind the eye", 2},
     {"centre_behind", 109.67, "robustness",
-     "only the near root counts, so that spheres around the origin are not seen, or: v < 0 counts "
+     "only the near root counts, so that spheres around the origin are not seen, or: v >= 0 is "
+     "tested in place of s >= 0: spheres around the origin are hit behind it, or: v < 0 counts "
      "as a miss, so that spheres around the origin are not seen where their centres lie behind it",
      1},
 };
@@ -76,7 +77,9 @@ const std::vector<Mistake> kOfPictures = {
     {"upside_down", 105, "pixel (0, 0)", "rows are upside down", 2},
     {"mirrored", 103, "pixel (0, 0), robustness", "columns are mirrored", 3},
     {"cancelling", 108, "robustness",
-     "the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits from 10^8 radii away", 1},
+     "d^2 loses its digits from 10^8 radii away, where larger numbers cancel (r^2 - |T x D|^2 "
+     "keeps them)",
+     1},
     {"left_and_right_negated", 103, "boundary pixels, robustness",
      "left and right are both negated, or: U has the wrong sign", 4},
     {"bottom_and_top_negated", 105, "boundary pixels",

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "properties/mistakes/answer_explanation.h"
+#include "properties/mistakes/fault.h"
 #include "properties/trial.h"
 #include "tools/grade/judging/item_trial.h"
 
@@ -45,7 +46,9 @@ bool is_among(const Explanation& alternative, const AnswerCause& cause,
   return std::any_of(causes.begin(), causes.end(), [&](const AnswerCause& other) {
     return other.roundings == cause.roundings &&
            std::any_of(other.alternatives.begin(), other.alternatives.end(),
-                       [&](const Explanation& one) { return one.mistake == alternative.mistake; });
+                       [&](const Explanation& one) {
+                         return cause.roundings || one.sentence == alternative.sentence;
+                       });
   });
 }
 
@@ -130,6 +133,7 @@ std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate
       if (part > part_of(*step) || (part == 0) != (part_of(*step) == 0)) continue;
       std::vector<Explanation> said;
       for (const Explanation& one : cause.alternatives) {
+        if (one.explained == 0) continue;
         if (is_among(one, cause, of_all) || is_among(one, cause, of_ordinary)) {
           said.push_back(one);
         }
@@ -143,16 +147,16 @@ std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate
       for (const Explanation& one : said) sentences.push_back(one.sentence);
       trial.grade.mistakes.push_back(
           {{boost::join(sentences, ", or: ")}, said.front().errors, said.front().explained});
-      const properties::Mistake* mistake = said.front().mistake;
+      const properties::Fault& fault = said.front().mistakes;
       if (cause.roundings) {
         item_causes[k].others.push_back(OtherCause::kRoundings);
         item_causes[k].is_all = item_causes[k].fault.empty();
       }
-      if (mistake == nullptr) continue;
-      item_causes[k].fault.push_back(mistake);
+      if (fault.empty()) continue;
+      item_causes[k].fault.insert(item_causes[k].fault.end(), fault.begin(), fault.end());
       item_causes[k].is_all = item_causes[k].fault.size() == 1 &&
                               said.front().explained == said.front().errors &&
-                              (part > 0 || makes_rays_by(*mistake, cases, candidate));
+                              (part > 0 || makes_rays_by(*fault.front(), cases, candidate));
     }
   }
   return item_causes;

@@ -1,0 +1,169 @@
+#include "properties/mistakes/lost_digits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fast/camera_frame.h"
+#include "fast/intersect.h"
+#include "properties/mistakes/mistake_list.h"
+
+namespace raycheck::properties {
+namespace {
+
+/// Who promises floats is not told that it computes in them, but what is lost there.
+std::string sentence_of(const Examination& examination, Arithmetic arithmetic, double radii) {
+  if (!examination.is_single()) return imprecision_sentence(arithmetic, radii);
+  return "in floats " + imprecision_sentence(Arithmetic::kDifference, radii);
+}
+
+/// Relative errors of s above so many roundings of the candidate's format are looked at.
+constexpr double kNoticed = 512;
+
+/// Errors of s that tell of one formula.
+struct SmallErrors {
+  std::uint64_t wrong = 0;
+  double radii = 0;  ///< The least distance of one.
+};
+/// The errors at kIntersect that tell of a formula. Empty if it does not allow some class or error,
+/// or if too few tell of it.
+template <class AllowsClass, class Allows, class IsTelling>
+std::optional<SmallErrors> small_errors(Examination& examination, const AllowsClass& allows_class,
+                                        const Allows& allows, const IsTelling& is_telling) {
+  SmallErrors found;
+  for (const Comparison& comparison : examination.at(Step::kIntersect)) {
+    const AskedCase& asked = *comparison.asked;
+    if (asked.returns == Returns::kClass) return {};
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const Answer &answer = comparison.answers[k], &right = comparison.right[k];
+      const scene::Ray& ray = asked.rays[k % asked.rays.size()];
+      const scene::Sphere& sphere = asked.the_case.scene.spheres[k / asked.rays.size()];
+      if (answer.choice != right.choice) {
+        const auto given = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
+        if (!allows_class(asked, ray, sphere, given)) return {};
+        continue;
+      }
+      if (!right.choice) continue;
+      const double s = answer.vectors[0].x, exact = right.vectors[0].x;
+      const double off = std::abs(s - exact) / exact;
+      if (off <= kNoticed * examination.roundoff()) continue;
+      if (examination.is_of_input(ray, sphere, s - exact)) continue;
+      if (!allows(asked, ray, sphere, s, off)) return {};
+      if (!is_telling(asked, ray, sphere, s)) continue;
+      const double radii = norm(sphere.centre - ray.origin) / sphere.radius;
+      found.radii = found.wrong == 0 ? radii : std::min(found.radii, radii);
+      ++found.wrong;
+    }
+  }
+  if (found.wrong < kFewestWrongByRoundings) return {};
+  return found;
+}
+
+AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
+  return {Step::kIntersect,
+          {{std::move(sentence), errors.wrong, errors.wrong}},
+          {},
+          kAnswerTolerances.front()};
+}
+
+/// Roots q/a and c/q lose what q = v + d or v - d does, the larger one, too, where q is the one
+/// that cancels. Roundings of d^2 leave that root alone from inside a sphere.
+std::optional<AnswerCause> cancelling_q(Examination& examination) {
+  const auto found = small_errors(
+      examination, [](const auto&...) { return false; },
+      [&](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double,
+          double off) {
+        const auto roots = fast::kCross.roots(ray, sphere);
+        const double v = std::abs(roots.axial_distance);
+        const double d = std::sqrt(std::max(0.0, roots.half_chord_sq));
+        const double lost = kRoundings * examination.roundoff() * (v + d) / std::abs(v - d);
+        return off <= lost;
+      },
+      [](const AskedCase&, const scene::Ray& ray, const scene::Sphere& sphere, double s) {
+        const auto roots = fast::kCross.roots(ray, sphere);
+        return roots.smaller < 0 && s * norm(ray.direction) > std::abs(roots.axial_distance);
+      });
+  if (!found) return {};
+  return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", *found);
+}
+
+/// d^2 as a difference that cancels: s loses digits that r^2 - |T x D|^2 keeps, also where so much
+/// is in doubt that wrong classes say nothing.
+std::optional<AnswerCause> cancelling_difference(Examination& examination) {
+  const bool is_single = examination.is_single();
+  const auto within = [](Arithmetic arithmetic) {
+    return [arithmetic](const AskedCase& asked, const scene::Ray& ray, const scene::Sphere& sphere,
+                        std::optional<double> s, auto...) {
+      return possible_hit(arithmetic, ray, sphere, asked.the_case.scene.conventions).allows(s);
+    };
+  };
+  const auto stable = within(is_single ? Arithmetic::kSingle : Arithmetic::kProduct);
+  for (const Arithmetic difference :
+       is_single ? std::vector{Arithmetic::kSingleDifference}
+                 : std::vector{Arithmetic::kDifference, Arithmetic::kExpanded}) {
+    const auto cancels = within(difference);
+    const auto found = small_errors(examination, cancels, cancels,
+                                    [&](const auto&... of) { return !stable(of...); });
+    if (!found) continue;
+    const Arithmetic said = is_single ? Arithmetic::kDifference : difference;
+    AnswerCause cause = small_cause(sentence_of(examination, said, found->radii), *found);
+    cause.roundings = difference;
+    return cause;
+  }
+  return {};
+}
+
+}  // namespace
+
+/// The roundings that explain the answers at a step, if any do.
+std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
+  for (const Arithmetic arithmetic : {Arithmetic::kDifference, Arithmetic::kExpanded,
+                                      Arithmetic::kSingle, Arithmetic::kSingleDifference}) {
+    const DoubtTally tally = examination.tally(step, arithmetic, tolerance);
+    if (!tally.tells()) continue;
+    // Whose right answers have more digits than floats does not compute in them.
+    if (arithmetic != Arithmetic::kDifference && 2 * tally.precise > tally.hits) continue;
+    // Who promises floats makes no mistake by computing in them.
+    if (arithmetic == Arithmetic::kSingle && examination.is_single()) continue;
+    return AnswerCause{
+        step,
+        {{sentence_of(examination, arithmetic, tally.radii), tally.wrong, tally.wrong}},
+        arithmetic,
+        tolerance};
+  }
+  return {};
+}
+
+std::optional<AnswerCause> lost_digits(Examination& examination) {
+  if (auto cause = cancelling_q(examination)) return cause;
+  return cancelling_difference(examination);
+}
+
+std::optional<AnswerCause> lost_digits_of_rays(Examination& examination) {
+  const double u = examination.roundoff();
+  std::uint64_t wrong = 0;
+  for (const Comparison& comparison : examination.at(Step::kRay)) {
+    const scene::Camera& camera = *comparison.asked->the_case.scene.camera;
+    const scene::Vector3 W = vector(fast::camera_frame(camera).W), E = vector(camera.eye);
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const scene::Vector3 &D = comparison.answers[k].vectors[1],
+                           &right = comparison.right[k].vectors[1];
+      const double off = norm(scene::Vector3{D.x - right.x, D.y - right.y, D.z - right.z});
+      if (off <= kNoticed * u) continue;
+      // |P - E|: D . W is the cosine of its angle to the view.
+      const double g = std::abs(camera.near / (right.x * W.x + right.y * W.y + right.z * W.z));
+      if (!(off <= kRoundings * u * (norm(E) / g + 1))) return {};
+      ++wrong;
+    }
+  }
+  if (wrong < kFewestWrongByRoundings) return {};
+  return AnswerCause{
+      Step::kRay,
+      {{"E is added to P and subtracted again: far from the world's origin D loses its digits, "
+        "which nW + alpha U + beta V keeps",
+        wrong, wrong}},
+      {},
+      kAnswerTolerances.front()};
+}
+
+}  // namespace raycheck::properties
