@@ -90,6 +90,9 @@ constexpr double bound_growth(double condition) {
 /// formula, too (reference::textbook_condition); farther away that formula's errors are defects. So
 /// for directions where the condition number of (P - E)/|P - E| by P and E is at most this.
 inline constexpr double kOrdinaryDistance = 0x1p10;
+/// The same in doubles where |d^2| is at least this share of r^2; nearer to a tangent they are
+/// defects. (Numbers rounded to floats come no nearer, but for exact tangents.)
+inline constexpr double kOrdinaryTangency = 0x1p-29;
 
 /// A class error is excused when a relative change of the inputs by this much may flip the exact
 /// class: what the roundings of a handful of operations amount to. (A method in another precision

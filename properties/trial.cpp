@@ -226,7 +226,9 @@ double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
                     const scene::Sphere& sphere) {
   if (candidate.level != Level::kOrdinary) return 0;
   const double distance = reference::distance_in_radii(ray, sphere);
-  return distance <= kOrdinaryDistance ? (3 * distance * distance + 1) / 2 : 0;
+  const bool is_near_tangent = candidate.unit_roundoff == kDoubleRoundoff &&
+                               reference::half_chord_share(ray, sphere) < kOrdinaryTangency;
+  return distance <= kOrdinaryDistance && !is_near_tangent ? (3 * distance * distance + 1) / 2 : 0;
 }
 
 reference::Neighbourhood Trial::neighbourhood(double relative_change) const {

@@ -60,14 +60,18 @@ struct Encounter {
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
-  /// plain_change() of this ray and sphere.
-  double plain_change() const { return properties::plain_change(trial.candidate(), ray, sphere); }
-  /// plain_condition() of s: infinite where s is right for inputs that are changed by no more.
+  /// plain_change() where the textbook's roundings may be as large as d^2, so that no condition
+  /// number tells what they do to s; else 0.
+  double plain_blur() const {
+    const double change = properties::plain_change(trial.candidate(), ray, sphere);
+    const double roundings = excused_change(trial.candidate().unit_roundoff) * change;
+    return reference::half_chord_share(ray, sphere) <= roundings ? change : 0;
+  }
+  /// plain_condition() of s: infinite where s is right for inputs that are changed by plain_blur().
   double plain_condition() const {
-    const double change = plain_change();
-    if (change == 0) return 0;
-    const double bound = trial.bound(Quantity::kBackwardError) * bound_growth(change);
-    if (backward_error().in(trial.precision()).value <= bound) {
+    const double blur = plain_blur();
+    const double bound = trial.bound(Quantity::kBackwardError) * bound_growth(blur);
+    if (blur > 0 && backward_error().in(trial.precision()).value <= bound) {
       return std::numeric_limits<double>::infinity();
     }
     const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
@@ -76,7 +80,7 @@ struct Encounter {
   /// What an error of s is as a share of a length. At a tangent Q slides along the sphere.
   double plain_condition_over(const Enclosure& length) const {
     const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
-    if (std::isinf(condition)) return plain_change();
+    if (std::isinf(condition)) return plain_blur();
     const reference::EnclosedRay enclosed = ray.enclose(256);
     const Enclosure along = norm(enclosed.point(sphere, *exact) - enclosed.origin());
     return condition * (along / length).upper();
@@ -193,7 +197,11 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
     trial.measure(
         verdict, {Quantity::kBackwardError, at.place(), at.backward_error()}, [] { return 1; },
         [&](Discrepancy& d) { d.got = {at.answer->parameter}; }, {},
-        [&] { return at.plain_change(); });
+        [&] {
+          const double blur = at.plain_blur();
+          if (blur > 0) return blur;
+          return at.plain_condition() / trial.condition_of_parameter(at.ray_at, at.sphere_at);
+        });
   });
   leave_out_without_hits(verdict);
 }

@@ -66,6 +66,8 @@ double textbook_condition(const ExactRay& ray, const scene::Sphere& sphere,
 
 /// |T|/r, from the ray's origin to the sphere's centre, rounded up. Infinite for a point.
 double distance_in_radii(const ExactRay& ray, const scene::Sphere& sphere);
+/// |d^2|/r^2, rounded up. Infinite for a point.
+double half_chord_share(const ExactRay& ray, const scene::Sphere& sphere);
 
 /// For Q computed as L + s D, a step of every method that itself magnifies errors by |L|/|Q|: the
 /// condition number of Q plus that of the step.

@@ -152,6 +152,11 @@ double distance_in_radii(const ExactRay& ray, const scene::Sphere& sphere) {
                      Enclosure(sphere.radius, kTextbookBits));
 }
 
+double half_chord_share(const ExactRay& ray, const scene::Sphere& sphere) {
+  const Enclosure radius(sphere.radius, kTextbookBits);
+  return upper_ratio(abs(ray.enclose(kTextbookBits).half_chord_sq(sphere)), radius * radius);
+}
+
 double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,
                                    const Intersection& intersection) {
   return condition_of_point(ray, sphere, intersection) +

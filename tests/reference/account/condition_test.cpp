@@ -483,6 +483,7 @@ TEST(TextbookCondition, IsThatOfTheFormulaByHand) {
   expect_condition(textbook_condition(ray, kUnit, {HitClass::kHit, WhichRoot::kLarger}),
                    Big(11 + 150.5) / 11, "s");
   expect_condition(distance_in_radii(ray, kUnit), Big(10), "radii");
+  expect_condition(half_chord_share(ray, kUnit), Big(1), "d^2");
   const ExactRay touching(scene::Ray{{-5, 1, 0}, {1, 0, 0}});
   EXPECT_EQ(textbook_condition(touching, kUnit, kTangent), kInfinity);
 }

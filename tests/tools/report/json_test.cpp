@@ -28,7 +28,7 @@ const std::vector<Reports>& all_reports() {
         "check" + scene("probe") + " --rays single --intersect single-quadratic",
         "check" + scene("probe") + kRenderer}},
       {"properties",
-       {"properties --cases 5",
+       {"properties --cases 100",
         "properties --filter class --source distance --intersect quadratic --cases 100 "
         "--level demanding",
         "properties --filter class --cases 100 --candidate "
@@ -219,7 +219,7 @@ TEST(Json, of_every_command_is_as_its_page_says) {
 TEST(Json, says_which_change_excused_an_answer) {
   for (const auto& [asked, kind, amount] :
        {std::tuple("tangent-and-neighbours.toml --intersect quadratic", "witness", 0x1p-49),
-        {"tangent-and-neighbours.toml --intersect single-quadratic", "witness", 0x1p-20},
+        {"tangent-and-neighbours.toml --intersect single-quadratic", "witness", 0x1.3cp-17},
         {"probe.toml --t-threshold 0.5 --candidate \"renderer:python3 tests/candidates/rt.py "
          "threshold {scene} {image}\"",
          "threshold", 0.5}}) {
