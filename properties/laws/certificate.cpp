@@ -1,11 +1,42 @@
 #include "properties/laws/certificate.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "reference/interval_ray.h"
 
 namespace raycheck::properties {
+
+namespace {
+
+/// More than all roundings of a few operations make of a number.
+constexpr double kOfRoundings = 1 + 0x1p-40;
+
+/// At least what plain_change() makes of the change that excuses any ray and sphere of these.
+double most_growth(const Candidate& candidate, const scene::Box<scene::Ray>& rays,
+                   const scene::Box<scene::Sphere>& spheres) {
+  if (candidate.level != Level::kOrdinary) return 1;
+  using scene::Point3;
+  std::array<double, 3> least = {}, most = {};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = std::array{&Point3::x, &Point3::y, &Point3::z}[k];
+    const double from = spheres.least.centre.*axis - rays.greatest.origin.*axis;
+    const double to = spheres.greatest.centre.*axis - rays.least.origin.*axis;
+    least[k] = std::max({0.0, from, -to});
+    most[k] = std::max(std::abs(from), std::abs(to));
+  }
+  const auto in_radii = [](const std::array<double, 3>& apart, double radius) {
+    return std::hypot(apart[0], apart[1], apart[2]) / radius;
+  };
+  if (in_radii(least, spheres.greatest.radius) > kOrdinaryDistance * kOfRoundings) return 1;
+  const double distance =
+      std::min(in_radii(most, spheres.least.radius) * kOfRoundings, kOrdinaryDistance);
+  return std::max(1.0, (3 * distance * distance + 1) / 8 * kOfRoundings);
+}
+
+}  // namespace
 
 bool is_certain(const Law& law, const Candidate& candidate, const scene::Box<Case>& cases,
                 DefectKind kind) {
@@ -23,16 +54,15 @@ bool is_certain(const Law& law, const Candidate& candidate, const scene::Box<Cas
       has_points) {
     return false;
   }
-  const double change =
-      excused_change(candidate.unit_roundoff) *
-      (candidate.level == Level::kOrdinary ? kOrdinaryDistance * kOrdinaryDistance : 1);
+  const double change = excused_change(candidate.unit_roundoff);
   for (std::size_t k = 0; k < least.rays.size(); ++k) {
     const scene::Box<scene::Ray> rays = {least.rays[k], greatest.rays[k]};
     for (std::size_t m = 0; m < least.spheres.size(); ++m) {
       const scene::Box<scene::Sphere> spheres = {least.spheres[m], greatest.spheres[m]};
       const auto answers = candidate.classes_in(rays, spheres, conventions.hit_rule());
       if (missed ? answers.hit : answers.miss) continue;
-      const auto truth = reference::intersection_in(rays, spheres, change, conventions.root);
+      const auto truth = reference::intersection_in(
+          rays, spheres, change * most_growth(candidate, rays, spheres), conventions.root);
       if (truth && truth->hit_class == (missed ? HitClass::kHit : HitClass::kMiss)) return true;
     }
   }
