@@ -240,7 +240,8 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
     if (count == 0) continue;
     Examination rest(cases, candidate, NotNumbers::kLeftOut);
     found = causes_in(rest);
-    found.push_back({step, {{std::string(kNotNumbers), count, count}}});
+    const std::uint64_t others = rest.errors(step, kAnswerTolerances.front());
+    found.push_back({step, {{std::string(kNotNumbers), count + others, count}}});
     break;
   }
   return found;

@@ -29,7 +29,7 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
 std::string looks_like(const std::vector<properties::Explanation>& explanations) {
   std::string text;
   for (const properties::Explanation& one : explanations) {
-    if (one.explained == 0) continue;
+    if (one.explained == 0 || one.sentence == properties::kNotNumbers) continue;
     text += fmt::format("{}{} ({} of {} wrong answers are right that way)",
                         text.empty() ? "It looks as if " : "; or ", one.sentence, one.explained,
                         one.errors);

@@ -109,15 +109,20 @@ std::string not_needed_text(const std::vector<std::string>& not_needed) {
   return fmt::format("not needed here: {}\n", fmt::join(not_needed, ", "));
 }
 
+std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
+                           std::string_view answers) {
+  const bool is_formula =
+      sentence != properties::kNotNumbers && sentence != properties::kKeepsState;
+  return fmt::format("{}: {} of {} wrong {}{}", sentence, explained, errors, answers,
+                     is_formula ? " are right that way" : "");
+}
+
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
                               std::string_view answers) {
   std::string text;
   for (const properties::Explanation& one : explanations) {
-    text += one.sentence;
-    if (one.explained > 0) {
-      text +=
-          fmt::format(": {} of {} wrong {} are right that way", one.explained, one.errors, answers);
-    }
+    text += one.explained == 0 ? one.sentence
+                               : explained_text(one.sentence, one.explained, one.errors, answers);
     text += '\n';
   }
   return text;

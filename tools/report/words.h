@@ -63,7 +63,12 @@ std::string input_name(const properties::Discrepancy& discrepancy, std::size_t i
 std::string standings_text(
     const std::function<std::uint64_t(properties::Standing standing)>& count);
 
-/// "rows are upside down: 90 of 90 wrong pixels are right that way", one per line.
+/// "rows are upside down: 90 of 90 wrong pixels are right that way", without the last words where
+/// the sentence is about no formula.
+std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
+                           std::string_view answers);
+
+/// The same of all, one per line; of a sentence that explains nothing it alone.
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
                               std::string_view answers);
 

@@ -93,8 +93,8 @@ std::string reason_text(const ItemReason& reason) {
 
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake) {
   if (mistake.wrong == 0) return mistake.sentence();
-  return fmt::format("{}: {} of {} wrong {} are right that way", mistake.sentence(),
-                     mistake.explained, mistake.wrong, grade.pictures ? "pixels" : "answers");
+  return explained_text(mistake.sentence(), mistake.explained, mistake.wrong,
+                        grade.pictures ? "pixels" : "answers");
 }
 
 std::string mistake_text(const SubmissionGrade& grade) {
