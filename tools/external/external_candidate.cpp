@@ -151,16 +151,18 @@ class Conversation {
   }
   /// From now on requests have this share of the time for a reply.
   void allow(double share) { share_ = share; }
-  /// Requests without a reply count no more.
+  /// Requests without a reply count no more, and kept answers do again.
   void forget_silence() {
     silent_shares_ = 0;
     silences_ = 0;
     failed_request_.clear();
+    is_asked_anew_ = false;
   }
-  /// The next request goes to a fresh process.
+  /// The next requests go to a fresh process, whatever is kept.
   void restart() {
     forget_silence();
     process_.reset();
+    is_asked_anew_ = true;
   }
   KeptText said() const { return process_ ? process_->said() : KeptText(); }
 
@@ -235,7 +237,7 @@ class Conversation {
   };
 
   IdentifiedReply reply_to(const Request& request, std::size_t lines) {
-    if (const auto known = external_.answers->find(request.body())) {
+    if (const auto known = kept_answer(request)) {
       external_.program.spent->add(known->seconds);
       if (known->failure) AnswerFailure{known->text, *known->failure}.raise(last_);
       const std::size_t line = known->text.find('\n');
@@ -247,10 +249,16 @@ class Conversation {
     std::string text = process_->exchange(
         request.text(), [&](std::string_view line) { return ends_reply(line, request.id()); },
         most_bytes(lines));
-    external_.answers->keep(
-        request.body(),
-        {request.id() + "\n" + text, {}, external_.program.spent->seconds_since(before)});
+    if (!is_asked_anew_) {
+      external_.answers->keep(
+          request.body(),
+          {request.id() + "\n" + text, {}, external_.program.spent->seconds_since(before)});
+    }
     return {request.id(), std::move(text)};
+  }
+
+  std::optional<StoredAnswer> kept_answer(const Request& request) const {
+    return is_asked_anew_ ? std::nullopt : external_.answers->find(request.body());
   }
 
   [[noreturn]] void fail(const Request& request, AnswerFailure failure) {
@@ -268,6 +276,7 @@ class Conversation {
   AnswerFailure failure_;
   bool introduction_heard_ = true;  ///< From the last process started.
   double share_ = 1;
+  bool is_asked_anew_ = false;
   int silences_ = 0;
   double silent_shares_ = 0;  ///< Sum of their shares of the time for a reply.
   std::mt19937_64 ids_{std::random_device{}()};

@@ -24,7 +24,7 @@ const std::vector<Mistake> kOfFunctions = {
     {"no_test_for_t", 98.08, "nearest root, robustness",
      "s >= 0 is not tested: spheres behind the origin are hit", 2},
     {"first_sphere_wins", 95, "nearest sphere", "the first sphere in the file wins", 1},
-    {"normalize_discarded", 94.33, "unit directions, robustness",
+    {"normalize_discarded", 94.5, "unit directions, robustness",
      "directions are not normalised: D = P - E", 1},
     {"by_discriminant", 95, "nearest sphere", "the sphere with the largest discriminant wins", 1},
     {"eye_plus_point", 100, "ray origin",
@@ -33,11 +33,11 @@ const std::vector<Mistake> kOfFunctions = {
     {"float_directions", 110, "", "", 0},
     {"near_root_only", 109.25, "robustness",
      "only the near root counts, so that spheres around the origin are not seen", 1},
-    {"far_root", 83.75, "nearest root, hit point, robustness",
+    {"far_root", 84.1667, "nearest root, hit point, robustness",
      "the far root is taken for the near one", 2},
     {"upside_down", 105, "boundary pixels", "rows are upside down", 4},
     {"mirrored", 105, "boundary pixels", "columns are mirrored", 4},
-    {"cancelling", 104.33, "robustness", "", 0},
+    {"cancelling", 104.5, "robustness", "", 0},
     {"near_negated", 105, "width and height",
      "near has the wrong sign, the image plane is behind the eye", 2},
     {"centre_behind", 109.67, "robustness",
@@ -195,6 +195,26 @@ TEST(GradedMistakes, of_functions_cost_what_they_deserve_and_are_named_in_python
   json in_python = grading.result("mine"), far_root = grading.result("far_root");
   EXPECT_EQ(in_python["score"], far_root["score"]);
   EXPECT_EQ(in_python["items"], far_root["items"]);
+}
+
+TEST(GradedMistakes, that_are_kept_between_questions_are_called_that_and_no_formula) {
+  const Grading grading;
+  const std::string right = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py");
+  grading.hand_in(
+      "keeps", "rays.py",
+      replaced(replaced(right, "MISTAKE = globals", "least = [math.inf]\nMISTAKE = globals"),
+               "return None if s < 0 else (s,",
+               "if s < 0 or s > least[0]:\n        return None\n"
+               "    least[0] = s\n    return (s,"));
+  grading.grade(grading.write("state.toml",
+                              kFormOfPython + item_of("class", "points = 10",
+                                                      functions("class", "course", 8, kGivenRays))),
+                {grading.path("submissions/keeps")});
+  const json item = grading.result("keeps")["items"][0];
+  EXPECT_EQ(item["state"], "fails") << item.dump(2);
+  ASSERT_EQ(item["mistakes"].size(), 1u) << item.dump(2);
+  expect_parts(item["mistakes"][0].dump(), {"it keeps something between questions"});
+  EXPECT_FALSE(item["first_wrong"].is_null());
 }
 
 TEST(LongGradedForms, are_found_whatever_the_mistake) {

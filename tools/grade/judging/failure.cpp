@@ -64,6 +64,15 @@ bool is_made_by(const properties::Fault& fault, const Case& the_case, const Cand
   }
 }
 
+/// The question of a place alone: its ray, or pixel, and its sphere.
+Case only_at(const properties::Place& place, Case the_case) {
+  scene::Scene& scene = the_case.scene;
+  if (place.pixel) the_case.pixels = {*place.pixel};
+  if (!scene.camera && place.ray < scene.rays.size()) scene.rays = {scene.rays[place.ray]};
+  if (place.sphere) scene.spheres = {scene.spheres[*place.sphere]};
+  return the_case;
+}
+
 std::optional<std::string> first_wrong_step(Trial& trial) {
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || law.per == Per::kImage) continue;
@@ -147,9 +156,17 @@ WrongAnswer wrong_answer(const Discrepancy& d) {
 
 bool is_right_when_first(const FailedCase& failed, const Examinee& who) {
   if (failed.failure || !who.candidate.restart) return false;
+  const auto is_right = [&](const Case& asked) {
+    Trial trial(asked, who.candidate, who.options());
+    const Verdict verdict = apply(*failed.broken, trial);
+    return verdict.holds() && verdict.compared() > 0;
+  };
+  const Case at_place = only_at(failed.discrepancy.place, failed.item_case.the_case);
+  if (is_right(at_place)) return false;
   who.candidate.restart();
-  Trial trial(failed.item_case.the_case, who.candidate, who.options());
-  return apply(*failed.broken, trial).holds();
+  const bool is_right_first = is_right(at_place);
+  who.candidate.forget_silence();
+  return is_right_first;
 }
 
 Case simplest(const FailedCase& first, const Examinee& who, const properties::Fault& fault,

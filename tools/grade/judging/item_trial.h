@@ -106,8 +106,9 @@ WrongAnswer wrong_answer(const properties::Discrepancy& discrepancy);
 properties::Case simplest(const FailedCase& first, const Examinee& who,
                           const properties::Fault& fault, const std::function<bool()>& is_late);
 
-/// Whether the candidate keeps the law that it broke if a fresh process is asked about the case
-/// before all others. False where it gave no answer, and of renderers, which start for each scene.
+/// Whether the candidate answers wrongly about the place where it broke a law, as it runs, and
+/// rightly as a fresh process. False where it gave no answer, and of renderers, which start for
+/// each scene.
 bool is_right_when_first(const FailedCase& failed, const Examinee& who);
 
 /// The report on a case, `first` being how it first failed; empty if it does not break the law any
