@@ -22,12 +22,6 @@ namespace {
 /// asked alone has all of it.
 constexpr double kLeastShare = 0.1;
 
-/// By how much the change that excuses a decision grows with plain_change(): a quarter of it, as
-/// one of 4 u would that r has to make up for in place of all inputs.
-double plain_growth(const Candidate& candidate, const RayAnswer& answer) {
-  return std::max(1.0, plain_change(candidate, answer.ray, answer.sphere) / 4);
-}
-
 std::shared_ptr<TrialPart> part_of(const Trial& whole, std::size_t from, std::size_t to) {
   const bool by_ray = whole.ray_count() > 1;
   Case part{whole.scene(), whole.pixels()};
@@ -228,7 +222,7 @@ double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
   const double distance = reference::distance_in_radii(ray, sphere);
   const bool is_near_tangent = candidate.unit_roundoff == kDoubleRoundoff &&
                                reference::half_chord_share(ray, sphere) < kOrdinaryTangency;
-  return distance <= kOrdinaryDistance && !is_near_tangent ? (3 * distance * distance + 1) / 2 : 0;
+  return distance <= kOrdinaryDistance && !is_near_tangent ? plain_change_at(distance) : 0;
 }
 
 reference::Neighbourhood Trial::neighbourhood(double relative_change) const {
@@ -240,8 +234,8 @@ Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
   for (const RayAnswer& answer : answers) {
     scene::poll();
     if (!is_wrong(answer, conventions(), candidate())) continue;
-    const reference::Neighbourhood around =
-        neighbourhood(excused_change() * plain_growth(candidate(), answer));
+    const reference::Neighbourhood around = neighbourhood(
+        excused_change() * plain_growth(plain_change(candidate(), answer.ray, answer.sphere)));
     Excuse one = excuse_of(nearby(answer, around, candidate().returns), around.relative_change);
     if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
     if (weakest->standing() == Standing::kDefect) break;

@@ -85,6 +85,13 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
 /// tangent than kOrdinaryTangency.
 double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
                     const scene::Sphere& sphere);
+/// The same of a centre so many radii away.
+constexpr double plain_change_at(double radii) { return (3 * radii * radii + 1) / 2; }
+/// By how much the change that excuses a decision grows with it: a quarter of it, as one of 4 u
+/// would that r has to make up for in place of all inputs.
+constexpr double plain_growth(double plain_change) {
+  return plain_change > 4 ? plain_change / 4 : 1;
+}
 
 /// Whether the answer is a hit that the interval excludes by which it is judged, a comparison of
 /// doubles (reference::is_outside) that no change of inputs excuses: of an s that the candidate

@@ -33,7 +33,7 @@ double most_growth(const Candidate& candidate, const scene::Box<scene::Ray>& ray
   if (in_radii(least, spheres.greatest.radius) > kOrdinaryDistance * kOfRoundings) return 1;
   const double distance =
       std::min(in_radii(most, spheres.least.radius) * kOfRoundings, kOrdinaryDistance);
-  return std::max(1.0, (3 * distance * distance + 1) / 8 * kOfRoundings);
+  return plain_growth(plain_change_at(distance)) * kOfRoundings;
 }
 
 }  // namespace

@@ -47,7 +47,12 @@ constexpr std::size_t index_of(std::string_view name) {
 
 /// Where a call comes from: this function, the wrapper of the call, and the callers of it.
 using Place = std::array<void*, 6>;
-std::array<std::map<Place, long>, kNames.size()> first_calls;
+/// There before other libraries' constructors make calls, and never destroyed: threads make some
+/// while the program ends.
+std::array<std::map<Place, long>, kNames.size()>& first_calls() {
+  static auto& all = *new std::array<std::map<Place, long>, kNames.size()>;
+  return all;
+}
 
 void note_place(std::size_t which, long count) {
   static std::mutex mutex;
@@ -57,7 +62,7 @@ void note_place(std::size_t which, long count) {
   Place place{};
   backtrace(place.data(), place.size());
   const std::lock_guard lock(mutex);
-  first_calls[which].emplace(place, count);
+  first_calls()[which].emplace(place, count);
   is_noting = false;
 }
 
@@ -91,7 +96,7 @@ struct AtTheEnd {
     if (file == nullptr) return;
     for (std::size_t k = 0; k < kNames.size(); ++k) {
       std::fprintf(file, "%s %ld", kNames[k], counts[k].load());
-      for (const auto& [place, count] : first_calls[k]) std::fprintf(file, " %ld", count);
+      for (const auto& [place, count] : first_calls()[k]) std::fprintf(file, " %ld", count);
       std::fputs("\n", file);
     }
     std::fclose(file);

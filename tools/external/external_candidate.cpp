@@ -197,7 +197,7 @@ class Conversation {
           {},
           !introduction_heard_,
           line};
-      if (is_lasting(words.kind)) {
+      if (is_lasting(words.kind) && !is_asked_anew_) {
         external_.answers->keep(request.body(), {words.words, words.kind,
                                                  external_.program.spent->seconds_since(before)});
       }

@@ -154,7 +154,7 @@ WrongAnswer wrong_answer(const Discrepancy& d) {
   return answer;
 }
 
-bool is_right_when_first(const FailedCase& failed, const Examinee& who) {
+bool keeps_state(const FailedCase& failed, const Examinee& who) {
   if (failed.failure || !who.candidate.restart) return false;
   const auto is_right = [&](const Case& asked) {
     Trial trial(asked, who.candidate, who.options());

@@ -109,7 +109,7 @@ properties::Case simplest(const FailedCase& first, const Examinee& who,
 /// Whether the candidate answers wrongly about the place where it broke a law, as it runs, and
 /// rightly as a fresh process. False where it gave no answer, and of renderers, which start for
 /// each scene.
-bool is_right_when_first(const FailedCase& failed, const Examinee& who);
+bool keeps_state(const FailedCase& failed, const Examinee& who);
 
 /// The report on a case, `first` being how it first failed; empty if it does not break the law any
 /// more.

@@ -231,7 +231,7 @@ class Judge {
     for (std::size_t k = 0; k < trials.size(); ++k) {
       if (trials[k].failed.empty()) continue;
       const FailedCase& first = trials[k].failed.front();
-      if (!is_right_when_first(first, examinee(rubric_.items[k]))) continue;
+      if (!keeps_state(first, examinee(rubric_.items[k]))) continue;
       trials[k].grade.mistakes = {{{std::string(properties::kKeepsState)}}};
       trials[k].grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
       trials[k].failed.clear();
