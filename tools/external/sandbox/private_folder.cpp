@@ -81,10 +81,14 @@ fs::path readable_copy(const fs::path& path) {
   const std::lock_guard lock(mutex);
   const auto [copy, is_new] = copies.try_emplace(path);
   const fs::path to = copy->second.path() / path.filename();
-  if (is_new) {
+  if (!is_new) return to;
+  try {
     open_to_others(copy->second.path());
     fs::copy(path, to, fs::copy_options::recursive);
     open_to_others(to);
+  } catch (...) {
+    copies.erase(copy);  // a part of it is no copy
+    throw;
   }
   return to;
 }
