@@ -18,11 +18,6 @@ std::filesystem::path folder() {
   return std::filesystem::path(RAYCHECK_SOURCE_DIR) / "tests" / "regressions";
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 Case load(const std::string& stem) {
   Case result{scene::load_scene(folder() / (stem + ".toml")).scene, {}};
   if (result.scene.camera) result.pixels = all_pixels(*result.scene.camera);
@@ -115,7 +110,7 @@ std::set<std::string> broken_laws(const Case& the_case, const Candidate& candida
 TEST(Regressions, SayWhyTheyAreHard) {
   EXPECT_GE(stems().size(), 20u);
   for (const std::string& stem : stems()) {
-    const std::string text = text_of(folder() / (stem + ".toml"));
+    const std::string text = contents(folder() / (stem + ".toml"));
     EXPECT_EQ(text.substr(0, 2), "# ") << stem;
     EXPECT_GT(text.find('\n'), 30u) << stem;
   }
@@ -186,7 +181,7 @@ TEST_P(WorstKnown, IsAsFarOffAsItSaysAndWithinTheBound) {
   const bool makes_rays = stem.rfind("rays-", 0) == 0;
   const Candidate candidate = candidate_named(makes_rays ? method + "/cross" : "direct/" + method);
   const std::filesystem::path path = folder() / "worst" / (stem + ".toml");
-  const std::string text = text_of(path);
+  const std::string text = contents(path);
   const Case the_case{scene::load_scene(path).scene, pixels_named_in(text)};
   Trial trial(the_case, candidate, {.conditioning = true});
   const Verdict verdict = apply(*find_law(makes_rays ? "direction" : "parameter"), trial);

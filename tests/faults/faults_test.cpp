@@ -37,7 +37,7 @@ class FaultyGrading {
   }
 
   Outcome grade(const std::string& out) const {
-    return grading_.try_to_grade(rubric_, folders_, out, "--jobs 1 --format json");
+    return grading_.grade(rubric_, folders_, out, "--jobs 1 --format json", {});
   }
 
   /// The same, with a fault.

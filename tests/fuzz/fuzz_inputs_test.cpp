@@ -14,9 +14,7 @@ int run_on(const FuzzTarget& target, const fs::path& folder) {
   if (!fs::exists(folder)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
-    std::ifstream file(entry.path(), std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_NO_THROW(target.run(bytes)) << target.name << ": " << entry.path();
+    EXPECT_NO_THROW(target.run(contents(entry.path()))) << target.name << ": " << entry.path();
     ++files;
   }
   return files;

@@ -41,10 +41,8 @@ class Consumers : public testing::Test {
   }
 
   static std::size_t lines_of(const fs::path& path) {
-    std::ifstream file(path);
-    std::size_t lines = 0;
-    for (std::string line; std::getline(file, line);) lines += line.empty() ? 0 : 1;
-    return lines;
+    const std::vector<std::string> lines = raycheck::lines_of(contents(path));
+    return lines.size() - std::count(lines.begin(), lines.end(), "");
   }
 };
 
@@ -81,12 +79,12 @@ TEST_F(Consumers, OfGoogleTestPassAndSeeFiveMistakes) {
 /// The page has the examples' text, and what they print.
 TEST_F(Consumers, AreAsThePageShowsThem) {
   const fs::path source = RAYCHECK_SOURCE_DIR;
-  const std::string page = text_of(source / "docs/library.md");
+  const std::string page = contents(source / "docs/library.md");
   for (const char* file : {"consumer-gtest/CMakeLists.txt", "consumer-gtest/tracer_test.cpp",
                            "consumer-fuzz/tracer_fuzz.cpp"}) {
-    EXPECT_TRUE(has(page, "\n" + text_of(source / "examples" / file) + "```")) << file;
+    EXPECT_TRUE(has(page, "\n" + contents(source / "examples" / file) + "```")) << file;
   }
-  const std::string tracer = text_of(source / "examples/tracer.h");
+  const std::string tracer = contents(source / "examples/tracer.h");
   const std::size_t from = tracer.find("inline raycheck::Candidate tracer()");
   EXPECT_TRUE(has(page, tracer.substr(from, tracer.find("\n}\n", from) - from)));
   const std::string test = (built("consumer-gtest") / "tracer_test").string();
@@ -192,15 +190,14 @@ TEST_F(Consumers, SeeNothingButTheInterface) {
   const Ended symbols =
       shell("nm -D --defined-only -C $(find " + prefix().string() + " -name libraycheck.so.0)");
   ASSERT_EQ(symbols.code, 0) << symbols.text;
-  std::istringstream lines(symbols.text);
-  std::size_t count = 0;
-  for (std::string line; std::getline(lines, line); ++count) {
+  const std::vector<std::string> lines = raycheck::lines_of(symbols.text);
+  for (const std::string& line : lines) {
     for (const char* hidden : {"raycheck::scene::", "raycheck::reference::", "raycheck::fast::",
                                "raycheck::properties::", "raycheck::tools::", "CGAL", "nlohmann"}) {
       EXPECT_FALSE(has(line, hidden));
     }
   }
-  EXPECT_GT(count, 30u);
+  EXPECT_GT(lines.size(), 30u);
 }
 
 }  // namespace

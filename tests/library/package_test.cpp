@@ -105,7 +105,7 @@ TEST_F(NightlyPackage, HasWhatItIsFor) {
   }
   for (const std::string& package : kPackages) {
     const fs::path documents = prefix() / "share/doc" / package;
-    EXPECT_TRUE(has(text_of(documents / "copyright"), "License: Expat"));
+    EXPECT_TRUE(has(raycheck::contents(documents / "copyright"), "License: Expat"));
     EXPECT_TRUE(fs::exists(documents / "changelog.gz")) << package;
   }
 }

@@ -24,14 +24,6 @@ inline Ended shell(const std::string& command) {
   return ended;
 }
 
-/// The text of a file; empty where there is none.
-inline std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// Builds an example of an installed tree in a folder, as its CMakeLists.txt says.
 inline Ended build_example(const std::filesystem::path& prefix, const std::string& name,
                            const std::filesystem::path& to, const std::string& options = "") {

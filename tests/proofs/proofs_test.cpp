@@ -45,7 +45,7 @@ TEST(Bounds, AreProvedOfTheFormulasAsTheyAre) {
     const fs::path file = kScripts / (std::string(bound.name) + ".gappa");
     names.insert(file.filename());
     const std::string script = commented(bound);
-    EXPECT_EQ(text_of(file), script) << bound.name;
+    EXPECT_EQ(contents(file), script) << bound.name;
     if (has_gappa()) {
       EXPECT_EQ(complaint(script), "") << bound.name;
     }
@@ -161,9 +161,9 @@ TEST(Identities, HoldForAllReals) {
   EXPECT_EQ(names.size(), kMistakes.size());
   // The constants of the code's, as the identities have them.
   using namespace reference;
-  const std::string by_roots = text_of(kIdentities / "filter_by_roots.smt2"),
-                    root = text_of(kIdentities / "filter_root.smt2"),
-                    miss = text_of(kIdentities / "filter_miss.smt2");
+  const std::string by_roots = contents(kIdentities / "filter_by_roots.smt2"),
+                    root = contents(kIdentities / "filter_root.smt2"),
+                    miss = contents(kIdentities / "filter_miss.smt2");
   EXPECT_TRUE(has(by_roots, fmt::format("(* {} B Eb)", kSquareShare)));
   EXPECT_TRUE(has(by_roots, fmt::format("(* {0} (size ch) Ea) (* {0} rc A)", kProductShare)));
   EXPECT_TRUE(has(root, fmt::format("(* {} x x)", kDecidedBeyond)));
@@ -177,7 +177,7 @@ TEST(Identities, AreNotFoundOfWrongSigns) {
   int counterexamples = 0;
   for (const auto& [name, mistake] : kMistakes) {
     const auto& [right, wrong] = mistake;
-    const std::string text = text_of(kIdentities / (name + ".smt2"));
+    const std::string text = contents(kIdentities / (name + ".smt2"));
     ASSERT_EQ(text.find(right), text.rfind(right)) << name;
     std::ofstream(changed) << replaced(text, right, wrong);
     const std::string found = shell(solver() + "'" + changed.string() + "'").text;

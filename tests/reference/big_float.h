@@ -4,7 +4,6 @@
 // lose nothing that matters, and none of reference/'s own arithmetic.
 
 #include <boost/multiprecision/mpfr.hpp>
-#include <cstring>
 
 #include "reference/enclosure.h"
 #include "tests/numbers.h"
@@ -29,16 +28,10 @@ inline Big halfway(double value, double towards) {
   return (real(value) + real(std::nextafter(value, towards))) / 2;
 }
 
-inline bool is_even(double value) {
-  std::uint64_t pattern = 0;
-  std::memcpy(&pattern, &value, sizeof pattern);
-  return (pattern & 1) == 0;
-}
-
 /// Whether `value` is the double nearest to x: ties to even, overflow to infinity.
 inline bool is_nearest(double value, const Big& x) {
   if (std::isnan(value)) return false;
-  const bool even = is_even(value);
+  const bool even = std::bit_cast<std::uint64_t>(value) % 2 == 0;
   if (value != -kInfinity) {
     const Big low = halfway(value, -kInfinity);
     if (even ? x < low : x <= low) return false;

@@ -45,11 +45,7 @@ std::vector<std::string> ask_oracle(const std::vector<Asked>& cases) {
   const std::string command = "python3 '" RAYCHECK_SOURCE_DIR "/tests/reference/oracle.py' < '" +
                               base + ".in' > '" + base + ".out'";
   EXPECT_EQ(std::system(command.c_str()), 0) << "python3 is needed: " << command;
-  std::vector<std::string> lines;
-  {
-    std::ifstream in(base + ".out");
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-  }
+  const std::vector<std::string> lines = lines_of(contents(base + ".out"));
   std::filesystem::remove(base + ".in");
   std::filesystem::remove(base + ".out");
   return lines;

@@ -2,8 +2,6 @@
 
 // Cameras, rays and spheres for the tests of reference/: small integers, ordinary sizes, all sizes.
 
-#include <cstring>
-
 #include "properties/cases/random.h"
 #include "reference/exact_ray.h"
 #include "scene/camera.h"
@@ -28,9 +26,7 @@ inline double any_double(Random& random) {
   if (random.one_in(16)) return random.sign() * kLargest;
   if (random.one_in(4)) return random.small_integer(3);
   for (;;) {
-    const std::uint64_t pattern = random.bits();
-    double value = 0;
-    std::memcpy(&value, &pattern, sizeof value);
+    const auto value = std::bit_cast<double>(random.bits());
     if (std::isfinite(value)) return value;
   }
 }

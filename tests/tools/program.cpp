@@ -85,25 +85,11 @@ pid_t start_shell(const std::string& command) {
   _exit(127);
 }
 
-std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 std::string behind(const std::string& label, const std::string& text) {
   const std::size_t at = text.find(label);
   if (at == std::string::npos) return "";
   const std::size_t begin = at + label.size();
   return text.substr(begin, text.find('\n', begin) - begin);
-}
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
 }
 
 std::string camera_text(std::int64_t width, std::int64_t height, double window, double depth) {

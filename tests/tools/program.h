@@ -90,14 +90,8 @@ class Variable {
   std::optional<std::string> before_;
 };
 
-/// The text of a file; empty when there is none.
-std::string contents(const std::string& path);
-
 /// What stands behind a label to the end of the line; empty where there is no such label.
 std::string behind(const std::string& label, const std::string& text);
-
-/// The lines of a text, without their ends.
-std::vector<std::string> lines_of(const std::string& text);
 
 /// The start of a TOML scene: a camera at the origin that looks along -z at a window from -window
 /// to window, near = -depth.

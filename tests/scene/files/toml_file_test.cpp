@@ -259,12 +259,6 @@ TEST(ValidRootsFile, IsRefusedWhereItMakesNoSense) {
   }
 }
 
-std::string repeated(const std::string& text, std::size_t times) {
-  std::string all;
-  for (std::size_t k = 0; k < times; ++k) all += text;
-  return all;
-}
-
 TEST(HostileToml, has_a_limit_of_parts_of_a_key) {
   const std::string refused = ": nesting: more than 32 parts of a key; at most 32 are read";
   for (const std::size_t parts : {std::size_t{33}, std::size_t{40000}, std::size_t{1000000}}) {

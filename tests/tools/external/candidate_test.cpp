@@ -250,21 +250,6 @@ TEST(Candidate, says_which_limit_it_met_and_why_it_ended) {
   expect_parts(says("MemoryError"), {"at most 4096 MiB of memory (--memory)"});
 }
 
-TEST(Candidate, that_declares_what_there_is_not_is_told_its_own_number) {
-  expect_parts(
-      refusal_of("source:" + temporary_file("seven.cpp", R"(#include <raycheck/candidate.hpp>
-using namespace raycheck;
-static std::optional<Hit> intersect(const Ray&, const Sphere&, const Conventions&) { return {}; }
-RAYCHECK_CANDIDATE(.rows = static_cast<Rows>(7), .intersect = intersect)
-)")),
-      {"no such rows: 7"});
-}
-
-TEST(Candidate, that_is_a_folder_in_place_of_a_library_is_refused) {
-  expect_parts(refusal_of("library:tests"),
-               {"--candidate library:tests: it is no file: give a shared library"});
-}
-
 TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
   const std::string candidate = "--candidate 'command:python3 tests/candidates/right.py'";
   run("properties --filter nearest-root --source rays --cases 60 " + candidate, 0);
@@ -367,9 +352,14 @@ TEST(Candidate, is_kept_as_asked) {
   }
 }
 
-TEST(Candidate, that_is_not_built_or_offers_nothing_is_refused) {
+TEST(Candidate, that_is_not_built_or_offers_or_declares_what_there_is_not_is_refused) {
+  const std::string declaring =
+      "#include <raycheck/candidate.hpp>\nusing namespace raycheck;\nRAYCHECK_CANDIDATE(";
   for (const auto& [text, why] :
-       {std::pair("int main( {\n", "error: "), {"int x;\n", "raycheck_candidate_functions"}}) {
+       {std::pair<std::string, const char*>("int main( {\n", "error: "),
+        {"int x;\n", "raycheck_candidate_functions"},
+        {declaring + ".rows = static_cast<Rows>(7))\n", "no such rows: 7"},
+        {declaring + ".precision = static_cast<Precision>(7))\n", "no such precision: 7"}}) {
     const std::string source = temporary_file("broken.cpp", text);
     expect_refused("check " + kRays + " --candidate source:" + source, why);
   }

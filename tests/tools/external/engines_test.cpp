@@ -16,10 +16,9 @@ void expect_judged(const std::string& library, const std::string& precision) {
 
 /// The lines below a command of docs/candidates.md, up to the next or the end of the block.
 std::vector<std::string> shown_below(const std::string& command) {
-  std::ifstream page(std::string(RAYCHECK_SOURCE_DIR) + "/docs/candidates.md");
   std::vector<std::string> lines;
   bool inside = false;
-  for (std::string line; std::getline(page, line);) {
+  for (const std::string& line : lines_of(contents(RAYCHECK_SOURCE_DIR "/docs/candidates.md"))) {
     if (inside && (line.starts_with("$ ") || line.starts_with("```"))) break;
     if (inside) lines.push_back(line);
     inside = inside || line == "$ raycheck " + command;

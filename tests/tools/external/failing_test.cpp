@@ -132,9 +132,8 @@ struct Place {
 std::map<std::string, Place> named_lines() {
   std::map<std::string, Place> found;
   for (const char* const file : {kDies.c_str(), "tests/candidates/dies_elsewhere.h"}) {
-    std::istringstream text(contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + file));
     int number = 0;
-    for (std::string line; std::getline(text, line);) {
+    for (const auto& line : lines_of(contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + file))) {
       ++number;
       const std::string mark = "// dies: ";
       const std::size_t at = line.find(mark);

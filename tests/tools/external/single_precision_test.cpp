@@ -74,15 +74,6 @@ TEST(SinglePrecision, of_a_renderer_is_an_option) {
   EXPECT_GT(single["quantities"][0]["cases"], 1000);
 }
 
-TEST(SinglePrecision, that_is_none_is_refused) {
-  const std::string source =
-      temporary_file("bad.cpp",
-                     "#include <raycheck/candidate.hpp>\nusing namespace raycheck;\n"
-                     "RAYCHECK_CANDIDATE(.precision = static_cast<Precision>(7))\n");
-  expect_refused("check scene/examples/lecture-examples.toml --candidate source:" + source,
-                 "no such precision: 7");
-}
-
 /// The scene of a report is one of floats.
 void expect_floats(const std::string& toml) {
   const scene::Scene scene = scene::load_scene(temporary_file("found.toml", toml)).scene;

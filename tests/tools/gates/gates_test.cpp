@@ -147,24 +147,17 @@ TEST(Annotations, AreAtTheLineAtWhichTheCandidateDiedOrElseAtItsSource) {
   EXPECT_EQ(location, (json{{"path", "src/sphere.h"}, {"lines", {{"begin", 42}}}}));
 }
 
-/// A candidate that answers far roots, in the files of a run.
-class GateOfARun : public testing::Test {
- protected:
-  std::string file(const std::string& name) const { return folder_ + "/" + name; }
-  std::string asked() const {
-    return "properties --candidate library:" + candidate_ + " --cases 60 --source rays";
-  }
-
-  const std::string folder_ = temporary_folder("gate");
-  std::string candidate_ = built_submission("rays.cpp", "far_root", folder_);
-};
-
-TEST_F(GateOfARun, WritesEveryReportBesideWhatItPrints) {
-  std::string options;
+TEST(GateOfARun, WritesEveryReportBesideWhatItPrints) {
+  const std::string folder = temporary_folder("gate");
+  const auto file = [&](const std::string& name) { return folder + "/" + name; };
+  std::string options = " --cases 60 --source rays";
   for (const char* kind : {"json", "junit", "markdown", "github", "gitlab-codequality", "text"}) {
     options += std::string(" --report ") + kind + "=" + file(kind);
   }
-  const Outcome outcome = run(asked() + options, 1);
+  const Outcome outcome =
+      run("properties --candidate library:" + built_submission("rays.cpp", "far_root", folder) +
+              options,
+          1);
   EXPECT_EQ(outcome.out, contents(file("text")));
   const json report = json::parse(contents(file("json")));
   std::size_t broken = 0;

@@ -44,11 +44,10 @@ class Grading {
   std::string short_rubric(const std::string& keys, const std::string& items,
                            const std::string& name = "short.toml") const;
 
-  /// Grades into the folder `out`, which ends with 0; the other may end otherwise.
+  /// Grades into the folder `out`, which ends so.
   Outcome grade(const std::string& rubric, const std::vector<std::string>& submissions,
-                const std::string& out = "out", const std::string& more = "") const;
-  Outcome try_to_grade(const std::string& rubric, const std::vector<std::string>& submissions,
-                       const std::string& out = "out", const std::string& more = "") const;
+                const std::string& out = "out", const std::string& more = "",
+                std::optional<int> exit_code = 0) const;
   /// The arguments of the same.
   std::string arguments(const std::string& rubric, const std::vector<std::string>& submissions,
                         const std::string& out, const std::string& more = "") const;

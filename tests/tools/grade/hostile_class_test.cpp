@@ -48,8 +48,7 @@ TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   all.insert(all.begin(), fills);
   const Outcome alone = grading.grade(rubric, innocents, "alone");
   const Variable temporary("TMPDIR", disk.path());
-  const Outcome together = grading.try_to_grade(rubric, all, "together", "--jobs 2");
-  EXPECT_EQ(together.exit_code, 4) << together.out << together.err;
+  const Outcome together = grading.grade(rubric, all, "together", "--jobs 2", 4);
   expect_parts(together.out, {"less than 256 MiB of disk left",
                               "1 of them for causes outside: the same command tries again"});
   EXPECT_FALSE(grading.result("fills", "together")["finished"]);
@@ -124,19 +123,14 @@ TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alo
 
 constexpr std::size_t kMany = 200000;
 
-std::string repeated(const std::string& text) {
-  std::string all;
-  for (std::size_t k = 0; k < kMany; ++k) all += text;
-  return all;
-}
-
 TEST(HostileIntake, is_not_ended_by_what_is_nested_deeply_or_has_many_spaces) {
   const Grading grading;
-  const std::string spaces = repeated(" ");
+  const std::string spaces = repeated(" ", kMany);
   const std::pair<const char*, std::string> files[] = {
-      {"a.ipynb",
-       R"({"cells":[{"cell_type":"code","source":)" + repeated("[") + repeated("]") + "}]}"},
-      {"package.json", R"({"bin":)" + repeated(R"({"a":)") + "1" + repeated("}") + "}"},
+      {"a.ipynb", R"({"cells":[{"cell_type":"code","source":)" + repeated("[", kMany) +
+                      repeated("]", kMany) + "}]}"},
+      {"package.json",
+       R"({"bin":)" + repeated(R"({"a":)", kMany) + "1" + repeated("}", kMany) + "}"},
       {"A.java", "public" + spaces + "static" + spaces + "void" + spaces + "x\nclass" + spaces +
                      "{ \n package" + spaces},
       {"a.cpp", "int" + spaces + "main" + spaces + "(\n#include" + spaces + "<x\n"}};
@@ -148,8 +142,7 @@ TEST(HostileIntake, is_not_ended_by_what_is_nested_deeply_or_has_many_spaces) {
   }
   // They are no submissions, and that is said.
   const Outcome outcome =
-      grading.try_to_grade("lecture7.toml", folders, "out", "--probe --sandbox available");
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+      grading.grade("lecture7.toml", folders, "out", "--probe --sandbox available", 1);
   expect_parts(outcome.out, {"4 submissions tried, 4 could not be judged"});
 }
 

@@ -103,8 +103,7 @@ TEST_F(Package, brings_the_libraries_that_only_raycheck_needs) {
   const std::string bin = grading.path("root/source/raycheck/libexec/raycheck/");
   std::size_t brought = 0;
   for (const char* program : {"raycheck-grade", "raycheck-jail", "raycheck-worker"}) {
-    std::istringstream lines(said_by("ldd '" + bin + program + "'"));
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_of(said_by("ldd '" + bin + program + "'"))) {
       std::istringstream words(line);
       std::string name, arrow, path;
       words >> name >> arrow >> path;

@@ -24,7 +24,7 @@ class Probe : public testing::Test {
  protected:
   Outcome probe(const std::string& rubric, const std::vector<std::string>& submissions,
                 const std::string& more = "") const {
-    return grading_.try_to_grade(rubric, submissions, "out", "--probe " + (kLimitsOnly + more));
+    return grading_.grade(rubric, submissions, "out", "--probe " + (kLimitsOnly + more), {});
   }
   /// Submissions, as JSON.
   json probed(const std::vector<std::string>& folders,
@@ -228,22 +228,12 @@ TEST_F(Probe, prefers_of_the_forms_that_are_read_the_one_that_leaves_nothing_uns
 }
 
 TEST_F(Probe, says_what_draws_differently_each_time) {
-  // As renderer_in_python() the first time, then black.
-  std::string discs;
-  for (int k = 0; k < 625; ++k) {
-    const int x = std::abs(2 * (k % 25) - 24), y = std::abs(2 * (k / 25) - 24);
-    const int far = std::max(x, y), near = std::min(x, y);
-    const bool is_seen = far * far + near * near < 25 || (far - 15) * (far - 15) + near * near < 33;
-    discs += is_seen ? "9 9 9\n" : "0 0 0\n";
-  }
-  const std::string once = grading_.path("once");
-  grading_.hand_in("unsteady", "discs.txt", discs);
-  const json unsteady =
-      probed({grading_.hand_in("unsteady", "rt.sh",
-                               "if [ ! -e " + once + " ]; then : > " + once +
-                                   "; { echo P3 25 25 255; cat discs.txt; } > \"$2\"; exit; fi\n" +
-                                   kBlackPicture)},
-             one_form("2019"))[0];
+  // The first time, then black.
+  const std::string once = "'" + grading_.path("once") + "'";
+  const std::string black =
+      "if os.path.exists(" + once + "): colour = [0, 0, 0]\nopen(" + once + ", 'w').close()\n";
+  const json unsteady = probed({grading_.hand_in("unsteady", "rt.py", renderer_in_python(black))},
+                               one_form("2019"))[0];
   EXPECT_EQ(unsteady["dry_run"]["shows_a_sphere"], true);
   expect_parts(unsteady["notes"].dump(), {"it draws differently each time", "not initialised"});
 }

@@ -127,8 +127,7 @@ TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
   for (const auto& [part, instead, said] : kWrong) {
     const std::string text = replaced(kRubric, part, instead);
     const std::string rubric = grading.write("rubric.toml", text);
-    const Outcome outcome = grading.try_to_grade(rubric, {folder});
-    EXPECT_EQ(outcome.exit_code, 2) << text;
+    const Outcome outcome = grading.grade(rubric, {folder}, "out", "", 2);
     EXPECT_EQ(outcome.err.rfind("raycheck: " + rubric + ":", 0), 0u) << outcome.err;
     expect_parts(outcome.err, {said});
     EXPECT_EQ(outcome.out, "");

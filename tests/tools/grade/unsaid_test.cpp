@@ -13,27 +13,14 @@ awk '$1 == "bounds" && $2 != -$3 { exit 1 }' "$1" || exit 77
 exec $program "$1" "$2"
 )";
 
-/// It draws what the dry run asks, and says of all else that it cannot be said.
-constexpr const char* kDull = R"(grep -q '^res 25 25' "$1" || exit 77
-awk 'function size(x) { return x < 0 ? -x : x }
-BEGIN {
-  print "P3 25 25 255"
-  for (k = 0; k < 625; ++k) {
-    x = size(2 * (k % 25) - 24); y = size(2 * int(k / 25) - 24)
-    far = x > y ? x : y; near = x + y - far
-    c = far ^ 2 + near ^ 2 < 25 || (far - 15) ^ 2 + near ^ 2 < 33 ? 255 : 0
-    print c, c, c
-  }
-}' > "$2"
-)";
-
 class Unsaid : public GradingTest {
  protected:
   Unsaid() {
     grading.write("uneven.toml",
                   replaced(contents(grading.path("full.toml")), "right = 1", "right = 2"));
     grading.write("submissions/right/main.py", renderer_in_python());
-    grading.write("submissions/dull/rt.sh", kDull);
+    // It draws what the dry run asks, and says of all else that it cannot be said.
+    grading.write("submissions/dull/rt.py", renderer_in_python("if h != 25: sys.exit(77)\n"));
     wrapper_ = grading.write("wrapper/wrap.sh", kWrapper);
   }
 
@@ -83,7 +70,7 @@ TEST_F(Unsaid, cases_are_never_so_by_the_word_of_whom_is_judged) {
   grade("dull", "{program}", kLimitsOnly);
   EXPECT_EQ(points("dull"), (std::vector<double>{0, 20}));
   expect_parts(grading.file("dull", "report.html"), {"exited with 77"});
-  const std::string last_two = "while [ $# -gt 2 ]; do shift; done; exec sh rt.sh $1 $2";
+  const std::string last_two = "while [ $# -gt 2 ]; do shift; done; exec python3 rt.py $1 $2";
   grade("dull", "sh -c '" + last_two + "' sh {program}", kLimitsOnly);
   EXPECT_EQ(points("dull"), (std::vector<double>{0, 20})) << "it lies where the command runs";
 }

@@ -65,7 +65,7 @@ std::vector<std::vector<double>> values_of(const std::vector<Written>& written, 
                         tests::temporary_file("typeset", text) + "'");
   EXPECT_EQ(worked_out.exit_code, 0) << "python3 is needed: " << worked_out.err;
   std::vector<std::vector<double>> values;
-  for (const std::string& line : tests::lines_of(worked_out.out)) {
+  for (const std::string& line : lines_of(worked_out.out)) {
     std::istringstream words(line);
     std::vector<double>& row = values.emplace_back();
     for (std::string word; words >> word;) row.push_back(std::strtod(word.c_str(), nullptr));

@@ -387,13 +387,6 @@ TEST(Shards, refuse_what_is_no_shard) {
   expect_refused(kAsked + out, "CI_NODE_INDEX=0: there is no shard 0 of 2");
 }
 
-TEST(Shards, that_measure_times_there_are_none) {
-  for (const char* command : {"tradeoff", "plan scene/examples/ten-spheres.toml"}) {
-    const Outcome outcome = run(std::string(command) + " --shard 1/2", 2);
-    EXPECT_TRUE(has(outcome.err, "--shard")) << outcome.err;
-  }
-}
-
 const tools::CampaignIdentity kCampaign = {"properties", {"--cases", "2"}, "1", {}};
 
 TEST(Units, are_each_done_by_one_shard) {
