@@ -18,14 +18,6 @@ PREFERENCES = {"webgl.force-enabled": True, "marionette.port": 0, "datareporting
                "network.captive-portal-service.enabled": False, "app.update.disabledForTesting": True}
 
 
-def missing():
-    """Which program is not there, as a sentence; None: all are."""
-    for names, package in ((("firefox-esr", "firefox"), "firefox-esr"), (("Xvfb",), "xvfb")):
-        if not any(map(shutil.which, names)):
-            return f"there is no {' or '.join(names)} here: apt-get install {package}"
-    return None
-
-
 class Firefox:
     """One window of a browser of its own. Errors of the protocol are RuntimeErrors."""
 

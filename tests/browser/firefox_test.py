@@ -4,6 +4,7 @@ import unittest
 
 import firefox
 import pages
+import webdriver
 from eye import DRAWN
 from pages import ROOT, page_of, ran, temporary
 
@@ -14,7 +15,7 @@ ASKED = "return performance.getEntriesByType('resource').map((one) => one.name)"
 class InFirefox(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        if reason := firefox.missing():
+        if reason := webdriver.missing(("firefox-esr firefox", "Xvfb"), "firefox-esr xvfb"):
             raise unittest.SkipTest(reason)
         try:
             cls.browser = firefox.Firefox()

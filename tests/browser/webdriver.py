@@ -14,11 +14,11 @@ KEYS = {"ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "Arr
 SCRIPT_SECONDS = 600  # a backstop: pages open in seconds, on a busy machine in minutes
 
 
-def missing():
-    """Which program is not there, as a sentence; None: all are."""
-    for names in (("chromedriver",), ("chromium", "google-chrome")):
+def missing(needs=("chromedriver", "chromium google-chrome"), packages="chromium chromium-driver"):
+    """Which program is not there, as a sentence; None: all are, each by one of its names."""
+    for names in map(str.split, needs):
         if not any(map(shutil.which, names)):
-            return f"there is no {' or '.join(names)} here: apt-get install chromium chromium-driver"
+            return f"there is no {' or '.join(names)} here: apt-get install {packages}"
     return None
 
 

@@ -80,6 +80,13 @@ std::vector<Dull> dull_classes(const Candidate& right) {
 }
 
 std::vector<Dull> dull_values(const Candidate& right) {
+  const auto always = [&](std::string name, HitAnswer hit) {
+    return knowing_the_class(right, std::move(name), [hit](const Ray&) { return hit; });
+  };
+  const auto of_line = [&](std::string name, reference::WhichRoot root) {
+    return answering(right, std::move(name),
+                     [root](const auto&... asked) { return root_of_line(asked..., root); });
+  };
   return {
       {"every hit is where the ray starts, s = 0",
        {"parameter", "hit-point", "backward-error", "nearest-sphere"},
@@ -89,28 +96,16 @@ std::vector<Dull> dull_values(const Candidate& right) {
                          })},
       {"every hit is at the world's origin, s = 1",
        {"parameter", "hit-point", "backward-error", "nearest-sphere"},
-       knowing_the_class(right, "knows-hits-at-the-origin",
-                         [](const Ray&) {
-                           return HitAnswer{1, {}};
-                         })},
+       always("knows-hits-at-the-origin", {1, {}})},
       {"no number says where a hit is",
        {"parameter", "hit-point", "backward-error"},
-       knowing_the_class(right, "knows-hits-at-NaN",
-                         [](const Ray&) {
-                           return HitAnswer{kNaN, {kNaN, kNaN, kNaN}};
-                         })},
+       always("knows-hits-at-NaN", {kNaN, {kNaN, kNaN, kNaN}})},
       {"the far root of the line, whatever its sign",
        {"nearest-root", "class"},
-       answering(right, "far-root",
-                 [](const Ray& ray, const Sphere& sphere, const Conventions& asked) {
-                   return root_of_line(ray, sphere, asked, reference::WhichRoot::kLarger);
-                 })},
+       of_line("far-root", reference::WhichRoot::kLarger)},
       {"the near root of the line, whatever its sign",
        {"nearest-root", "class"},
-       answering(right, "near-root",
-                 [](const Ray& ray, const Sphere& sphere, const Conventions& asked) {
-                   return root_of_line(ray, sphere, asked, reference::WhichRoot::kSmaller);
-                 })},
+       of_line("near-root", reference::WhichRoot::kSmaller)},
       {"a random answer, the same to the same question",
        {"class", "parameter", "hit-point", "backward-error", "nearest-sphere", "scaling", "axes",
         "growing-radius", "focal-and-pixel"},

@@ -2,19 +2,12 @@
 
 #include <stdlib.h>
 
-#include <filesystem>
-#include <fstream>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "properties/search/campaign.h"
 #include "properties/search/worst_case.h"
 #include "scene/files/scene_file.h"
 #include "scene/text.h"
 #include "scene/validate.h"
+#include "tests/standard.h"
 #include "tools/external/protocol/protocol.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/report/picture_file.h"

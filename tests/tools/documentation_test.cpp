@@ -216,9 +216,8 @@ TEST(Documentation, lists_the_laws_and_the_packages_there_are) {
 }
 
 TEST(Documentation, shows_newcomers_a_candidate_that_is_there) {
-  const std::string root = RAYCHECK_SOURCE_DIR;
-  EXPECT_TRUE(has(contents(root + "/README.md"),
-                  "```cpp\n" + contents(root + "/examples/first/candidate.cpp") + "```"));
+  const std::string shown = contents(RAYCHECK_SOURCE_DIR "/examples/first/candidate.cpp");
+  EXPECT_TRUE(has(contents(RAYCHECK_SOURCE_DIR "/README.md"), "```cpp\n" + shown + "```"));
 }
 
 /// Who reads on from README.md finds every page: none is missing there, and no link leads nowhere.

@@ -156,12 +156,11 @@ TEST(Candidate, is_right_as_a_project_that_finds_eigen) {
 TEST(Candidate, is_right_in_java) {
   if (!is_installed("javac")) GTEST_SKIP() << "Java is not installed";
   const std::string folder = temporary_folder("java");
-  const std::string root = RAYCHECK_SOURCE_DIR;
-  ASSERT_EQ(std::system(("javac -d " + folder + " " + root +
-                         "/tools/external/adapters/RaycheckCandidate.java " + root +
-                         "/tests/candidates/Right.java")
-                            .c_str()),
-            0);
+  const std::string words = "javac -d " + folder +
+                            " " RAYCHECK_SOURCE_DIR
+                            "/tools/external/adapters/RaycheckCandidate.java " RAYCHECK_SOURCE_DIR
+                            "/tests/candidates/Right.java";
+  ASSERT_EQ(std::system(words.c_str()), 0);
   expect_right(kRays, "command:java -cp " + folder + " Right");
 }
 

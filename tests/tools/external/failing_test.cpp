@@ -215,9 +215,9 @@ TEST(FailingLine, is_told_whichever_way_it_dies) {
 TEST(FailingLine, is_told_of_what_cmake_builds) {
   const std::string folder = temporary_folder("lines_of_cmake");
   fs::create_directory(folder + "/src");
-  const std::string root = std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/";
-  fs::copy_file(root + "dies.cpp", folder + "/src/dies.cxx");
-  fs::copy_file(root + "dies_elsewhere.h", folder + "/src/dies_elsewhere.h");
+  fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/dies.cpp", folder + "/src/dies.cxx");
+  fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/dies_elsewhere.h",
+                folder + "/src/dies_elsewhere.h");
   write(folder + "/CMakeLists.txt",
         "cmake_minimum_required(VERSION 3.16)\nproject(dies CXX)\n"
         "set(CMAKE_CXX_STANDARD 20)\nadd_library(dies SHARED src/dies.cxx)\n");

@@ -209,10 +209,10 @@ TEST(ValidRoots, are_introduced_in_a_line) {
   EXPECT_EQ(own->unit, scene::TUnit::kRadius);
   EXPECT_EQ(own->culling, scene::Culling::kBackFaces);
   EXPECT_EQ(tools::roots_line(*own), "roots [) 0.0009765625 inf radius back-faces\n");
-  for (const char* wrong : {"roots\n", "roots [[ 0 1 absolute none\n",
-                            "roots [] 2 1 absolute none\n", "roots [] 0 1 metres none\n",
-                            "roots [] -1 1 absolute none\n", "roots [] 0 1 absolute none more\n"}) {
-    EXPECT_THROW(declared(wrong), tools::ProtocolError) << wrong;
+  for (const char* wrong :
+       {"", " [[ 0 1 absolute none", " [] 2 1 absolute none", " [] 0 1 metres none",
+        " [] -1 1 absolute none", " [] 0 1 absolute none more"}) {
+    EXPECT_THROW(declared("roots" + std::string(wrong) + "\n"), tools::ProtocolError) << wrong;
   }
 }
 

@@ -223,13 +223,12 @@ TEST_F(HostileSandbox, ThatFailsLaterIsNeverLeftOut) {
   fs::copy_file("/usr/bin/bwrap", grading.path("real"));
   ASSERT_EQ(chmod(grading.path("bwrap").c_str(), 0755), 0);
   ASSERT_EQ(chmod(grading.path("count").c_str(), 0666), 0);
-  const std::string root = RAYCHECK_SOURCE_DIR;
   const Outcome outcome = run_bash(
       grading.write("check.sh",
                     "exec unshare -m sh -c \"mount --bind '" + grading.path("bwrap") +
-                        "' /usr/bin/bwrap && exec '" RAYCHECK_BINARY "' check '" + root +
-                        "/scene/examples/lecture-examples.toml' --candidate 'command:python3 " +
-                        root + "/tests/candidates/right.py'\"\n"),
+                        "' /usr/bin/bwrap && exec '" RAYCHECK_BINARY "' check '" RAYCHECK_SOURCE_DIR
+                        "/scene/examples/lecture-examples.toml' --candidate "
+                        "'command:python3 " RAYCHECK_SOURCE_DIR "/tests/candidates/right.py'\"\n"),
       1);
   expect_parts(outcome.out, {"could not be started in its sandbox: bwrap: no room for "
                              "namespaces",

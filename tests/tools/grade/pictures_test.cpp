@@ -108,6 +108,10 @@ TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
         std::to_string(wrong) + " of " + std::to_string(width * height) + " pixels differ";
     EXPECT_TRUE(shown[2].alt.starts_with(counted)) << shown[2].alt;
     expect_parts(grading.file(mistake, "results.json"), {"\\n" + counted});
+    // The commands beside them are run by try_test.cpp.
+    expect_parts(grading.file(mistake, "report.html"),
+                 {"<pre class=\"command\">./" + mistake + ".rt seen.txt out.ppm</pre>",
+                  "<pre class=\"command\">raycheck try rubric.toml .</pre>"});
   }
   EXPECT_GE(colours.size(), 3u) << "black and two spheres";
 }
@@ -135,17 +139,6 @@ TEST_F(Pictures, that_are_withheld_are_not_there) {
     EXPECT_EQ(has(grading.file("mine", "results.json"), "pixels differ"), may_tell)
         << keys << ": Gradescope itself keeps what is shown late";
   }
-}
-
-/// The commands beside them are run by try_test.cpp.
-TEST_F(Pictures, are_the_same_later_with_commands_that_repeat_them) {
-  const std::string folder = grading.submit_built("mine", "rt.cpp", "mirrored");
-  grade_pictures(grading, {folder});
-  const std::string page = grading.file("mine", "report.html");
-  grading.grade(grading.path("rubric.toml"), {folder});
-  EXPECT_EQ(grading.file("mine", "report.html"), page);
-  expect_parts(page, {"<pre class=\"command\">./mirrored.rt seen.txt out.ppm</pre>",
-                      "<pre class=\"command\">raycheck try rubric.toml .</pre>"});
 }
 
 }  // namespace

@@ -67,12 +67,14 @@ TEST_F(Unsaid, cases_leave_the_total_and_every_page_says_how_many) {
 TEST_F(Unsaid, cases_are_never_so_by_the_word_of_whom_is_judged) {
   grade("dull", "sh " + wrapper_ + " {program}", kLimitsOnly);
   EXPECT_EQ(points("dull"), (std::vector<double>{0, 10})) << "the wrapper passes its code on";
-  grade("dull", "{program}", kLimitsOnly);
-  EXPECT_EQ(points("dull"), (std::vector<double>{0, 20}));
-  expect_parts(grading.file("dull", "report.html"), {"exited with 77"});
+  // And where it lies where the command runs.
   const std::string last_two = "while [ $# -gt 2 ]; do shift; done; exec python3 rt.py $1 $2";
-  grade("dull", "sh -c '" + last_two + "' sh {program}", kLimitsOnly);
-  EXPECT_EQ(points("dull"), (std::vector<double>{0, 20})) << "it lies where the command runs";
+  for (const std::string& words :
+       {std::string("{program}"), "sh -c '" + last_two + "' sh {program}"}) {
+    grade("dull", words, kLimitsOnly);
+    EXPECT_EQ(points("dull"), (std::vector<double>{0, 20})) << words;
+    expect_parts(grading.file("dull", "report.html"), {"exited with 77"});
+  }
 }
 
 }  // namespace

@@ -61,18 +61,6 @@ std::string example(const std::string& name) {
 const std::string kTangent =
     camera_text(65, 33) + sphere_text("1, 0, -5", "1") + sphere_text("1, 0, -5", "0.5");
 
-/// Scenes to compare pixel by pixel.
-std::vector<std::string> scenes() {
-  std::vector<std::string> paths;
-  for (const char* name :
-       {"example-6-top-first.toml", "example-6-bottom-first.toml", "sphere-behind-eye.toml",
-        "sphere-around-eye.toml", "sphere-between-eye-and-plane.toml", "ten-spheres.toml",
-        "far-sphere.toml", "grid-64.toml"}) {
-    paths.push_back(example(name));
-  }
-  return paths;
-}
-
 /// Degrees around the circle of colours.
 double hue(const std::array<std::uint8_t, 3>& colour) {
   const double x = colour[0] - 0.5 * colour[1] - 0.5 * colour[2];
@@ -82,7 +70,13 @@ double hue(const std::array<std::uint8_t, 3>& colour) {
 
 TEST(Image, says_of_every_pixel_what_it_sees_and_gives_every_sphere_a_colour_of_its_own) {
   std::size_t hits = 0, misses = 0;
-  std::vector<std::string> paths = scenes();
+  std::vector<std::string> paths;
+  for (const char* name :
+       {"example-6-top-first.toml", "example-6-bottom-first.toml", "sphere-behind-eye.toml",
+        "sphere-around-eye.toml", "sphere-between-eye-and-plane.toml", "ten-spheres.toml",
+        "far-sphere.toml", "grid-64.toml"}) {
+    paths.push_back(example(name));
+  }
   const std::string miss = "[conventions]\ntangent = \"miss\"\n" + kTangent;
   paths.push_back(temporary_file("tangent_hit.toml", kTangent));
   paths.push_back(temporary_file("tangent_miss.toml", miss));

@@ -128,33 +128,13 @@ TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
   EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: climbed to"));
 }
 
-constexpr const char* kRemembers = R"(#include <cmath>
-#include <raycheck/candidate.hpp>
-using namespace raycheck;
-double t_max = INFINITY;
-std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
-  const double f[] = {ray.origin.x - sphere.centre.x, ray.origin.y - sphere.centre.y,
-                      ray.origin.z - sphere.centre.z};
-  const double d[] = {ray.direction.x, ray.direction.y, ray.direction.z};
-  double a = 0, b = 0, c = -sphere.radius * sphere.radius;
-  for (int k = 0; k < 3; ++k) a += d[k] * d[k], b += f[k] * d[k], c += f[k] * f[k];
-  const double disc = b * b - a * c;
-  if (disc < 0) return {};
-  double s = (-b - std::sqrt(disc)) / a;
-  if (s < 0) s = (-b + std::sqrt(disc)) / a;
-  if (s < 0 || s > t_max) return {};
-  t_max = s;
-  return Hit{s, {ray.origin.x + s * d[0], ray.origin.y + s * d[1], ray.origin.z + s * d[2]}};
-}
-RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::hit, .intersect = intersect)
-)";
-
 /// Of a candidate that keeps the nearest hit between questions.
 TEST(PropertiesCommand, asks_what_fails_of_a_fresh_process) {
-  const Outcome kept =
-      run("properties --candidate source:" + temporary_file("remembers.cpp", kRemembers) +
-              " --cases 60",
-          1);
+  const std::string text =
+      replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), "if (s < 0) return {};",
+               "static double t_max = INFINITY;\nif (s < 0 || s > t_max) return {};\nt_max = s;");
+  const Outcome kept = run(
+      "properties --candidate source:" + temporary_file("remembers.cpp", text) + " --cases 60", 1);
   expect_parts(lines_of(kept.out).front(),
                {"answers differently when asked first, and rightly: it keeps something between "
                 "questions"});
