@@ -9,12 +9,6 @@
 namespace raycheck::tests {
 namespace {
 
-/// What a call fails with.
-struct Fault {
-  const char* name;
-  int error;
-};
-
 constexpr const char* kControlGroup = ", control group";
 
 constexpr const char* kNames[] = {"right", "wrong", "drawn"};
@@ -95,12 +89,13 @@ class FaultyGrading {
   std::vector<std::string> folders_;
 };
 
-/// A fault, and in how many calls of its name it is tried.
-struct Tried {
-  Fault fault;
-  std::size_t most;
+/// What a call of this name fails with, and in how many calls it is tried.
+struct Fault {
+  const char* call;
+  int error;
+  std::size_t most = 0;
 };
-class HostileFaults : public testing::TestWithParam<Tried> {
+class HostileFaults : public testing::TestWithParam<Fault> {
  protected:
   static void SetUpTestSuite() { faulty_ = std::make_unique<FaultyGrading>(); }
   static void TearDownTestSuite() { faulty_.reset(); }
@@ -110,16 +105,16 @@ class HostileFaults : public testing::TestWithParam<Tried> {
 std::unique_ptr<FaultyGrading> HostileFaults::faulty_;
 
 TEST_P(HostileFaults, OfTheSystemMakeNoGradeWrongAndLoseNothing) {
-  const auto& [fault, most] = GetParam();
-  if (fault.name == std::string("chown") && geteuid() != 0)
+  const auto& [call, error, most] = GetParam();
+  if (call == std::string("chown") && geteuid() != 0)
     GTEST_SKIP() << "root alone gives folders to users of their own";
   const FaultyGrading& faulty = *faulty_;
   const Grading& grading = faulty.grading();
-  const std::set<std::int64_t> points = faulty.points(fault.name, most);
-  ASSERT_GT(points.size(), 0u) << fault.name << " is never called";
+  const std::set<std::int64_t> points = faulty.points(call, most);
+  ASSERT_GT(points.size(), 0u) << call << " is never called";
   for (const std::int64_t position : points) {
-    const std::string point = std::string(fault.name) + ":" + std::to_string(position) + ":" +
-                              std::to_string(fault.error);
+    const std::string point =
+        std::string(call) + ":" + std::to_string(position) + ":" + std::to_string(error);
     SCOPED_TRACE(point);
     const Outcome outcome = faulty.grade_with(point, "out");
     const int code = outcome.exit_code;
@@ -256,13 +251,11 @@ TEST(HostileFaultsAtAll, AreNoticed) {
 }
 
 const auto kNameOfFault = [](const auto& the_test) {
-  const Fault& fault = the_test.param.fault;
-  return fault.name + std::string("_") + strerrorname_np(fault.error);
+  return the_test.param.call + std::string("_") + strerrorname_np(the_test.param.error);
 };
-std::vector<Tried> all_in(std::size_t most, const std::vector<Fault>& faults) {
-  std::vector<Tried> all;
-  for (const Fault& fault : faults) all.push_back({fault, most});
-  return all;
+std::vector<Fault> all_in(std::size_t most, std::vector<Fault> faults) {
+  for (Fault& fault : faults) fault.most = most;
+  return faults;
 }
 
 /// Each in two calls, and at night in twelve: several suites, which run side by side.

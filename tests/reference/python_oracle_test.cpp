@@ -5,8 +5,8 @@
 
 #include "reference/exact_ray.h"
 #include "scene/number.h"
+#include "tests/library/shell.h"
 #include "tests/reference/random_cases.h"
-#include "tests/testing.h"
 
 namespace raycheck::reference {
 namespace {
@@ -35,20 +35,16 @@ std::string line_of(const Asked& one) {
 
 /// The oracle's answers, a line a case; fails when it cannot be asked.
 std::vector<std::string> ask_oracle(const std::vector<Asked>& cases) {
-  const std::string base = (std::filesystem::temp_directory_path() /
-                            ("raycheck_" + std::to_string(getpid()) + "_oracle"))
-                               .string();
+  const std::string asked = testing::TempDir() + "raycheck_" + std::to_string(getpid()) + "_oracle";
   {
-    std::ofstream out(base + ".in");
+    std::ofstream out(asked);
     for (const Asked& one : cases) out << line_of(one) << '\n';
   }
-  const std::string command = "python3 '" RAYCHECK_SOURCE_DIR "/tests/reference/oracle.py' < '" +
-                              base + ".in' > '" + base + ".out'";
-  EXPECT_EQ(std::system(command.c_str()), 0) << "python3 is needed: " << command;
-  const std::vector<std::string> lines = lines_of(contents(base + ".out"));
-  std::filesystem::remove(base + ".in");
-  std::filesystem::remove(base + ".out");
-  return lines;
+  const tests::Ended ended =
+      tests::shell("python3 '" RAYCHECK_SOURCE_DIR "/tests/reference/oracle.py' < '" + asked + "'");
+  EXPECT_EQ(ended.code, 0) << "python3 is needed: " << ended.text;
+  std::filesystem::remove(asked);
+  return lines_of(ended.text);
 }
 
 /// "miss", or "hit near" and the like.

@@ -314,7 +314,7 @@ void expect_session(const fs::path& page, std::size_t fewest) {
   for (const Shown& shown : session) {
     script += std::string("printf '") + kMark + "'\n" + shown.arguments + "\n";
   }
-  const Outcome result = run_bash(temporary_file("session.sh", script));
+  const Outcome result = run_bash(script);
   std::size_t at = result.out.find(kMark);
   for (const Shown& shown : session) {
     ASSERT_NE(at, std::string::npos) << shown.where << ": not run";

@@ -46,9 +46,8 @@ TEST(Manual, HasAPageForEveryCommandWithEveryOption) {
 TEST(Manual, IsSetWithoutWarnings) {
   if (!is_installed("groff")) GTEST_SKIP() << "groff is not installed";
   for (const auto& entry : fs::directory_iterator(std::string(RAYCHECK_MANUAL) + "/man/man1")) {
-    const std::string script = temporary_file(
-        "groff.sh", "groff -man -ww -Tutf8 '" + entry.path().string() + "' >/dev/null\n");
-    EXPECT_EQ(run_bash(script).err, "") << entry.path();
+    const std::string page = quoted(entry.path());
+    EXPECT_EQ(run_bash("groff -man -ww -Tutf8 " + page + " >/dev/null\n").err, "") << page;
   }
 }
 
@@ -66,7 +65,7 @@ TEST(Completions, OfBashAreCommandsOptionsAndFiles) {
   for (const std::string& line : lines) {
     script += "offer " + line + (line.back() == ' ' ? "''\n" : "\n");
   }
-  const auto offers = lines_of(run_bash(temporary_file("complete.sh", script)).out);
+  const auto offers = lines_of(run_bash(script).out);
   ASSERT_EQ(offers.size(), lines.size());
   EXPECT_EQ(long_options(" " + offers[0]), (std::set<std::string>{"--help", "--version"}));
   std::string names;

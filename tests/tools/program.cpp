@@ -174,8 +174,8 @@ Outcome run_python(const std::string& arguments, std::optional<int> exit_code) {
   return ended(start("python3", arguments), arguments, exit_code);
 }
 
-Outcome run_bash(const std::string& path, std::optional<int> exit_code) {
-  return ended(start("bash", "'" + path + "'"), path, exit_code);
+Outcome run_bash(const std::string& script, std::optional<int> exit_code) {
+  return ended(start("bash", quoted(temporary_file("script.sh", script))), script, exit_code);
 }
 
 bool eventually(const std::function<bool()>& holds) {

@@ -41,7 +41,7 @@ std::vector<std::string> all_commands();
 Outcome run_python(const std::string& arguments, std::optional<int> exit_code = {});
 
 /// Runs a script by bash.
-Outcome run_bash(const std::string& path, std::optional<int> exit_code = {});
+Outcome run_bash(const std::string& script, std::optional<int> exit_code = {});
 
 /// A word for the shell, whatever it has.
 std::string quoted(const std::string& text);

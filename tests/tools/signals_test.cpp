@@ -259,9 +259,8 @@ TEST(HostileSignalsToAll, of_which_an_ignored_hangup_stays_ignored) {
 TEST(HostileReaders, that_go_away_end_a_command_as_sigpipe_would) {
   const std::string temporary = temporary_folder("tmp");
   const auto piped = [&](const std::string& command) {
-    return run_bash(temporary_file("pipe.sh", "export TMPDIR='" + temporary +
-                                                  "'\n'" RAYCHECK_BINARY "' " + command +
-                                                  "\necho \"${PIPESTATUS[@]}\" >&2\n"));
+    return run_bash("export TMPDIR='" + temporary + "'\n'" RAYCHECK_BINARY "' " + command +
+                    "\necho \"${PIPESTATUS[@]}\" >&2\n");
   };
   const Outcome large = piped("check " + kTen + " --all --format json | head -n 1");
   EXPECT_EQ(large.out, "{\n");

@@ -24,7 +24,7 @@ constexpr WrittenReport kWrittenReports[] = {
     {"check --help ", ""}};
 
 Outcome run_to(const std::string& where, const std::string& arguments) {
-  return run_bash(temporary_file("to.sh", "exec '" RAYCHECK_BINARY "' " + arguments + where));
+  return run_bash("exec '" RAYCHECK_BINARY "' " + arguments + where);
 }
 
 TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
@@ -77,9 +77,7 @@ eval "${then:-}"
 )bash";
 
 Outcome run_without_apt(const std::string& setting, int exit_code) {
-  return run_bash(
-      temporary_file("elsewhere.sh", "source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun),
-      exit_code);
+  return run_bash("source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun, exit_code);
 }
 
 TEST(RunScript, names_the_packages_where_nothing_installs_them_and_goes_on_where_they_are_there) {
@@ -230,7 +228,7 @@ TEST(HostileInput, of_pipes_is_read) {
                                   "RAYCHECK plan <(cat FILE) --format json"}) {
     const std::string script =
         replaced(replaced(words, "FILE", "'" + file + "'"), "RAYCHECK", "'" RAYCHECK_BINARY "'");
-    const Outcome of_pipe = run_bash(temporary_file("pipe.sh", script), 0);
+    const Outcome of_pipe = run_bash(script, 0);
     EXPECT_EQ(json::parse(of_pipe.out)["spheres"], json::parse(of_file.out)["spheres"]);
   }
 }

@@ -75,10 +75,11 @@ TEST(Baseline, OfTwoBranchesThatMendDifferentThingsIsMergedByGit) {
   const Baseline before = updated({}, findings({a, b, c}, {}));
   const fs::path folder = temporary_folder("merged");
   const auto git = [&](const std::string& arguments) {
-    return std::system(("GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null git -c "
-                        "user.name=a -c user.email=a@example.org -C " +
-                        folder.string() + " " + arguments + " > /dev/null 2>&1")
-                           .c_str());
+    return run_bash(
+               "GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null git -c user.name=a -c "
+               "user.email=a@example.org -C " +
+               folder.string() + " " + arguments)
+        .exit_code;
   };
   if (git("--version") != 0) GTEST_SKIP() << "git is not installed";
   const auto write = [&](const Baseline& baseline) {

@@ -226,13 +226,12 @@ TEST_P(LongReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
     const std::string built = built_submission("rays.cpp", name, folder / "src");
     // The hook is given its candidate as an argument, the others by the environment.
     const bool is_hook = std::string(GetParam()).ends_with("hooks.yaml");
-    const std::string script = temporary_file(
-        "ready.sh", "set -e\ncd " + folder.string() + "\nmkdir -p raycheck-reports\nPATH=" +
-                        fs::path(RAYCHECK_BINARY).parent_path().string() +
-                        ":$PATH\nexport CANDIDATE=library:" + built +
-                        " BASELINE=raycheck.baseline CASES=300 GITHUB_STEP_SUMMARY=summary.md\n" +
-                        commands.front() + (is_hook ? " --candidate \"$CANDIDATE\"" : "") + "\n");
-    run_bash(script, std::string(name) == "none" ? 0 : 1);
+    run_bash("set -e\ncd " + folder.string() + "\nmkdir -p raycheck-reports\nPATH=" +
+                 fs::path(RAYCHECK_BINARY).parent_path().string() +
+                 ":$PATH\nexport CANDIDATE=library:" + built +
+                 " BASELINE=raycheck.baseline CASES=300 GITHUB_STEP_SUMMARY=summary.md\n" +
+                 commands.front() + (is_hook ? " --candidate \"$CANDIDATE\"" : "") + "\n",
+             std::string(name) == "none" ? 0 : 1);
   }
   const bool is_github = std::string(GetParam()).find("github/") != std::string::npos;
   EXPECT_EQ(fs::exists(folder / "summary.md"), is_github);

@@ -365,9 +365,7 @@ TEST_F(LongIntake, runs_a_program_without_sources) {
   bring(grading, "built", {{"readme.txt", "no sources"}});
   const std::string source = grading.write("rt.c", kC),
                     program = grading.path("class/built/tracer");
-  run_bash(grading.write("cc.sh", "gcc -o '" + program + "' '" + source + "' -lm && chmod -x '" +
-                                      program + "'\n"),
-           0);
+  run_bash("gcc -o '" + program + "' '" + source + "' -lm && chmod -x '" + program + "'\n", 0);
   grade_brought(grading, {"built"});
   EXPECT_EQ(grading.result("built")["score"], 10);
 }
@@ -382,10 +380,9 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
   bring(grading, "missing",
         {{"Main.java", "import org.ejml.simple.SimpleMatrix;\n" + kJava.substr(16)}});
   const std::string discs = grading.write("Discs.java", kJavaDiscs);
-  run_bash(grading.write("jar.sh", "cd '" + grading.path("class") +
-                                       "' && mkdir jars/lib && javac -d unpacked '" + discs +
-                                       "' && cd unpacked && "
-                                       "python3 -m zipfile -c ../jars/lib/discs.jar util\n"),
+  run_bash("cd '" + grading.path("class") + "' && mkdir jars/lib && javac -d unpacked '" + discs +
+               "' && cd unpacked && "
+               "python3 -m zipfile -c ../jars/lib/discs.jar util\n",
            0);
   grade_brought(grading, {"jars", "unpacked", "makefile", "missing"});
   for (const auto& [name, path] : {std::pair("jars", "raycheck-classes:.:lib/discs.jar"),

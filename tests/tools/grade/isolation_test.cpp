@@ -40,12 +40,9 @@ class HostileOnMachine : public testing::TestWithParam<Machine> {
                 const std::vector<std::string>& submissions, const std::string& more = "",
                 const std::string& program = RAYCHECK_BINARY,
                 const std::string& before = "") const {
-    const std::string script = grading.write(
-        "grade.sh", before + GetParam().words() + "'" + program + "' " +
-                        grading.arguments(rubric, submissions, "out", "--jobs 2 " + more) + "\n");
-    Outcome outcome = run_bash(script);
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err << outcome.out;
-    return outcome;
+    return run_bash(before + GetParam().words() + "'" + program + "' " +
+                        grading.arguments(rubric, submissions, "out", "--jobs 2 " + more) + "\n",
+                    exit_code);
   }
   /// What `grade` is to be told there, for it to go on.
   std::string as_it_is() const { return GetParam().has_bubblewrap ? "" : "--sandbox available "; }
@@ -147,9 +144,9 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
                {"sandbox require: not available here: bubblewrap", "bwrap: Permission denied",
                 "sandbox available, which goes on with what does: ", GetParam().isolation()});
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
-  run_bash(grading.write("probe.sh", GetParam().words() + "'" RAYCHECK_BINARY "' grade '" + rubric +
-                                         "' '" + right + "' --probe\n"),
-           2);
+  run_bash(
+      GetParam().words() + "'" RAYCHECK_BINARY "' grade '" + rubric + "' '" + right + "' --probe\n",
+      2);
 }
 
 TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {
@@ -204,8 +201,7 @@ echo "ended with $?"
 kill -0 $judge && echo 'the judge is alive'
 kill $judge
 )");
-  const Outcome outcome =
-      run_bash(grading.write("nobody.sh", kAsNobody + ("bash '" + script + "'\n")));
+  const Outcome outcome = run_bash(kAsNobody + ("bash '" + script + "'\n"));
   EXPECT_EQ(outcome.out, "kept\nended with 143\nthe judge is alive\n") << outcome.err;
 }
 
@@ -223,13 +219,12 @@ TEST_F(HostileSandbox, ThatFailsLaterIsNeverLeftOut) {
   fs::copy_file("/usr/bin/bwrap", grading.path("real"));
   ASSERT_EQ(chmod(grading.path("bwrap").c_str(), 0755), 0);
   ASSERT_EQ(chmod(grading.path("count").c_str(), 0666), 0);
-  const Outcome outcome = run_bash(
-      grading.write("check.sh",
-                    "exec unshare -m sh -c \"mount --bind '" + grading.path("bwrap") +
-                        "' /usr/bin/bwrap && exec '" RAYCHECK_BINARY "' check '" RAYCHECK_SOURCE_DIR
-                        "/scene/examples/lecture-examples.toml' --candidate "
-                        "'command:python3 " RAYCHECK_SOURCE_DIR "/tests/candidates/right.py'\"\n"),
-      1);
+  const Outcome outcome =
+      run_bash("exec unshare -m sh -c \"mount --bind '" + grading.path("bwrap") +
+                   "' /usr/bin/bwrap && exec '" RAYCHECK_BINARY "' check '" RAYCHECK_SOURCE_DIR
+                   "/scene/examples/lecture-examples.toml' --candidate "
+                   "'command:python3 " RAYCHECK_SOURCE_DIR "/tests/candidates/right.py'\"\n",
+               1);
   expect_parts(outcome.out, {"could not be started in its sandbox: bwrap: no room for "
                              "namespaces",
                              "bubblewrap"});
@@ -254,9 +249,8 @@ TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
                                  {"a\nb", 0755, "its name has a control character"},
                                  {"closed", 0700, "other users may not enter it"}};
   const auto grade_in = [&](const std::string& path) {
-    return run_bash(
-        grading.write("grade.sh", "export TMPDIR='" + path + "'\n'" RAYCHECK_BINARY "' " +
-                                      grading.arguments(rubric, {right}, "out") + "\n"));
+    return run_bash("export TMPDIR='" + path + "'\n'" RAYCHECK_BINARY "' " +
+                    grading.arguments(rubric, {right}, "out") + "\n");
   };
   for (const auto& [name, mode, said] : folders) {
     if (mode == 0700 && geteuid() != 0) continue;
@@ -279,14 +273,14 @@ TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
   const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   fs::create_directory(grading.path("noexec"));
-  const Outcome outcome = run_bash(
-      grading.write("grade.sh",
-                    "exec unshare -m sh -c 'mount -t tmpfs -o noexec,mode=1777 none \"$TMPDIR\" && "
-                    "exec \"$@\"' sh '" RAYCHECK_BINARY "' " +
-                        grading.arguments(rubric, {right}, "out") + "\n"));
+  const std::string script =
+      "exec unshare -m sh -c 'mount -t tmpfs -o noexec,mode=1777 none \"$TMPDIR\" && "
+      "exec \"$@\"' sh '" RAYCHECK_BINARY "' " +
+      grading.arguments(rubric, {right}, "out") + "\n";
+  const Outcome outcome = run_bash(script);
   ASSERT_NE(outcome.exit_code, 0);
   const Variable temporary("TMPDIR", grading.path("noexec"));
-  const Outcome there = run_bash(grading.path("grade.sh"), 2);
+  const Outcome there = run_bash(script, 2);
   // By a submission of raycheck's own; or by its jail, where that is a copy in that folder, for
   // raycheck lies where others may not enter.
   EXPECT_TRUE(has(there.err, "grading does not begin: raycheck's own ") ||
@@ -304,8 +298,8 @@ TEST_F(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
        {"grade " + short_rubric(grading) + " " + right + " --out " + grading.path("out"),
         "check " RAYCHECK_SOURCE_DIR "/scene/examples/optical-axis.toml --candidate source:" +
             right + "/rays.py"}) {
-    const Outcome outcome = run_bash(
-        grading.write("alone.sh", "exec '" + grading.path("raycheck") + "' " + command + "\n"), 2);
+    const Outcome outcome =
+        run_bash("exec '" + grading.path("raycheck") + "' " + command + "\n", 2);
     expect_parts(outcome.err, {"raycheck-jail: No such file or directory"});
     EXPECT_EQ(outcome.out, "");
   }

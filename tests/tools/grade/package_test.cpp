@@ -35,14 +35,12 @@ class Package : public testing::Test {
   }
 
   /// The output of shell words, with nothing of this machine's environment.
-  std::string said_by(const std::string& words, int exit_code = 0) const {
-    const std::string out = grading.path("said");
-    const std::string command = "env -i PATH=/usr/local/bin:/usr/bin:/bin HOME='" +
-                                grading.path("root") + "' RAYCHECK_AUTOGRADER='" +
-                                grading.path("root") + "' " + words + " >'" + out + "' 2>&1";
-    const int status = std::system(command.c_str());
-    EXPECT_EQ(WEXITSTATUS(status), exit_code) << words << "\n" << contents(out);
-    return contents(out);
+  std::string said_by(const std::string& words) const {
+    const std::string root = grading.path("root");
+    return run_bash("env -i PATH=/usr/local/bin:/usr/bin:/bin HOME='" + root +
+                        "' RAYCHECK_AUTOGRADER='" + root + "' " + words + " 2>&1\n",
+                    0)
+        .out;
   }
   /// What run_autograder leaves of this submission.
   json graded(const std::string& folder) const {

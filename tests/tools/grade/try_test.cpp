@@ -109,9 +109,8 @@ void expect_the_commands_to_work(const Grading& grading, const std::string& hand
     fs::copy(entry.path(), home, fs::copy_options::recursive);
   }
   const Outcome at_home =
-      run_bash(grading.write("home.sh", "raycheck() { '" RAYCHECK_BINARY "' \"$@\"; }\ncd '" +
-                                            home + "'\n" + build + " > /dev/null || exit 10\n" +
-                                            draw + " > /dev/null || exit 11\n" + check),
+      run_bash("raycheck() { '" RAYCHECK_BINARY "' \"$@\"; }\ncd '" + home + "'\n" + build +
+                   " > /dev/null || exit 10\n" + draw + " > /dev/null || exit 11\n" + check,
                1);
   expect_parts(at_home.out, {"image"});
 }

@@ -78,10 +78,10 @@ class Delegated {
   /// What `raycheck check` in it says of a candidate, run by these words, after these lines.
   json judged(const std::string& words, const std::string& candidate, const std::string& more = "",
               const std::string& before = "") const {
-    const Outcome outcome = run_bash(temporary_file(
-        "group.sh", before + "echo $$ > '" + path_.string() + "/cgroup.procs' && exec " + words +
-                        "'" RAYCHECK_BINARY "' check " + kGroupScene + " --format json " + more +
-                        " --candidate '" + candidate + "'\n"));
+    const Outcome outcome =
+        run_bash(before + "echo $$ > '" + path_.string() + "/cgroup.procs' && exec " + words +
+                 "'" RAYCHECK_BINARY "' check " + kGroupScene + " --format json " + more +
+                 " --candidate '" + candidate + "'\n");
     EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err << outcome.out;
     if (outcome.out.empty()) return {};
     return json::parse(outcome.out)["candidates"][0];
@@ -200,10 +200,10 @@ TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
   const std::string group = delegated.path().string();
   /// What raycheck in the group, after these words, says of its isolation.
   const auto said = [&](const std::string& before) {
-    const Outcome outcome = run_bash(temporary_file(
-        "group.sh", "echo $$ > '" + group + "/cgroup.procs'\n" + before +
-                        "'" RAYCHECK_BINARY "' grade examples/rubrics/lecture7.toml '" +
-                        submission + "' --sandbox available --out '" + out + "'\n"));
+    const Outcome outcome =
+        run_bash("echo $$ > '" + group + "/cgroup.procs'\n" + before +
+                 "'" RAYCHECK_BINARY "' grade examples/rubrics/lecture7.toml '" + submission +
+                 "' --sandbox available --out '" + out + "'\n");
     fs::remove_all(out);
     return behind("isolated by: ", outcome.out + "isolated by: nothing: " + outcome.err);
   };
