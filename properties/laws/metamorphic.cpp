@@ -79,9 +79,24 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
     if (second.hit != nullptr) d.got = {second.hit->parameter};
     if (first.hit != nullptr) d.exact = {first.hit->parameter * by.factor};
   };
+  // Of two that contradict each other in class or root, the wrong one beside the truth.
+  const auto describe_wrong = [&](bool is_first_wrong) {
+    return [&, is_first_wrong](Discrepancy& d) {
+      const HitAnswer* hit = (is_first_wrong ? first : second).hit;
+      d.what = (is_first_wrong ? "right only when " : "") + by.what;
+      d.symbol = info(Quantity::kParameter).symbol;
+      d.got_some_sphere = hit != nullptr && !gives_parameter(trial.candidate().returns);
+      if (hit != nullptr && !d.got_some_sphere) d.got = {hit->parameter};
+      if (!is_hit) return;
+      const double s =
+          trial.exact_ray(first.ray).rounded_parameter(first.sphere(), at, trial.precision());
+      d.exact = {is_first_wrong ? s : s * by.factor};
+    };
+  };
   const auto excuse = [&] { return trial.excuse({first.answer(), second.answer()}); };
-  const Wrong wrong = !differ ? Wrong::kNot : first.hit ? Wrong::kMissed : Wrong::kFalseHit;
-  trial.judge(verdict, {Quantity::kClass, expected, place, wrong}, excuse, describe);
+  const Wrong wrong = !differ ? Wrong::kNot : is_hit ? Wrong::kMissed : Wrong::kFalseHit;
+  trial.judge(verdict, {Quantity::kClass, expected, place, wrong}, excuse,
+              describe_wrong((first.hit != nullptr) != is_hit));
   if (first.hit == nullptr || second.hit == nullptr) return;
   if (!gives_parameter(trial.candidate().returns)) return;
   const scene::Measured error = error_between(first, second, by.factor, is_hit);
@@ -98,7 +113,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
     trial.judge(verdict,
                 {Quantity::kRoot, root_expected(at), place,
                  is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
-                excuse, describe);
+                excuse, describe_wrong(is_at_other));
     if (is_other_root) return;
   }
   const auto condition = [&] {

@@ -142,7 +142,7 @@ std::vector<bool> dropped(Step step, const Comparison& comparison) {
   return found;
 }
 
-/// Whether another root counts than if every root >= 0 did, as in the code of classic mistakes.
+/// Whether another root counts than if every root >= 0 did.
 bool ends_matter(const AskedCase& asked) {
   const scene::Conventions& conventions = asked.the_case.scene.conventions;
   if (conventions.valid.is_usual()) return false;
@@ -161,23 +161,37 @@ bool ends_matter(const AskedCase& asked) {
   return false;
 }
 
+/// Empty outside the candidate's domain, and where its format cannot hold the case.
+std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candidate,
+                                    const Candidate& right) {
+  auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
+  if (!rounded || !is_inside_domain(candidate, rounded->scene)) return {};
+  AskedCase asked = {*std::move(rounded), {}, candidate.returns};
+  scene::Conventions& conventions = asked.the_case.scene.conventions;
+  conventions = candidate.declared.over(conventions);
+  asked.rays = Trial(asked.the_case, right).rays();
+  for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
+  return asked;
+}
+
 }  // namespace
+
+bool ends_matter(const Case& the_case, const Candidate& candidate) {
+  const auto asked = asked_case(the_case, candidate, right_candidate());
+  return asked && ends_matter(*asked);
+}
 
 Examination::Examination(std::span<const Case> cases, const Candidate& candidate,
                          NotNumbers not_numbers)
     : candidate_(candidate), not_numbers_(not_numbers), others_(other_right_candidates(candidate)) {
   for (const Case& the_case : cases) {
-    auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
-    if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
-    asked_.push_back({*std::move(rounded), {}, candidate.returns});
-    AskedCase& asked = asked_.back();
-    scene::Conventions& conventions = asked.the_case.scene.conventions;
-    conventions = candidate.declared.over(conventions);
-    asked.rays = Trial(asked.the_case, right_).rays();
-    for (scene::Ray& ray : asked.rays) ray = rounded_ray(ray, candidate.input_format());
-    if (!ends_matter(asked)) continue;
-    asked_.pop_back();
-    ++left_out_;
+    auto asked = asked_case(the_case, candidate, right_);
+    if (!asked) continue;
+    if (ends_matter(*asked)) {
+      ++left_out_;
+    } else {
+      asked_.push_back(*std::move(asked));
+    }
   }
 }
 

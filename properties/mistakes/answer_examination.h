@@ -37,6 +37,10 @@ struct Comparison {
   std::vector<StepAnswers> also_right;
 };
 
+/// Whether t_min, t_max or culling decides a case as the candidate is asked about it: classic
+/// mistakes are made where every root >= 0 counts, and say nothing of it.
+bool ends_matter(const Case& the_case, const Candidate& candidate);
+
 /// What becomes of answers that are no numbers where numbers are right.
 enum class NotNumbers { kWrong, kLeftOut };
 

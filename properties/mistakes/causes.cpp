@@ -1,10 +1,12 @@
 #include "properties/mistakes/causes.h"
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
 #include "properties/case.h"
+#include "properties/mistakes/answer_examination.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
 #include "properties/mistakes/undeclared.h"
@@ -29,6 +31,30 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
   return pictures;
 }
 
+/// Counted beside the wrong answers that are searched are those that are not: where ends matter,
+/// and where a law holds answers to more than kAnswerTolerances. A cause of the lesser half is
+/// none.
+std::vector<Explanation> answer_explanations(const Law& law, const std::vector<Case>& cases,
+                                             const Candidate& candidate) {
+  std::vector<Explanation> found = explanations(answer_causes(cases, candidate));
+  if (found.empty()) return found;
+  std::vector<Case> not_searched;
+  std::copy_if(cases.begin(), cases.end(), std::back_inserter(not_searched),
+               [&](const Case& one) { return ends_matter(one, candidate); });
+  const std::uint64_t others = count_defects(law, not_searched, candidate);
+  for (Explanation& one : found) {
+    if (one.explained == 0) continue;
+    one.errors += others;
+    if (one.sentence == kNotNumbers) {
+      one.errors = std::max(one.errors, count_defects(law, cases, candidate));
+    }
+  }
+  std::erase_if(found, [](const Explanation& one) {
+    return one.sentence != kNotNumbers && 2 * one.explained < one.errors && one.explained > 0;
+  });
+  return found;
+}
+
 }  // namespace
 
 std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
@@ -43,7 +69,7 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
       return {{"right under " + under->conventions + ", which it does not declare", under->defects,
                under->defects}};
     }
-    if (!candidate.image) return explanations(answer_causes(asked, candidate));
+    if (!candidate.image) return answer_explanations(law, asked, candidate);
     std::vector<Explanation> found = explanations(picture_causes(shown(asked, candidate)));
     std::erase_if(found, [](const Explanation& one) { return one.errors < kFewestErrorsOfACause; });
     return found;

@@ -36,17 +36,24 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
   }
   add("root", &DeclaredConventions::root, declared, all);
   add("tangent", &DeclaredConventions::tangent, declared, all);
-  const auto add_valid = [&](const char* text, auto member, auto value) {
-    Followed one{text, {}};
+  const auto add_valid = [&](std::string text, auto member, auto value) {
+    Followed one{std::move(text), {}};
     one.declared.valid = declared.valid;
     if ((*one.declared.valid).*member == value) return;
     (*one.declared.valid).*member = value;
     all.push_back(std::move(one));
   };
   if (declared.valid) {
+    for (const auto unit :
+         {scene::TUnit::kAbsolute, scene::TUnit::kRadius, scene::TUnit::kLength}) {
+      add_valid("unit = " + std::string(scene::name(unit)), &scene::ValidRoots::unit, unit);
+    }
     add_valid("t_max = infinity", &scene::ValidRoots::t_max,
               std::numeric_limits<double>::infinity());
     add_valid("culling = none", &scene::ValidRoots::culling, scene::Culling::kNone);
+    add_valid("t_min = 0", &scene::ValidRoots::t_min, 0.0);
+    add_valid("t_min = -infinity", &scene::ValidRoots::t_min,
+              -std::numeric_limits<double>::infinity());
   }
   return all;
 }
@@ -71,19 +78,6 @@ bool same_answers(Trial& one, Trial& other) {
   return !candidate.nearest || one.nearest() == other.nearest();
 }
 
-/// The defects that a law finds in some cases together; 0 where the candidate fails on one.
-std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
-                            const Candidate& candidate) {
-  std::uint64_t count = 0;
-  for (const Case& one : cases) {
-    const Verdict verdict = Trials(one, candidate, {}).apply(law);
-    const auto worst = verdict.worst(1);
-    if (!worst.empty() && worst.front().wrong == Wrong::kFailed) return 0;
-    count += verdict.count(Standing::kDefect);
-  }
-  return count;
-}
-
 /// Whether a candidate answers alike when told to follow these conventions, and rightly.
 bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& candidate,
               const DeclaredConventions& under) {
@@ -106,6 +100,18 @@ bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& c
 }
 
 }  // namespace
+
+std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
+                            const Candidate& candidate) {
+  std::uint64_t count = 0;
+  for (const Case& one : cases) {
+    const Verdict verdict = Trials(one, candidate, {}).apply(law);
+    const auto worst = verdict.worst(1);
+    if (!worst.empty() && worst.front().wrong == Wrong::kFailed) return 0;
+    count += verdict.count(Standing::kDefect);
+  }
+  return count;
+}
 
 std::optional<RightUnder> right_under(const Law& law, const std::vector<Case>& cases,
                                       const Candidate& candidate) {

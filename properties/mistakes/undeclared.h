@@ -24,4 +24,8 @@ struct RightUnder {
 std::optional<RightUnder> right_under(const Law& law, const std::vector<Case>& cases,
                                       const Candidate& candidate);
 
+/// The defects that a law finds in some cases together; 0 where the candidate fails on one.
+std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
+                            const Candidate& candidate);
+
 }  // namespace raycheck::properties

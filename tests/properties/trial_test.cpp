@@ -1,6 +1,7 @@
 #include "properties/trial.h"
 
 #include "properties/candidates/fast_candidate.h"
+#include "properties/mistakes/altered_hits.h"
 #include "properties/sphere_choice.h"
 #include "reference/visibility/visibility.h"
 #include "tests/properties/one_ray.h"
@@ -146,6 +147,25 @@ TEST(Trial, ComparesNoAnswersAtTheOtherRoot) {
     const Verdict axes = judge("axes", inside, candidate);
     EXPECT_EQ(axes.discrepancies() == 0, is_at_other);
     EXPECT_EQ(judge("nearest-root", inside, candidate).discrepancies() == 0, !is_at_other);
+  }
+}
+
+/// Of two answers that contradict each other the wrong one is shown, beside the truth.
+TEST(Trial, ShowsWhichOfTwoRelatedAnswersIsWrong) {
+  Case near = one_ray({{0, 0, 0}, {1, 0, 0}}, {{0x1p-9, 0, 0}, 0x1p-10});
+  for (const double least : {0x1p-9, 0x1p-12}) {
+    Candidate candidate = direct_cross();
+    answer_by(candidate, [&, ask = hits_of(candidate)](auto rays, auto& sphere, auto& conventions) {
+      std::vector<Hit> hits = ask(rays, sphere, conventions);
+      if (hits[0] && hits[0]->parameter < least) hits[0].reset();
+      return hits;
+    });
+    const Discrepancy shown = judge("scaling", near, candidate).worst(1).at(0);
+    const bool is_first = least > 0x1p-10;
+    EXPECT_EQ(shown.wrong, Wrong::kMissed);
+    EXPECT_TRUE(shown.got.empty());
+    EXPECT_EQ(shown.what, is_first ? "right only when scaled by 2^120" : "scaled by 2^-120");
+    EXPECT_EQ(shown.exact, std::vector{is_first ? 0x1p-10 : 0x1p-130});
   }
 }
 

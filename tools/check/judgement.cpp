@@ -58,10 +58,12 @@ ExcludedHits excluded_hits(properties::Trial& trial) {
     for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
       const reference::ExactRay& exact = trial.exact_ray(ray);
       const reference::Intersection without = exact.intersect(spheres[k], conventions.root);
-      if (!reference::counts_as_hit(without.hit_class, conventions.tangent)) continue;
-      ++found.spheres[k].hits;
       const reference::Intersection with = trial.exact_intersection(ray, k);
-      if (reference::counts_as_hit(with.hit_class, conventions.tangent)) {
+      const bool is_within = reference::counts_as_hit(with.hit_class, conventions.tangent);
+      const bool is_usual = reference::counts_as_hit(without.hit_class, conventions.tangent);
+      if (is_within || is_usual) ++found.spheres[k].hits;
+      if (!is_usual) continue;
+      if (is_within) {
         found.spheres[k].moved += with == without ? 0 : 1;
         continue;
       }

@@ -157,7 +157,8 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
     };
     if (campaign->finding == Finding::kHolds) {
       held = std::max(held.value_or(Level::kOrdinary), campaign->result.level);
-    } else if (campaign->finding != Finding::kBroken && campaign->finding != Finding::kLeftOut) {
+    } else if (campaign->finding == Finding::kUndecided ||
+               campaign->finding == Finding::kTooFewJudged) {
       add_to(open);
     }
     const auto& parts = campaign->result.parts;

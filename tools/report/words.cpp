@@ -261,7 +261,9 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
   if (is_answer || !d.exact.empty()) {
     text += fmt::format("  got   {}\n", got_text(d));
     if (!d.exact.empty() || d.wrong != properties::Wrong::kNot) {
-      text += fmt::format("  exact {}\n", exact_text(d));
+      // Related answers are compared with each other.
+      const bool is_related = d.quantity == properties::Quantity::kInvariance;
+      text += fmt::format("  {} {}\n", is_related ? "other" : "exact", exact_text(d));
     }
   }
   if (d.excluded_by) {

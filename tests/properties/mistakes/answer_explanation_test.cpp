@@ -105,6 +105,21 @@ Candidate counting_all(scene::ValidRoots declared) {
   return candidate;
 }
 
+/// Declares that nothing counts beyond s = 4, and drops what lies farther away than a length of 4.
+Candidate cut_at_a_length() {
+  Candidate candidate = counting_all({.t_max = 4});
+  answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
+                                                  const scene::Conventions& conventions) {
+    std::vector<Hit> hits = ask(rays, sphere, conventions);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      const auto& [x, y, z] = rays[k].direction;
+      if (hits[k] && hits[k]->parameter * std::hypot(x, y, z) > 4) hits[k].reset();
+    }
+    return hits;
+  });
+  return candidate;
+}
+
 struct Undeclared {
   Candidate candidate;
   std::string text;
@@ -118,6 +133,8 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
       {following(&scene::Conventions::origin, scene::Origin::kFocal), "origin = focal"},
       {following(&scene::Conventions::root, scene::Root::kNearest), "root = nearest"},
       {counting_all({.t_min = 0, .t_max = 1}), "t_max = infinity"},
+      {counting_all({.t_min = -std::numeric_limits<double>::infinity()}), "t_min = 0"},
+      {cut_at_a_length(), "unit = length"},
   };
   for (const auto& [candidate, text] : all) {
     SCOPED_TRACE(text);
@@ -142,6 +159,43 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
   for (const Explanation& one : causes(*of_class[0], telling_cases(result[0], 12), wrong)) {
     EXPECT_EQ(one.sentence.find("declare"), std::string::npos) << one.sentence;
   }
+}
+
+/// What is not searched is counted: cases where the declared ends decide, and small errors beside
+/// answers that are no numbers.
+TEST(Causes, AreOfAllWrongAnswers) {
+  const Law& of_class = *find_law("class");
+  Candidate far = candidate_of("s >= 0 is not tested: spheres behind the origin are hit");
+  far.declared.valid = scene::ValidRoots{.t_max = 50};
+  const auto some = causes(of_class, fixed_cases(), far);
+  ASSERT_EQ(some.size(), 1u);
+  EXPECT_LT(some[0].explained, some[0].errors);
+  // "No ray ever hits a sphere" would be right below t_max: of the lesser half.
+  Candidate inverted = counting_all({.t_max = 1});
+  inverted.returns = Returns::kClass;
+  answer_by(inverted, [ask = hits_of(inverted)](auto rays, auto& sphere, auto& conventions) {
+    std::vector<Hit> hits = ask(rays, sphere, conventions);
+    for (Hit& hit : hits) {
+      if (hit && hit->parameter <= 1) hit.reset();
+    }
+    return hits;
+  });
+  EXPECT_TRUE(causes(of_class, fixed_cases(), inverted).empty());
+  Candidate rough = fast_candidate(fast::kDirectRays, fast::kCross);
+  answer_by(rough, [ask = hits_of(rough)](auto rays, auto& sphere, auto& conventions) {
+    std::vector<Hit> hits = ask(rays, sphere, conventions);
+    for (Hit& hit : hits) {
+      if (!hit) continue;
+      const bool is_far = hit->parameter > 4;
+      hit->parameter =
+          is_far ? std::numeric_limits<double>::quiet_NaN() : hit->parameter * (1 + 1e-9);
+    }
+    return hits;
+  });
+  const auto both = causes(*find_law("parameter"), fixed_cases(), rough);
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_EQ(both[0].sentence, kNotNumbers);
+  EXPECT_LT(both[0].explained, both[0].errors);
 }
 
 TEST(Mistakes, HaveSentencesOfTheirOwn) {

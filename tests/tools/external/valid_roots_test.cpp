@@ -56,6 +56,15 @@ TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
                 "excluded: ray 2, sphere 0 at s = 0.25"});
 }
 
+/// One of a line, behind: only its interval has it.
+TEST(ValidRoots, behind_the_origin_are_exact_hits) {
+  const std::string scene = temporary_file("behind.toml",
+                                           "sphere = [{centre = [-5, 0, 0], radius = 1}]\n"
+                                           "ray = [{origin = [0, 0, 0], direction = [1, 0, 0]}]\n");
+  const json report = judged(scene, with_ends("line.py", "True", beyond("float('-inf')")));
+  expect_values(report, {{"discrepancies", 0}, {"excluded/hits", 1}, {"excluded/excluded", 0}});
+}
+
 TEST(ValidRoots, that_are_declared_but_not_kept_are_defects) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
   const std::string candidate = with_ends("none.py", "s >= 0", beyond("0.5"));
