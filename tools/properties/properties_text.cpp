@@ -151,6 +151,7 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
   std::optional<Level> broken, held;
   std::vector<const CampaignReport*> all_broken;
   std::string open, failure;
+  bool is_outside = false;
   for (const CampaignReport* campaign : campaigns) {
     const auto add_to = [&](std::string& list) {
       list += (list.empty() ? "" : ", ") + std::string(campaign->law->name);
@@ -161,6 +162,7 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
                campaign->finding == Finding::kTooFewJudged) {
       add_to(open);
     }
+    is_outside = is_outside || campaign->finding == Finding::kNotJudged;
     const auto& parts = campaign->result.parts;
     if (campaign->result.failure && std::all_of(parts.begin(), parts.end(), [](const auto& part) {
           return part.failed_at_once;
@@ -176,7 +178,10 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
   }
   if (!held && !failure.empty()) return fmt::format("answers nothing: {}", failure);
   if (!broken && !open.empty()) return fmt::format("nothing broken, but not all decided: {}", open);
-  if (!broken && !held) return "nothing that was asked says anything of it";
+  if (!broken && !held) {
+    return is_outside ? "nothing judged: no case lies within the lengths that it declares"
+                      : "nothing judged: it offers no function that these laws need";
+  }
   if (!broken) return fmt::format("right on {} cases, as far as it was asked", name(*held));
   const std::string right =
       *broken > Level::kOrdinary

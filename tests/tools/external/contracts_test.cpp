@@ -142,7 +142,7 @@ TEST(Contracts, are_told_first_what_matters_most) {
   expect_parts(first(tracer("right.py", "s >= 0", "(s, point)", "tangent='hit'")),
                {"(mine): right on ordinary cases"});
   expect_parts(first(tracer("no_hit.py", "False", "(s, point)", "lengths=(1e-300, 1e-299)")),
-               {"not all decided: class"});
+               {"nothing judged: no case lies within the lengths that it declares"});
   // In C++, where shrinking what they break takes next to no time.
   const auto in_cpp = [&](const std::string& name, const std::string& body) {
     return first(compiled(temporary_file(name + ".cpp", R"(#include <raycheck/candidate.hpp>
