@@ -251,9 +251,10 @@ std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes) {
   std::vector<Explanation> all;
   for (const AnswerCause& cause : causes) {
     all.push_back(cause.alternatives.front());
-    for (std::size_t k = 1; k < cause.alternatives.size(); ++k) {
-      all.back().sentence += ", or: " + cause.alternatives[k].sentence;
-    }
+    if (cause.alternatives.size() == 1) continue;
+    std::vector<Fault> faults;
+    for (const Explanation& one : cause.alternatives) faults.push_back(one.mistakes);
+    all.back().sentence = sentence_of(faults);
   }
   return all;
 }

@@ -34,6 +34,8 @@ void add(const std::string& part, const char* between, std::string& text) {
   text += (text.empty() ? "" : between) + part;
 }
 
+std::string in_brackets(const std::string& part) { return "(" + part + ")"; }
+
 /// The distinct mistakes at each place of several faults.
 std::vector<std::vector<const Mistake*>> all_at(const std::vector<Fault>& faults) {
   std::vector<std::vector<const Mistake*>> at(faults.front().size());
@@ -75,7 +77,9 @@ std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives) {
   std::vector<std::string> all;
   if (!are_all_pairs(at, alternatives)) {
     std::string any;
-    for (const Fault& fault : alternatives) add(sentence_of(fault), kOr, any);
+    for (const Fault& fault : alternatives) {
+      add(fault.size() > 1 ? in_brackets(sentence_of(fault)) : sentence_of(fault), kOr, any);
+    }
     return {any};
   }
   for (const std::vector<const Mistake*>& part : at) {
@@ -87,8 +91,12 @@ std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives) {
 }
 
 std::string sentence_of(const std::vector<Fault>& alternatives) {
+  const std::vector<std::string> parts = sentences_of(alternatives);
   std::string sentence;
-  for (const std::string& its : sentences_of(alternatives)) add(its, kAnd, sentence);
+  for (const std::string& its : parts) {
+    const bool is_choice = parts.size() > 1 && its.find(kOr) != std::string::npos;
+    add(is_choice ? in_brackets(its) : its, kAnd, sentence);
+  }
   return sentence;
 }
 
@@ -99,7 +107,7 @@ bool can_be_together(const Mistake& a, const Mistake& b) {
 FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)
     : asked_(scene), taken_(scene), rays_(&right()) {
   HitFormulas hits;
-  for (const Mistake* mistake : fault) {
+  for (const Mistake* mistake : in_order(fault)) {
     taken_ = mistaken(*mistake, std::move(taken_));
     if (mistake->pixel) pixels_.push_back(mistake);
     if (mistake->makes_rays()) rays_ = &mistake->candidate;

@@ -21,7 +21,7 @@ std::string sentence_of(const Fault& fault);
 std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fault>& alternatives);
 
 /// The sentence of alternatives: "rows are upside down, or: V has the wrong sign"; for all pairs of
-/// some with others "A, or: B; and C, or: D".
+/// some with others "(A, or: B); and (C, or: D)"; for other pairs "(A; and B), or: (C; and D)".
 std::string sentence_of(const std::vector<Fault>& alternatives);
 /// The same in parts, "A, or: B" and "C, or: D"; one of alternatives that have none in common.
 std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives);
@@ -30,9 +30,9 @@ std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives);
 bool can_be_together(const Mistake& a, const Mistake& b);
 
 /// What a program with a fault shows of a scene, in doubles: applies the changes of the mistakes in
-/// turn, makes rays by the formula of the mistake that has one, and hits by the formulas of all. A
-/// camera that becomes invalid shows nothing.
-/// Domain: a valid scene with a camera, which outlives it; mistakes that can be together.
+/// their order, makes rays by the formula of the mistake that has one, and hits by the formulas of
+/// all. A camera that becomes invalid shows nothing. Domain: a valid scene with a camera, which
+/// outlives it; mistakes that can be together.
 class FaultyView {
  public:
   FaultyView(const Fault& fault, const scene::Scene& scene);

@@ -101,6 +101,18 @@ std::vector<Mistake> pixel_mistakes() {
           integer_division(false)};
 }
 
+/// As where rows and columns are exchanged, and each is divided by its own number of steps.
+Mistake exchanged_steps() {
+  Mistake mistake = pixel_mistake(
+      "alpha follows from j, and beta from i: alpha = left + j/(h-1) (right - left), beta = bottom "
+      "+ i/(w-1) (top - bottom)",
+      [](const Camera&, const Conventions&, const Pixel& p) {
+        return Pixel{p.j, p.i};
+      });
+  mistake.camera = [](Camera& its, auto&) { std::swap(its.width, its.height); };
+  return mistake;
+}
+
 std::vector<Mistake> convention_mistakes() {
   using scene::Root;
   using scene::Samples;
@@ -185,43 +197,6 @@ ChangeCamera both(const ChangeCamera& one, const ChangeCamera& other) {
   };
 }
 
-std::vector<Mistake> step_mistakes() {
-  const auto columns_by_rows = [](Camera& its, const Conventions&, double across, double down) {
-    if (across >= 1 && down >= 1) stretch_columns(its, across / down);
-  };
-  const auto rows_by_columns = [](Camera& its, const Conventions& c, double across, double down) {
-    if (across >= 1 && down >= 1) stretch_rows(its, c, down / across);
-  };
-  const auto with_steps = [](auto change) {
-    return [change](Camera& its, const Conventions& c) {
-      change(its, c, steps(its.width, c), steps(its.height, c));
-    };
-  };
-  return {
-      camera_mistake("width and height are exchanged",
-                     with_steps([=](Camera& its, const Conventions& c, double across, double down) {
-                       columns_by_rows(its, c, across, down);
-                       rows_by_columns(its, c, across, down);
-                     })),
-      camera_mistake("columns are divided by the height", with_steps(columns_by_rows)),
-      camera_mistake("rows are divided by the width", with_steps(rows_by_columns)),
-      camera_mistake("alpha = left + i/w (right - left)", columns_by_width(false)),
-      camera_mistake("beta = bottom + j/h (top - bottom)", rows_by_height(false)),
-      camera_mistake("i/w and j/h place the pixels",
-                     both(columns_by_width(false), rows_by_height(false))),
-      camera_mistake("alpha = left + (i+1)/w (right - left)", columns_by_width(true)),
-      camera_mistake("beta = bottom + (j+1)/h (top - bottom), which is top - j/h (top - bottom) "
-                     "counted from the top",
-                     rows_by_height(true)),
-      camera_mistake("(i+1)/w and (j+1)/h place the pixels",
-                     both(columns_by_width(true), rows_by_height(true))),
-      camera_mistake("i/w and j/h place the pixels, j counted from the other end",
-                     both(columns_by_width(false), rows_by_height(true))),
-      camera_mistake("(i+1)/w and (j+1)/h place the pixels, j counted from the other end",
-                     both(columns_by_width(true), rows_by_height(false))),
-  };
-}
-
 std::vector<Mistake> view_mistakes() {
   return {
       camera_mistake("near has the wrong sign, the image plane is behind the eye",
@@ -266,8 +241,48 @@ std::vector<Mistake> view_mistakes() {
 }  // namespace
 
 std::vector<Mistake> input_mistakes() {
-  return all_of({pixel_mistakes(), exchanged_loops(), convention_mistakes(), view_mistakes(),
-                 step_mistakes()});
+  return all_of({pixel_mistakes(),
+                 {exchanged_steps()},
+                 exchanged_loops(),
+                 convention_mistakes(),
+                 view_mistakes()});
+}
+
+std::vector<Mistake> step_mistakes() {
+  const auto columns_by_rows = [](Camera& its, const Conventions&, double across, double down) {
+    if (across >= 1 && down >= 1) stretch_columns(its, across / down);
+  };
+  const auto rows_by_columns = [](Camera& its, const Conventions& c, double across, double down) {
+    if (across >= 1 && down >= 1) stretch_rows(its, c, down / across);
+  };
+  const auto with_steps = [](auto change) {
+    return [change](Camera& its, const Conventions& c) {
+      change(its, c, steps(its.width, c), steps(its.height, c));
+    };
+  };
+  return {
+      camera_mistake("width and height are exchanged",
+                     with_steps([=](Camera& its, const Conventions& c, double across, double down) {
+                       columns_by_rows(its, c, across, down);
+                       rows_by_columns(its, c, across, down);
+                     })),
+      camera_mistake("columns are divided by the height", with_steps(columns_by_rows)),
+      camera_mistake("rows are divided by the width", with_steps(rows_by_columns)),
+      camera_mistake("alpha = left + i/w (right - left)", columns_by_width(false)),
+      camera_mistake("beta = bottom + j/h (top - bottom)", rows_by_height(false)),
+      camera_mistake("i/w and j/h place the pixels",
+                     both(columns_by_width(false), rows_by_height(false))),
+      camera_mistake("alpha = left + (i+1)/w (right - left)", columns_by_width(true)),
+      camera_mistake("beta = bottom + (j+1)/h (top - bottom), which is top - j/h (top - bottom) "
+                     "counted from the top",
+                     rows_by_height(true)),
+      camera_mistake("(i+1)/w and (j+1)/h place the pixels",
+                     both(columns_by_width(true), rows_by_height(true))),
+      camera_mistake("i/w and j/h place the pixels, j counted from the other end",
+                     both(columns_by_width(false), rows_by_height(true))),
+      camera_mistake("(i+1)/w and (j+1)/h place the pixels, j counted from the other end",
+                     both(columns_by_width(true), rows_by_height(false))),
+  };
 }
 
 }  // namespace raycheck::properties

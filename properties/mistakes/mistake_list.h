@@ -43,6 +43,8 @@ inline std::vector<Mistake> all_of(std::initializer_list<std::vector<Mistake>> l
 
 std::vector<Mistake> input_mistakes();
 std::vector<Mistake> number_mistakes();
+/// Where pixels lie between the bounds; after mistakes in these, of which they are made.
+std::vector<Mistake> step_mistakes();
 std::vector<Mistake> camera_mistakes();
 std::vector<Mistake> intersect_mistakes();
 std::vector<Mistake> threshold_mistakes();

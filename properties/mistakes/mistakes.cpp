@@ -1,6 +1,7 @@
 #include "properties/mistakes/mistakes.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "fast/pixel_ray.h"
@@ -166,24 +167,34 @@ Vector3 normalised(const Vector3& v) {
   return {factor * v.x, factor * v.y, factor * v.z};
 }
 
+std::vector<const Mistake*> in_order(std::span<const Mistake* const> some) {
+  std::vector<const Mistake*> ordered(some.begin(), some.end());
+  std::sort(ordered.begin(), ordered.end(), std::less<>());
+  return ordered;
+}
+
 Candidate candidate_with(std::span<const Mistake* const> mistakes) {
   Candidate candidate = right_candidate();
   use_hits(mistakes, candidate);
   for (const Mistake* one : mistakes) {
     if (one->makes_rays()) use(one->rays, candidate);
   }
-  for (const Mistake* one : mistakes) {
-    if (one->camera || one->conventions || one->pixel) change_camera(*one, candidate);
-    if (one->sphere || one->conventions) change_spheres(*one, candidate);
-    if (one->hit) change_hits(one->hit, candidate);
+  const std::vector<const Mistake*> ordered = in_order(mistakes);
+  // What is wrapped last is the first to change the input.
+  for (auto at = ordered.rbegin(); at != ordered.rend(); ++at) {
+    const Mistake& one = **at;
+    if (one.camera || one.conventions || one.pixel) change_camera(one, candidate);
+    if (one.sphere || one.conventions) change_spheres(one, candidate);
+    if (one.hit) change_hits(one.hit, candidate);
   }
   return candidate;
 }
 
 std::span<const Mistake> mistakes() {
   static const std::vector<Mistake> kMistakes = [] {
-    std::vector<Mistake> all = all_of({input_mistakes(), number_mistakes(), camera_mistakes(),
-                                       intersect_mistakes(), threshold_mistakes()});
+    std::vector<Mistake> all =
+        all_of({input_mistakes(), number_mistakes(), step_mistakes(), camera_mistakes(),
+                intersect_mistakes(), threshold_mistakes()});
     for (Mistake& mistake : all) {
       const Mistake* const one = &mistake;
       mistake.candidate = candidate_with({&one, 1});

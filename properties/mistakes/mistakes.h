@@ -71,6 +71,8 @@ struct Mistake {
 
 /// Every mistake; their sentences differ.
 std::span<const Mistake> mistakes();
+/// Mistakes in the order of mistakes(), in which they change their input.
+std::vector<const Mistake*> in_order(std::span<const Mistake* const> some);
 /// Makes several, which can be together (fault.h), as a mistake's candidate makes one.
 Candidate candidate_with(std::span<const Mistake* const> mistakes);
 /// The mistake with this sentence, or null.

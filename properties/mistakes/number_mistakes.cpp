@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -36,11 +38,22 @@ void keep_apart(Camera& camera) {
   if (camera.bottom == camera.top) camera.top = beyond(camera.bottom);
 }
 
-Mistake bound_mistake(std::string sentence, const std::function<void(Camera&)>& change) {
-  return camera_mistake(std::move(sentence), [change](Camera& its, const scene::Conventions&) {
-    change(its);
-    keep_apart(its);
-  });
+struct BoundChange {
+  std::string sentence;
+  std::function<void(Camera&)> change;
+  std::string_view family = {};
+};
+
+std::vector<Mistake> of_bounds(const std::vector<BoundChange>& changes) {
+  std::vector<Mistake> all;
+  for (const auto& [sentence, change, family] : changes) {
+    all.push_back(camera_mistake(sentence, [change = change](Camera& its, const auto&) {
+      change(its);
+      keep_apart(its);
+    }));
+    all.back().family = family;
+  }
+  return all;
 }
 
 /// Which bound is used for which, in kBounds' order.
@@ -63,35 +76,19 @@ std::string sentence_of(const Order& order) {
   return sentence;
 }
 
-Mistake of_order(const Order& order) {
-  return bound_mistake(sentence_of(order), [order](Camera& its) {
-    const Camera given = its;
-    for (std::size_t k = 0; k < order.size(); ++k) its.*kBounds[k] = given.*kBounds[order[k]];
-  });
-}
-
-std::vector<Mistake> negated_bounds() {
-  const auto negate = [](std::string sentence, bool across, bool down) {
-    return bound_mistake(std::move(sentence), [across, down](Camera& its) {
-      const double sideways = across ? -1 : 1;
-      const double upwards = down ? -1 : 1;
-      its.left *= sideways;
-      its.right *= sideways;
-      its.bottom *= upwards;
-      its.top *= upwards;
-    });
-  };
-  return {negate("left and right are both negated", true, false),
-          negate("top and bottom are both negated", false, true),
-          negate("all four bounds are negated", true, true)};
+BoundChange of_order(const Order& order) {
+  return {sentence_of(order), [order](Camera& its) {
+            const Camera given = its;
+            for (std::size_t k = 0; k < 4; ++k) its.*kBounds[k] = given.*kBounds[order[k]];
+          }};
 }
 
 /// Equivalent to "rows are upside down", "columns are mirrored", or both.
 bool mirrors(const Order& order) { return order[0] < 2 && order[1] < 2; }
 
 /// One bound taken from another, and the bounds in another order.
-std::vector<Mistake> exchanged_bounds() {
-  std::vector<Mistake> all;
+std::vector<BoundChange> exchanged_bounds() {
+  std::vector<BoundChange> all;
   for (std::size_t taken = 0; taken < 4; ++taken) {
     for (std::size_t from = 0; from < 4; ++from) {
       if (taken == from) continue;
@@ -107,24 +104,16 @@ std::vector<Mistake> exchanged_bounds() {
   return all;
 }
 
-/// An aspect factor that the bounds contain already.
-std::vector<Mistake> aspect_mistakes() {
-  const auto corrected = [](const std::string& what, bool across, bool by_aspect) {
-    return bound_mistake("the aspect ratio is corrected twice: " + what, [=](Camera& its) {
-      const double factor = by_aspect ? aspect(its) : 1 / aspect(its);
-      (across ? its.left : its.bottom) *= factor;
-      (across ? its.right : its.top) *= factor;
-    });
-  };
-  return {corrected("alpha is multiplied by width/height", true, true),
-          corrected("alpha is multiplied by height/width", true, false),
-          corrected("beta is multiplied by width/height", false, true),
-          corrected("beta is multiplied by height/width", false, false)};
+double half_width(const Camera& its) { return (its.right - its.left) / 2; }
+double half_height(const Camera& its) { return (its.top - its.bottom) / 2; }
+void centre(Camera& its, double right, double top) {
+  its.left = -right, its.right = right, its.bottom = -top, its.top = top;
 }
 
 /// Cameras with a field of view have symmetric bounds of square pixels: these follow from the size
-/// of one side, which is not the right one.
-std::vector<Mistake> field_of_view_mistakes() {
+/// of one side, which is not the right one. First bounds of the right size.
+std::vector<BoundChange> field_of_view_changes() {
+  constexpr const char* kFamily = "field of view";
   struct Where {
     const char* words;
     bool (*is)(double aspect);
@@ -133,42 +122,66 @@ std::vector<Mistake> field_of_view_mistakes() {
       {{"", [](double) { return true; }},
        {", where a picture is wider than high", [](double aspect) { return aspect > 1; }},
        {", where a picture is higher than wide", [](double aspect) { return aspect < 1; }}}};
-  std::vector<Mistake> all;
+  std::vector<BoundChange> all = {
+      {"the image plane is taken to be centred: half its width is (right - left)/2, half its "
+       "height "
+       "(top - bottom)/2",
+       [](Camera& its) { centre(its, half_width(its), half_height(its)); }, kFamily}};
   for (const bool across : {true, false}) {
     for (const auto& [words, is] : kWhere) {
       const std::string sentence = across
                                        ? "from left to right is taken for that from top to bottom"
                                        : "from top to bottom is taken for that from left to right";
-      all.push_back(
-          bound_mistake("the field of view " + sentence + words, [across, is = is](Camera& its) {
-            double right = (its.right - its.left) / 2, top = (its.top - its.bottom) / 2;
-            if (is(aspect(its))) {
-              (across ? top : right) = across ? right : top;
-              (across ? right : top) = across ? top * aspect(its) : right / aspect(its);
-            }
-            its.left = -right, its.right = right, its.bottom = -top, its.top = top;
-          }));
-      all.back().family = across ? "field of view across" : "field of view down";
+      all.push_back({"the field of view " + sentence + words,
+                     [across, is = is](Camera& its) {
+                       double right = half_width(its), top = half_height(its);
+                       if (is(aspect(its))) {
+                         (across ? top : right) = across ? right : top;
+                         (across ? right : top) = across ? top * aspect(its) : right / aspect(its);
+                       }
+                       centre(its, right, top);
+                     },
+                     kFamily});
     }
   }
   return all;
 }
 
-std::vector<Mistake> bound_mistakes() {
+void scale(Camera& its, double across, double upwards) {
+  its.left *= across, its.right *= across;
+  its.bottom *= upwards, its.top *= upwards;
+}
+
+std::vector<BoundChange> bound_changes() {
   return {
-      bound_mistake("top is -bottom", [](Camera& its) { its.top = -its.bottom; }),
-      bound_mistake("bottom is -top", [](Camera& its) { its.bottom = -its.top; }),
-      bound_mistake("right is -left", [](Camera& its) { its.right = -its.left; }),
-      bound_mistake("left is -right", [](Camera& its) { its.left = -its.right; }),
-      bound_mistake("the bounds of rows are those of columns",
-                    [](Camera& its) {
-                      its.bottom = its.left;
-                      its.top = its.right;
-                    }),
-      bound_mistake(
-          "the height is corrected for an aspect ratio that the bounds hold already",
-          [](Camera& its) { its.top = its.bottom + (its.top - its.bottom) * aspect(its); }),
-  };
+      {"top is -bottom", [](Camera& its) { its.top = -its.bottom; }},
+      {"bottom is -top", [](Camera& its) { its.bottom = -its.top; }},
+      {"right is -left", [](Camera& its) { its.right = -its.left; }},
+      {"left is -right", [](Camera& its) { its.left = -its.right; }},
+      {"the image plane is taken to be centred: left is -right and bottom is -top",
+       [](Camera& its) { centre(its, its.right, its.top); }},
+      {"the image plane is taken to be centred: half its height is top, half its width top w/h",
+       [](Camera& its) { centre(its, its.top * aspect(its), its.top); }},
+      {"the image plane is taken to be centred: half its height is top, half its width "
+       "top (right - left)/(top - bottom)",
+       [](Camera& its) { centre(its, its.top * half_width(its) / half_height(its), its.top); }},
+      {"the image plane is taken to be centred: half its height is top, and so is half its width",
+       [](Camera& its) { centre(its, its.top, its.top); }},
+      {"the bounds of rows are those of columns",
+       [](Camera& its) { its.bottom = its.left, its.top = its.right; }},
+      {"the height is corrected for an aspect ratio that the bounds hold already",
+       [](Camera& its) { its.top = its.bottom + (its.top - its.bottom) * aspect(its); }},
+      {"the aspect ratio is corrected twice: alpha is multiplied by width/height",
+       [](Camera& its) { scale(its, aspect(its), 1); }},
+      {"the aspect ratio is corrected twice: alpha is multiplied by height/width",
+       [](Camera& its) { scale(its, 1 / aspect(its), 1); }},
+      {"the aspect ratio is corrected twice: beta is multiplied by width/height",
+       [](Camera& its) { scale(its, 1, aspect(its)); }},
+      {"the aspect ratio is corrected twice: beta is multiplied by height/width",
+       [](Camera& its) { scale(its, 1, 1 / aspect(its)); }},
+      {"left and right are both negated", [](Camera& its) { scale(its, -1, 1); }},
+      {"top and bottom are both negated", [](Camera& its) { scale(its, 1, -1); }},
+      {"all four bounds are negated", [](Camera& its) { scale(its, -1, -1); }}};
 }
 
 /// How a number is read.
@@ -287,46 +300,44 @@ std::vector<Mistake> float_mistakes() {
   return all;
 }
 
-std::vector<Mistake> read_mistakes() {
-  const std::string how = "read as integers: their fractions are dropped";
-  return {camera_mistake(
-              "eye, look and up are " + how, [](Camera& its, auto&) { read_view(as_integer, its); },
-              Step::kFrame),
-          camera_mistake(
-              "eye, look, up and d are " + how,
-              [](Camera& its, auto&) {
-                read_view(as_integer, its);
-                its.near = as_integer(its.near);
-              },
-              Step::kFrame),
-          camera_mistake("d is read as an integer: its fraction is dropped",
-                         [](Camera& its, auto&) { its.near = as_integer(its.near); }),
-          camera_mistake("the bounds are " + how,
-                         [](Camera& its, auto&) { read_bounds(as_integer, its); }),
-          sphere_mistake("the centre is left out: spheres are about the world's origin",
-                         [](Sphere& sphere) { sphere.centre = {}; }),
+std::vector<Mistake> sphere_mistakes() {
+  return {sphere_mistake("the centre is left out: spheres are about the world's origin",
+                         [](Sphere& its) { its.centre = {}; }),
           sphere_mistake("the radius is taken for the diameter: spheres are half as large",
-                         [](Sphere& sphere) { sphere.radius /= 2; }),
+                         [](Sphere& its) { its.radius /= 2; }),
           sphere_mistake("the diameter is taken for the radius: spheres are twice as large",
-                         [](Sphere& sphere) { sphere.radius *= 2; }),
+                         [](Sphere& its) { its.radius *= 2; }),
           sphere_mistake("r^2 is an integer of 32 bits: it wraps around from a radius of 46,341 on",
-                         [](Sphere& sphere) {
-                           if (sphere.radius < 46341) return;
-                           sphere.radius = root_of_wrapped_square(sphere.radius);
+                         [](Sphere& its) {
+                           if (its.radius >= 46341) its.radius = root_of_wrapped_square(its.radius);
                          }),
           sphere_mistake("the squared radius is squared again: d^2 = r^4 - (|T|^2 - v^2)",
-                         [](Sphere& sphere) { sphere.radius *= sphere.radius; }),
+                         [](Sphere& its) { its.radius *= its.radius; }),
           sphere_mistake("the radius is not squared: d^2 = r - (|T|^2 - v^2)",
-                         [](Sphere& sphere) { sphere.radius = std::sqrt(sphere.radius); })};
+                         [](Sphere& its) { its.radius = std::sqrt(its.radius); })};
+}
+
+/// Some of the camera's numbers, or all numbers, are read as integers.
+std::vector<Mistake> integer_mistakes() {
+  const std::string how = "read as integers: their fractions are dropped";
+  const auto view = [](Camera& its, auto&) { read_view(as_integer, its); };
+  const auto near = [](Camera& its, auto&) { its.near = as_integer(its.near); };
+  return all_of({readings(as_integer, how),
+                 {camera_mistake("eye, look and up are " + how, view, Step::kFrame),
+                  camera_mistake(
+                      "eye, look, up and d are " + how,
+                      [=](Camera& its, auto& c) { view(its, c), near(its, c); }, Step::kFrame),
+                  camera_mistake("d is read as an integer: its fraction is dropped", near),
+                  camera_mistake("the bounds are " + how,
+                                 [](Camera& its, auto&) { read_bounds(as_integer, its); })}});
 }
 
 }  // namespace
 
 std::vector<Mistake> number_mistakes() {
-  return all_of({bound_mistakes(), field_of_view_mistakes(), aspect_mistakes(), negated_bounds(),
-                 exchanged_bounds(),
-                 readings(as_integer, "read as integers: their fractions are dropped"),
-                 read_mistakes(), float_mistakes()});
+  return all_of({of_bounds(bound_changes()), of_bounds(field_of_view_changes()),
+                 of_bounds(exchanged_bounds()), integer_mistakes(), sphere_mistakes(),
+                 float_mistakes()});
 }
 
 }  // namespace raycheck::properties

@@ -68,7 +68,7 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
   for (const Arithmetic arithmetic : kArithmetics) {
     const Pictures certain = mostly_certain(pictures, arithmetic);
     if (certain.size() == pictures.size()) continue;
-    if (certain.size() != known) found = find_suspects(certain);
+    if (certain.size() != known) found = find_suspects(certain).all;
     known = certain.size();
     if (found.empty() || !is_found(found.front().fault, arithmetic)) continue;
     for (const Suspect& suspect : found) causes.alternatives.push_back(suspect.fault);
@@ -100,14 +100,6 @@ std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
   return pixels;
 }
 
-/// One of each; of two mistakes at once one of all.
-std::vector<std::string> sentences(const std::vector<Fault>& alternatives) {
-  if (alternatives.front().size() > 1) return {sentence_of(alternatives)};
-  std::vector<std::string> all;
-  for (const Fault& fault : alternatives) all.push_back(sentence_of(fault));
-  return all;
-}
-
 }  // namespace
 
 Causes picture_causes(std::span<const ShownPicture> shown) {
@@ -132,7 +124,13 @@ Causes picture_causes(std::span<const ShownPicture> shown) {
   }
   std::stable_sort(pictures.begin(), pictures.end(),
                    [](const Evidence& a, const Evidence& b) { return a.errors() > b.errors(); });
-  const std::vector<Suspect> found = find_suspects(pictures);
+  const auto [found, are_too_many] = find_suspects(pictures);
+  if (are_too_many) {
+    causes.kind = CauseKind::kUnknown;
+    causes.explained = 0;
+    causes.show_too_little = true;
+    return causes;
+  }
   const bool is_exact =
       !found.empty() && makes_nearly_all(found.front().fault, pictures, all_errors);
   if (!is_exact && find_imprecision(pictures, causes)) return causes;
@@ -174,15 +172,15 @@ std::vector<Explanation> explanations(const Causes& causes) {
       say("no pixel is black: where there is no sphere another colour is shown");
       break;
     case CauseKind::kExplained:
-      for (const std::string& sentence : sentences(causes.alternatives)) {
-        say(sentence + (roundings.empty() ? "" : "; and " + roundings));
-      }
+      say(sentence_of(causes.alternatives) + (roundings.empty() ? "" : "; and " + roundings));
       break;
     case CauseKind::kImprecise:
       say(roundings);
       break;
-    case CauseKind::kNothingWrong:
     case CauseKind::kUnknown:
+      if (causes.show_too_little) say(std::string(kTooLittleShown));
+      break;
+    case CauseKind::kNothingWrong:
       break;
   }
   return all;

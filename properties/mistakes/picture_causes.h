@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "properties/mistakes/explanation.h"  // kMostAlternatives, for each of two made at once
@@ -35,14 +36,19 @@ struct Imprecision {
 struct Causes {
   /// Of the pictures that have the right size.
   CauseKind kind = CauseKind::kNothingWrong;
-  /// Each explains all that is wrong; several if they make the same pictures of these scenes.
+  /// Each explains all that is wrong; several if they make the same pictures of these scenes. Of
+  /// scenes that show little, pairs may stand beside single mistakes.
   std::vector<Fault> alternatives = {};
+  bool show_too_little = false;             ///< So that too many mistakes explain it.
   std::uint64_t errors = 0, explained = 0;  ///< Pixels.
   /// Roundings of a formula that, together with the first alternative, explain all that is wrong.
   std::optional<Imprecision> imprecision = {};
   /// Pixels of pictures with width and height exchanged, if every one that is not square has that.
   std::uint64_t exchanged = 0;
 };
+
+/// In place of a mistake; `explained` is 0.
+inline constexpr std::string_view kTooLittleShown = "the picture shows too little to tell why";
 
 inline constexpr const char* kSidesExchanged = "width and height of the picture are exchanged";
 
@@ -57,7 +63,8 @@ inline constexpr double kMostLeftOfAll = 0.02;
 
 /// What explains the wrong pixels of all pictures together and contradicts none of them, right or
 /// wrong. One mistake that explains all, or else two that do, or else one that explains
-/// kExplainedShare; the best, or none if another that makes other pictures is about as good. Pixels
+/// kExplainedShare; the best, or none if another that makes other pictures is about as good. Where
+/// few mistakes show at all, pairs that explain as much as one are alternatives. Pixels
 /// that a relative change of the scene by kExcusedImageChange makes right are not errors, unless
 /// nothing else is wrong: then what makes exactly these pictures explains them. Wrong pictures that
 /// are black are explained only by a full explanation. If nothing else explains all, roundings do
@@ -68,7 +75,7 @@ Causes picture_causes(std::span<const ShownPicture> pictures);
 /// How many pixels of a picture neither a fault nor the roundings of a formula beside it explain.
 std::uint64_t pixels_left(const ShownPicture& picture, const Fault& fault, Arithmetic arithmetic);
 
-/// The causes in words: a sentence for every alternative, one for pairs, or the kind.
+/// The causes in words: the sentence of the alternatives, or the kind.
 std::vector<Explanation> explanations(const Causes& causes);
 
 /// A scene with a camera, and whether a program failed on it: gave no picture.

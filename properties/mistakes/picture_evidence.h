@@ -78,8 +78,13 @@ struct Suspect {
   std::uint64_t left = 0;
 };
 
+struct Suspects {
+  std::vector<Suspect> all = {};
+  bool are_too_many = false;  ///< Then there are none: the pictures show too little.
+};
+
 /// What explains pictures with errors, the best first, as picture_causes() has it; those with most
 /// errors come first. If all pictures are right except for excuses: what makes exactly these.
-std::vector<Suspect> find_suspects(const Pictures& pictures);
+Suspects find_suspects(const Pictures& pictures);
 
 }  // namespace raycheck::properties

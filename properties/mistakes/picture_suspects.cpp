@@ -24,9 +24,9 @@ const std::vector<const Mistake*>& told_by_pictures() {
 }
 
 /// The best suspects so far. One that leaves half as many pixels again is about as good.
-class Suspects {
+class BestSuspects {
  public:
-  explicit Suspects(std::uint64_t most_left) : best_(most_left), most_left_(most_left) {}
+  explicit BestSuspects(std::uint64_t most_left) : best_(most_left), most_left_(most_left) {}
 
   std::uint64_t most_left() const { return most_left_; }
 
@@ -86,14 +86,17 @@ bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
   return true;
 }
 
+std::string_view name_of(const Mistake* one) {
+  return one->family.empty() ? std::string_view(one->sentence) : one->family;
+}
+
 /// Of suspects that differ only within a family, keeps the first.
 void keep_first_of_families(std::vector<Suspect>& suspects) {
   std::set<std::vector<std::string_view>> known;
   std::erase_if(suspects, [&](const Suspect& suspect) {
     std::vector<std::string_view> names;
     for (const Mistake* mistake : suspect.fault) {
-      names.push_back(mistake->family.empty() ? std::string_view(mistake->sentence)
-                                              : mistake->family);
+      names.push_back(name_of(mistake));
     }
     return !known.insert(names).second;
   });
@@ -140,6 +143,7 @@ void keep_likeliest(std::vector<Suspect>& suspects, const Pictures& pictures) {
 /// The suspects to name: all, if they make the same pictures; if they are too many, the
 /// likeliest, or one that describes what is seen.
 std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures& pictures) {
+  if (suspects.empty()) return suspects;
   keep_first_of_families(suspects);
   prefer_exact(suspects, pictures);
   for (std::size_t k = 1; k < suspects.size(); ++k) {
@@ -155,7 +159,7 @@ std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures&
 }
 
 std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t errors) {
-  Suspects suspects(most_unexplained(errors));
+  BestSuspects suspects(most_unexplained(errors));
   for (const Mistake* mistake : told_by_pictures()) {
     const Fault fault = {mistake};
     if (const auto its = left(fault, pictures, suspects.most_left())) suspects.add({fault, *its});
@@ -163,8 +167,10 @@ std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t err
   return suspects.take();
 }
 
-/// The mistakes that show in the pictures; of those that make the same pictures, one.
-std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
+/// The mistakes that show in the pictures, or the first so many; of those that make the same
+/// pictures, one.
+std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures,
+                                               std::size_t most = told_by_pictures().size()) {
   std::set<std::vector<ImageAnswer>> known;
   const auto made = [&](const Fault& fault) {
     std::vector<ImageAnswer> images;
@@ -176,6 +182,7 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
   known.insert(made({}));
   std::vector<const Mistake*> shown;
   for (const Mistake* mistake : told_by_pictures()) {
+    if (shown.size() == most) break;
     if (known.insert(made({mistake})).second) shown.push_back(mistake);
   }
   return shown;
@@ -221,7 +228,7 @@ std::uint64_t most_left_of_all(const Pictures& pictures, std::uint64_t errors) {
 }
 
 std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t errors) {
-  Suspects suspects(most_left_of_all(pictures, errors));
+  BestSuspects suspects(most_left_of_all(pictures, errors));
   const std::vector<const Mistake*> shown = mistakes_that_show(pictures);
   for (std::size_t a = 0; a < shown.size(); ++a) {
     for (std::size_t b = a + 1; b < shown.size(); ++b) {
@@ -231,6 +238,36 @@ std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t e
     }
   }
   return suspects.take();
+}
+
+/// Pictures in which fewer than one in this many mistakes shows tell little: what does not show in
+/// them may show beside another mistake, and accidents are likely.
+constexpr std::size_t kShareThatShows = 10;
+
+/// Pairs of other mistakes, even such as do not show alone, that explain pictures as well as these
+/// single ones, one beyond kMostAlternatives at most; none where pictures tell enough.
+std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pictures& pictures) {
+  const std::vector<const Mistake*>& all = told_by_pictures();
+  std::vector<Suspect> pairs;
+  const std::size_t enough = all.size() / kShareThatShows;
+  if (mistakes_that_show(pictures, enough).size() == enough) return pairs;
+  std::set<std::string_view> explaining;
+  for (const Suspect& one : singles) explaining.insert(name_of(one.fault.front()));
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    for (std::size_t b = a + 1; b < all.size(); ++b) {
+      const Fault fault = {all[a], all[b]};
+      if (explaining.contains(name_of(all[a])) || explaining.contains(name_of(all[b])) ||
+          !can_be_together(*all[a], *all[b])) {
+        continue;
+      }
+      if (const auto its = left(fault, pictures, singles.front().left)) {
+        pairs.push_back({fault, *its});
+        keep_first_of_families(pairs);
+      }
+      if (pairs.size() > kMostAlternatives) return pairs;
+    }
+  }
+  return pairs;
 }
 
 /// The mistakes that make exactly these pictures, whose wrong pixels are all borderline.
@@ -250,15 +287,15 @@ std::vector<Suspect> exact_suspects(const Pictures& pictures) {
 
 }  // namespace
 
-std::vector<Suspect> find_suspects(const Pictures& pictures) {
+Suspects find_suspects(const Pictures& pictures) {
   std::uint64_t errors = 0, errors_of_black = 0;
   for (const Evidence& one : pictures) {
     errors += one.errors();
     if (one.is_black()) errors_of_black += one.errors();
   }
-  if (errors == 0) return exact_suspects(pictures);
+  if (errors == 0) return {exact_suspects(pictures)};
   if (errors < kFewestWrongPixels) return {};
-  std::vector<Suspect> singles = single_suspects(pictures, errors);
+  const std::vector<Suspect> singles = single_suspects(pictures, errors);
   const bool one_explains_all =
       !singles.empty() && singles.front().left <= most_left_of_all(pictures, errors);
   // For black pictures alone only a full explanation is named.
@@ -268,10 +305,15 @@ std::vector<Suspect> find_suspects(const Pictures& pictures) {
     std::vector<Suspect> pairs = pairs_of_suspects(pictures, errors);
     if (!pairs.empty()) {
       pairs = alternatives(std::move(pairs), pictures);
-      return pairs.size() == 1 ? with_ties(pairs.front(), pictures) : pairs;
+      return {pairs.size() == 1 ? with_ties(pairs.front(), pictures) : pairs};
     }
   }
-  return singles.empty() ? singles : alternatives(std::move(singles), pictures);
+  Suspects found = {alternatives(singles, pictures)};
+  if (found.all.empty()) return found;
+  const std::vector<Suspect> pairs = pairs_as_good(singles, pictures);
+  found.all.insert(found.all.end(), pairs.begin(), pairs.end());
+  if (pairs.empty() || found.all.size() <= kMostAlternatives) return found;
+  return {.all = {}, .are_too_many = true};
 }
 
 }  // namespace raycheck::properties

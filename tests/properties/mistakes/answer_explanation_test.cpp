@@ -335,11 +335,15 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceIsBoth) {
   Candidate candidate = both("rows are upside down", "top is taken from right");
   candidate.frame = nullptr;
   candidate.pixel_points = nullptr;
-  expect_both(candidate, "rows are upside down; and top is taken from right");
+  expect_both(candidate, "(rows are upside down; and top is taken from right)");
   candidate = both("i/w and j/h place the pixels", "directions are not normalised: D = P - E");
   candidate.pixel_points = nullptr;
   expect_both(candidate,
               "i/w and j/h place the pixels; and directions are not normalised: D = P - E");
+  const char* const centred =
+      "the image plane is taken to be centred: left is -right and bottom is -top";
+  candidate = both(centred, "i/w and j/h place the pixels");
+  expect_both(candidate, (std::string(centred) + "; and i/w and j/h place the pixels").c_str());
   expect_both(
       both("s >= 0 is not tested: spheres behind the origin are hit", "s is half of the right one"),
       "s >= 0 is not tested: spheres behind the origin are hit; and s is half of the right "

@@ -188,16 +188,49 @@ TEST(PictureCauses, OfRadiiThatAreHalvedOrDoubledAreThat) {
   }
 }
 
-/// Of a sphere between the eye and the image plane nothing tells them apart.
-TEST(PictureCauses, OfASphereBeforeThePlaneAreAllThatShowIt) {
+/// Of a sphere between the eye and the image plane little tells them apart: pairs of mistakes show
+/// there that do not show alone.
+TEST(PictureCauses, OfASphereBeforeThePlaneAreAllThatShowItOrNone) {
   const Scene scene =
       scene::load_scene(RAYCHECK_SOURCE_DIR "/scene/examples/sphere-between-eye-and-plane.toml")
           .scene;
   Scene shown = scene;
   shown.conventions.origin = scene::Origin::kFocal;
-  EXPECT_EQ(sentences_for(scene, shown),
-            (Sentences{"rays start at the eye, so that spheres before the image plane are seen",
-                       "s >= 0 is not tested: spheres behind the origin are hit"}));
+  EXPECT_EQ(
+      sentences_for(scene, shown),
+      Sentences{
+          "rays start at the eye, so that spheres before the image plane are seen, or: s >= "
+          "0 is not tested: spheres behind the origin are hit, or: (the image plane is at "
+          "half of d; and the diameter is taken for the radius: spheres are twice as large)"});
+  const double radius = scene.spheres.front().radius;
+  for (const double factor : {0.5, 2.0}) {
+    shown.spheres.front().radius = factor * radius;
+    EXPECT_EQ(sentences_for(scene, shown), Sentences{std::string(kTooLittleShown)});
+  }
+}
+
+/// Of the same mistakes where there is more to see.
+TEST(PictureCausesOfTwoMistakes, MayBeOneInTheBoundsAndOneInTheirPixels) {
+  for (const char* bounds :
+       {"left is -right and bottom is -top",
+        "half its width is (right - left)/2, half its height (top - bottom)/2",
+        "half its height is top, half its width top w/h",
+        "half its height is top, half its width top (right - left)/(top - bottom)",
+        "half its height is top, and so is half its width"}) {
+    const std::string centred = std::string("the image plane is taken to be centred: ") + bounds;
+    for (const char* other :
+         {"i/w and j/h place the pixels", "pixels are sampled at their centres",
+          "rays start at the eye, so that spheres before the image plane are seen"}) {
+      const std::vector<ShownPicture> pictures =
+          shown_with({mistake(centred), mistake(other)}, {probe()});
+      const Causes causes = picture_causes(pictures);
+      ASSERT_EQ(causes.kind, CauseKind::kExplained) << centred << "; " << other;
+      for (const Fault& fault : causes.alternatives) {
+        EXPECT_LE(differences({mistake(centred), mistake(other)}, fault, {probe()}), 2u)
+            << centred << "; " << other << ": " << sentence_of(fault);
+      }
+    }
+  }
 }
 
 TEST(PictureCauses, OfTangentsAreTheirConvention) {
@@ -267,9 +300,9 @@ TEST(PictureCausesOfTwoMistakes, AreTheTiesOfBoth) {
   EXPECT_EQ(causes.alternatives.size(), 4u);
   EXPECT_EQ(
       sentences_for(pictures),
-      Sentences{"left and right are both negated, or: U has the wrong sign; and s >= 0 is not "
+      Sentences{"(left and right are both negated, or: U has the wrong sign); and (s >= 0 is not "
                 "tested: spheres behind the origin are hit, or: the smallest s wins, though "
-                "it is negative"});
+                "it is negative)"});
 }
 
 TEST(PictureCauses, ContradictNoRightPicture) {

@@ -178,7 +178,7 @@ FailedHow failed_how(const ItemTrial& trial) {
 std::string sentence_of_kind(Causes causes) {
   causes.exchanged = 0;
   const std::vector<properties::Explanation> said = properties::explanations(causes);
-  return said.empty() ? "" : said.front().sentence;
+  return said.empty() || said.front().explained == 0 ? "" : said.front().sentence;
 }
 
 bool masks_only(const Item& item) { return item.pictures && item.pictures->masks_only; }
