@@ -1,6 +1,5 @@
 #include "tools/gate_arguments.h"
 
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <algorithm>

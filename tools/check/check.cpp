@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <span>
-#include <stdexcept>
-#include <utility>
 
 #include "properties/cases/scene_cases.h"
 #include "properties/laws/law.h"

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "tools/arguments.h"
 #include "tools/check/check.h"

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <utility>
 
 #include "properties/laws/law.h"
 #include "properties/search/campaign.h"
 #include "scene/interruption.h"
-#include "tools/check/check.h"
 #include "tools/shards/run_units.h"
 
 namespace raycheck::tools {

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <iterator>
 #include <mutex>
-#include <optional>
 #include <random>
 #include <set>
 #include <stdexcept>

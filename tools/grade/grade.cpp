@@ -1,23 +1,16 @@
 #include "tools/grade/grade.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
-#include <utility>
 
 #include "properties/mistakes/shown_picture.h"
 #include "scene/interruption.h"
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
-#include "tools/grade/pages/views.h"
 #include "tools/grade/results/record.h"
-#include "tools/grade/results/result.h"
-#include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/version.h"

@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <tbb/info.h>
 
 #include <algorithm>
@@ -6,7 +5,6 @@
 #include <iterator>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "scene/files/file_text.h"
 #include "tools/arguments.h"

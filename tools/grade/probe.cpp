@@ -9,7 +9,6 @@
 #include <sstream>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/record.h"

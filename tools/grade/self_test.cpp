@@ -4,7 +4,6 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "tools/external/locate.h"
 #include "tools/grade/grade.h"

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 #include <system_error>
 
 #include "properties/cases/case_text.h"

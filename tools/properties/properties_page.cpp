@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"

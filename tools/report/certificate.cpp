@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
-#include <utility>
 
 #include "properties/laws/law.h"
 #include "reference/account/proof.h"

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "scene/files/scene_file.h"
 #include "scene/number.h"
 #include "scene/text.h"
 #include "tools/report/version.h"

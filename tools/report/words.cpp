@@ -1,7 +1,6 @@
 #include "tools/report/words.h"
 
 #include <fmt/color.h>
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <algorithm>

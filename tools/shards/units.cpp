@@ -1,7 +1,6 @@
 #include "tools/shards/units.h"
 
 #include <fmt/core.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>

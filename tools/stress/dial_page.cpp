@@ -1,10 +1,8 @@
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/cases/random.h"

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/search/campaign.h"

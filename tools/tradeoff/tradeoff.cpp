@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <stdexcept>
 #include <tuple>
 
 #include "properties/cases/random.h"

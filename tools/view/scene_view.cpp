@@ -7,13 +7,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "properties/case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
-#include "tools/implementations/built_in.h"
 #include "tools/report/words.h"
 #include "tools/run/in_order.h"
-#include "tools/view/document.h"
 #include "tools/view/figure/figure.h"
 #include "tools/view/page/page.h"
 #include "tools/view/panel/panel.h"

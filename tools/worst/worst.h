@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "properties/run_control.h"
 #include "properties/search/worst_case.h"

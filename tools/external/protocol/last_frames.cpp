@@ -1,4 +1,3 @@
-
 #include <dlfcn.h>
 #include <link.h>
 #include <unistd.h>

@@ -1,11 +1,9 @@
 #include "tools/external/protocol/protocol.h"
 
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 
 #include "scene/number.h"
 #include "scene/validate.h"

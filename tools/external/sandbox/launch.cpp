@@ -9,22 +9,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <atomic>
-#include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <initializer_list>
-#include <system_error>
 #include <thread>
 
 #include "scene/interruption.h"
 #include "tools/external/sandbox/descriptor.h"
-#include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/process_tree.h"
 #include "tools/report/version.h"
 

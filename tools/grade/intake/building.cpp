@@ -9,13 +9,10 @@
 #include <system_error>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/rubric.h"
-#include "tools/grade/store/store.h"
 #include "tools/report/digest.h"
 #include "tools/report/words.h"
 

@@ -5,21 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "scene/invalid_input.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"
 #include "tools/report/digest.h"
 #include "tools/report/json.h"

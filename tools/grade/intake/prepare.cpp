@@ -9,12 +9,10 @@
 #include <fstream>
 #include <limits>
 #include <set>
-#include <string_view>
 #include <system_error>
 #include <tuple>
 
 #include "tools/grade/intake/building.h"
-#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/report/digest.h"

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
 #include <cctype>
@@ -11,8 +10,6 @@
 #include <optional>
 #include <set>
 #include <sstream>
-#include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "tools/report/words.h"

@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cstdint>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "tools/grade/pages/views.h"

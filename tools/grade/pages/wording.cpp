@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string_view>
-#include <utility>
 
 #include "properties/cases/case_text.h"
 #include "properties/laws/law.h"

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "scene/files/file_text.h"

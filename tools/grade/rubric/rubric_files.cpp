@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 

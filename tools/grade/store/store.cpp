@@ -4,14 +4,11 @@
 #include <unistd.h>
 
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "scene/invalid_input.h"
 #include "tools/external/sandbox/file_tree.h"

@@ -6,11 +6,8 @@
 
 #include <array>
 #include <stdexcept>
-#include <string_view>
-#include <utility>
 
 #include "tools/report/spelling.h"
-#include "tools/view/document.h"
 #include "tools/view/page/assets.h"
 
 namespace raycheck::tools {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "scene/number.h"
-#include "tools/explain/explain.h"
 #include "tools/report/typeset.h"
 #include "tools/report/words.h"
 

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <map>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/laws/law.h"
 #include "properties/trial.h"
 #include "reference/visibility/visibility.h"
-#include "tools/image/image_paint.h"
 #include "tools/report/picture_file.h"
 #include "tools/report/spelling.h"
 #include "tools/run/for_each.h"
