@@ -200,8 +200,7 @@ constexpr const char* kReading[] = {"--baseline", "--candidate", "--secret-file"
 
 bool reads(const CLI::Option& option) {
   return option.get_positional() ||
-         std::any_of(std::begin(kReading), std::end(kReading),
-                     [&](const char* name) { return option.check_name(name); });
+         std::ranges::any_of(kReading, [&](const char* name) { return option.check_name(name); });
 }
 
 std::vector<std::string> files_of(const CLI::Option& option) {
@@ -247,7 +246,7 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
   std::vector<MethodPair> pairs;
   for (const std::string& name : intersect) {
     const MethodPair pair = {&rays, &find_intersect(name, field)};
-    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
+    if (std::ranges::find(pairs, pair) == pairs.end()) pairs.push_back(pair);
   }
   if (pairs.empty()) pairs.push_back({&rays, kDefaultMethods.intersect});
   return pairs;

@@ -58,7 +58,7 @@ CLI::Option* add_named(CLI::App& command, const std::string& option, Enum& value
                        const std::array<std::string_view, N>& names, const std::string& meaning) {
   const std::vector<std::string> all(names.begin(), names.end());
   const auto take = [&value, all](const std::string& name) {
-    value = static_cast<Enum>(std::find(all.begin(), all.end(), name) - all.begin());
+    value = static_cast<Enum>(std::ranges::find(all, name) - all.begin());
   };
   return command.add_option_function<std::string>(option, take, meaning)
       ->check(CLI::IsMember(all))

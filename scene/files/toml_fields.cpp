@@ -168,7 +168,7 @@ void TomlFields::require_known(const Table& from, std::span<const std::string_vi
   std::optional<Field> unknown;
   for (const auto& [key, node] : from.keys) {
     const Field field{node, from.prefix + std::string(key.str()), key.source().begin.line};
-    const bool is_known = std::find(known.begin(), known.end(), key.str()) != known.end();
+    const bool is_known = std::ranges::find(known, key.str()) != known.end();
     if (!is_known && (!unknown || field.line < unknown->line)) unknown.emplace(field);
   }
   if (unknown) {

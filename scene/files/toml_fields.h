@@ -98,7 +98,7 @@ class TomlFields {
   template <typename Choice, typename Names>
   Choice chosen(const Field& field, const Names& names) const {
     const auto* text = field.node.as_string();
-    const auto found = text ? std::find(names.begin(), names.end(), text->get()) : names.end();
+    const auto found = text ? std::ranges::find(names, text->get()) : names.end();
     if (found == names.end()) fail(field, "must be one of " + listed(names));
     return static_cast<Choice>(found - names.begin());
   }

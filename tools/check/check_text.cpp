@@ -204,7 +204,7 @@ std::vector<RankedDiscrepancy> worst_of_all(const CheckReport& report) {
       ranked.push_back({&candidate, rank++, discrepancy});
     }
   }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
+  std::ranges::stable_sort(ranked, [](const auto& a, const auto& b) {
     const auto key = [](const RankedDiscrepancy& one) {
       return std::pair(one.discrepancy.excuse.standing(), one.rank);
     };
@@ -248,21 +248,19 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
   };
   std::vector<Group> groups;
   const auto add = [&](const std::string& whose, const LeftOut& entry) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
+    auto group = std::ranges::find_if(groups, [&](const Group& known) {
       return known.whose == whose && known.reason == entry.reason;
     });
     if (group == groups.end()) group = groups.insert(group, {whose, entry.reason, {}});
-    if (std::find(group->laws.begin(), group->laws.end(), entry.law) == group->laws.end()) {
+    if (std::ranges::find(group->laws, entry.law) == group->laws.end()) {
       group->laws.push_back(entry.law);
     }
   };
   for (const CandidateReport& candidate : report.candidates) {
     for (const LeftOut& entry : candidate.left_out) {
-      const bool all = std::all_of(
-          report.candidates.begin(), report.candidates.end(), [&](const CandidateReport& other) {
-            return std::find(other.left_out.begin(), other.left_out.end(), entry) !=
-                   other.left_out.end();
-          });
+      const bool all = std::ranges::all_of(report.candidates, [&](const CandidateReport& other) {
+        return std::ranges::find(other.left_out, entry) != other.left_out.end();
+      });
       add(all ? "" : candidate.name + ", ", entry);
     }
   }

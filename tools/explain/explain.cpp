@@ -248,13 +248,12 @@ void report_all_intersections(const Case& the_case, const fast::PixelRayMethod& 
 }  // namespace
 
 const Step* ExplainReport::find(const std::string& symbol) const {
-  const auto found = std::find_if(steps.begin(), steps.end(),
-                                  [&](const Step& one) { return one.symbol == symbol; });
+  const auto found = std::ranges::find(steps, symbol, &Step::symbol);
   return found == steps.end() ? nullptr : &*found;
 }
 
 bool ExplainReport::has_discrepancy() const {
-  return std::any_of(methods.begin(), methods.end(), [](const MethodReport& method) {
+  return std::ranges::any_of(methods, [](const MethodReport& method) {
     return method.wrong && method.wrong->excuse.standing() == properties::Standing::kDefect;
   });
 }

@@ -29,7 +29,7 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
       files.push_back(entry.path());
     }
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 

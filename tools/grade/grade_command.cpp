@@ -73,8 +73,8 @@ int try_own_methods(const GradeArguments& arguments) {
 
 /// Only the dry run.
 int run_probe(const GradeArguments& arguments) {
-  if (std::none_of(std::begin(kProbeViews), std::end(kProbeViews),
-                   [&](const auto& view) { return view.name == arguments.format; })) {
+  if (std::ranges::none_of(kProbeViews,
+                           [&](const auto& view) { return view.name == arguments.format; })) {
     throw std::invalid_argument("--format " + arguments.format + ": --probe has text and json");
   }
   GradeOptions options = arguments.options;

@@ -139,7 +139,7 @@ std::vector<Implementation> built_in(const std::vector<MethodPair>& pairs) {
 std::vector<Implementation> find_methods(const std::vector<std::string>& names) {
   std::vector<Implementation> all = each_alone();
   constexpr const char* kAll = "all";
-  if (std::find(names.begin(), names.end(), kAll) != names.end()) {
+  if (std::ranges::find(names, kAll) != names.end()) {
     if (names.size() == 1) return all;
     throw scene::InvalidInput("method", kAll, "is every method; leave out the others");
   }
@@ -147,7 +147,7 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
     std::erase_if(all, [](const Implementation& method) {
       const auto fast = fast::intersect_methods();
       return method.offers(Stage::kIntersection) &&
-             std::find(fast.begin(), fast.end(), method.methods->intersect) == fast.end();
+             std::ranges::find(fast, method.methods->intersect) == fast.end();
     });
     return all;
   }
@@ -156,16 +156,16 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
     return name == method.name || name == kind + method.name;
   };
   for (const std::string& name : names) {
-    if (std::none_of(all.begin(), all.end(),
-                     [&](const Implementation& method) { return is_called(method, name); })) {
+    if (std::ranges::none_of(
+            all, [&](const Implementation& method) { return is_called(method, name); })) {
       std::string known;
       for (const Implementation& method : all) known += (known.empty() ? "" : ", ") + method.name;
       throw scene::InvalidInput("method", name, "no such method; the methods are " + known);
     }
   }
   std::erase_if(all, [&](const Implementation& method) {
-    return std::none_of(names.begin(), names.end(),
-                        [&](const std::string& name) { return is_called(method, name); });
+    return std::ranges::none_of(names,
+                                [&](const std::string& name) { return is_called(method, name); });
   });
   return all;
 }

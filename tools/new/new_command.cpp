@@ -56,9 +56,7 @@ std::string named(std::string_view text, const std::string& name) {
 }
 
 std::string write_adapter(const NewArguments& arguments) {
-  const auto* const language =
-      std::find_if(std::begin(kLanguages), std::end(kLanguages),
-                   [&](const Language& one) { return one.name == arguments.language; });
+  const auto* const language = std::ranges::find(kLanguages, arguments.language, &Language::name);
   if (language->reserved.find(" " + arguments.name + " ") != std::string_view::npos) {
     throw std::invalid_argument(fmt::format("NAME {}: is a word of {}; give another name",
                                             arguments.name, arguments.language));

@@ -311,13 +311,11 @@ class Study {
 
 std::uint64_t PropertiesReport::count(properties::Finding finding) const {
   return static_cast<std::uint64_t>(
-      std::count_if(campaigns.begin(), campaigns.end(),
-                    [&](const CampaignReport& campaign) { return campaign.finding == finding; }));
+      std::ranges::count(campaigns, finding, &CampaignReport::finding));
 }
 
 bool PropertiesReport::holds() const {
-  return failures() == 0 &&
-         std::none_of(corpus.begin(), corpus.end(), [](const CorpusFinding& one) {
+  return failures() == 0 && std::ranges::none_of(corpus, [](const CorpusFinding& one) {
            return one.finding == properties::Finding::kBroken;
          });
 }

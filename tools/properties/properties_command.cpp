@@ -30,8 +30,7 @@ struct PropertiesArguments {
 /// Domain: one of kLevelNames.
 properties::Level level_called(const std::string& name) {
   const auto& names = properties::kLevelNames;
-  return static_cast<properties::Level>(std::find(names.begin(), names.end(), name) -
-                                        names.begin());
+  return static_cast<properties::Level>(std::ranges::find(names, name) - names.begin());
 }
 
 /// "90s", "10m" or "2h"
@@ -57,8 +56,8 @@ int run_properties_command(PropertiesArguments& arguments) {
   GateFiles files(arguments.gate);
   if (!arguments.target.empty()) {
     const auto& names = properties::kClimbNames;
-    options.target = static_cast<properties::Climb>(
-        std::find(names.begin(), names.end(), arguments.target) - names.begin());
+    options.target =
+        static_cast<properties::Climb>(std::ranges::find(names, arguments.target) - names.begin());
   }
   if (!arguments.budget.empty()) {
     options.cases = cases_for(options, seconds_of(arguments.budget),

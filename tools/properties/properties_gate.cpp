@@ -72,7 +72,7 @@ std::string summary_of(const CampaignReport& campaign, const std::vector<Identit
 std::string text_of(const CampaignReport& campaign, Parts parts) {
   const auto& failure = campaign.result.failure;
   const bool has_failure =
-      failure && std::any_of(parts.begin(), parts.end(), [&](const CampaignPart& part) {
+      failure && std::ranges::any_of(parts, [&](const CampaignPart& part) {
         return part.is_broken() && part.breaks.front().replay == failure->replay;
       });
   if (has_failure) return failure_text(campaign, false);

@@ -30,8 +30,7 @@ using properties::Standing;
 std::string broken_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
-    const auto broken = std::count_if(parts.begin(), parts.end(),
-                                      [](const CampaignPart& part) { return part.is_broken(); });
+    const auto broken = std::ranges::count_if(parts, &CampaignPart::is_broken);
     if (broken == 0) continue;
     const bool is_all = broken == std::ssize(parts) && broken > 1;
     std::string runs;
@@ -53,8 +52,7 @@ std::string broken_text(const CampaignResult& result) {
 std::string holding_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
-    const auto broken = std::find_if(parts.begin(), parts.end(),
-                                     [](const CampaignPart& part) { return part.is_broken(); });
+    const auto broken = std::ranges::find_if(parts, &CampaignPart::is_broken);
     if (broken == parts.end()) continue;
     const auto held =
         std::find_if(std::make_reverse_iterator(broken), parts.rend(),
@@ -114,9 +112,7 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   std::string unexplained;
   for (const CampaignReport* campaign : broken) {
     const auto& all = campaign->explanations;
-    const auto best = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-      return a.explained < b.explained;
-    });
+    const auto best = std::ranges::max_element(all, {}, &properties::Explanation::explained);
     const auto add_to = [&](std::string& laws) {
       laws += (laws.empty() ? "" : ", ") + std::string(campaign->law->name);
     };
@@ -124,17 +120,15 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
       add_to(unexplained);
       continue;
     }
-    auto known = std::find_if(causes.begin(), causes.end(), [&](const Cause& cause) {
-      return cause.best->sentence == best->sentence;
-    });
+    auto known = std::ranges::find_if(
+        causes, [&](const Cause& cause) { return cause.best->sentence == best->sentence; });
     if (known == causes.end()) known = causes.insert(known, {&*best, ""});
     if (best->explained > known->best->explained) known->best = &*best;
     add_to(known->laws);
   }
   if (causes.empty()) return "breaks " + unexplained;
-  std::stable_sort(causes.begin(), causes.end(), [](const Cause& a, const Cause& b) {
-    return a.best->explained > b.best->explained;
-  });
+  std::ranges::stable_sort(
+      causes, [](const Cause& a, const Cause& b) { return a.best->explained > b.best->explained; });
   const bool is_all = causes.size() == 1 && unexplained.empty();
   std::string text;
   for (const auto& [best, laws] : causes) {
@@ -160,9 +154,7 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
       add_to(open);
     }
     const auto& parts = campaign->result.parts;
-    if (campaign->result.failure && std::all_of(parts.begin(), parts.end(), [](const auto& part) {
-          return part.failed_at_once;
-        })) {
+    if (campaign->result.failure && std::ranges::all_of(parts, &CampaignPart::failed_at_once)) {
       failure = campaign->result.failure->verdict.worst(1).front().what;
     }
     if (campaign->finding != Finding::kBroken) continue;
@@ -213,8 +205,8 @@ std::string time_text(const PropertiesReport& report) {
       std::int64_t cases = 0;
       for (const CampaignPart& part : parts) cases += part.counts.cases;
       const std::string_view source = parts.front().source.source->name;
-      auto known = std::find_if(sources.begin(), sources.end(),
-                                [&](const auto& one) { return one.first == source; });
+      auto known =
+          std::ranges::find_if(sources, [&](const auto& one) { return one.first == source; });
       if (known == sources.end()) known = sources.insert(known, {source, 0});
       known->second = std::max(known->second, cases);
     }
@@ -378,9 +370,7 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
   text += fmt::format("{}, {} broken", count_text(report.campaigns.size(), "campaign"),
                       report.failures());
   for (const Finding finding : {Finding::kUndecided, Finding::kTooFewJudged, Finding::kNotJudged}) {
-    const auto count =
-        std::count_if(report.campaigns.begin(), report.campaigns.end(),
-                      [&](const CampaignReport& campaign) { return campaign.finding == finding; });
+    const auto count = std::ranges::count(report.campaigns, finding, &CampaignReport::finding);
     if (count > 0) text += fmt::format(", {} {}", count, name(finding));
   }
   text += "\n" + time_text(report);

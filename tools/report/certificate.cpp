@@ -131,7 +131,7 @@ Json proof_json(const reference::Proof& proof) {
 }
 
 bool are_finite(const std::vector<double>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
 }
 
 scene::Point3 point_at(const std::vector<double>& numbers, std::size_t first) {

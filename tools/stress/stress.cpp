@@ -32,7 +32,7 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
     if (family == nullptr || !family->dial) {
       throw scene::InvalidInput("family", name, "no such family; the families are " + known);
     }
-    if (std::find(families.begin(), families.end(), family) == families.end()) {
+    if (std::ranges::find(families, family) == families.end()) {
       families.push_back(family);
     }
   }
@@ -54,7 +54,7 @@ void require_severities(const std::vector<const CaseSource*>& families,
   const auto by_highest = [](const CaseSource* a, const CaseSource* b) {
     return a->dial->highest < b->dial->highest;
   };
-  const auto [fewest, most] = std::minmax_element(families.begin(), families.end(), by_highest);
+  const auto [fewest, most] = std::ranges::minmax_element(families, by_highest);
   const CaseSource* const beyond = from > (*fewest)->dial->highest ? *fewest
                                    : to > (*most)->dial->highest   ? *most
                                                                    : nullptr;
@@ -135,8 +135,8 @@ std::vector<StressUnit> units_of(const std::vector<Series>& all, int cases) {
 }  // namespace
 
 bool StressCurve::is_judged() const {
-  return std::any_of(results.begin(), results.end(),
-                     [](const StressResult& result) { return result.inside.compared() > 0; });
+  return std::ranges::any_of(
+      results, [](const StressResult& result) { return result.inside.compared() > 0; });
 }
 
 std::optional<int> StressCurve::first_failing() const {
@@ -202,8 +202,9 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   std::size_t next = 0;
   properties::RunControl allowed = control;
   // Who is silent three times is asked no more, which must not depend on threads.
-  if (kept == nullptr && std::any_of(options.implementations.begin(), options.implementations.end(),
-                                     [](const Implementation& one) { return !one.methods; })) {
+  if (kept == nullptr &&
+      std::ranges::any_of(options.implementations,
+                          [](const Implementation& one) { return !one.methods; })) {
     allowed.threads = 1;
   }
   run_units<Results>(

@@ -64,8 +64,8 @@ struct MethodCost {
 
 /// Whether any method is judged in a format.
 inline bool has_any(const std::vector<MethodCost>& costs, scene::Precision precision) {
-  return std::any_of(costs.begin(), costs.end(),
-                     [=](const MethodCost& cost) { return cost.promises.precision == precision; });
+  return std::ranges::any_of(
+      costs, [=](const MethodCost& cost) { return cost.promises.precision == precision; });
 }
 
 /// The method whose batch time ratios refer to: the first that was timed; null if none was.

@@ -90,15 +90,13 @@ std::optional<FoundPicture> found_picture(const fs::path& folder) {
   for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
     std::error_code gone;
     if (!fs::is_regular_file(entry->symlink_status(gone)) || !is_picture(entry->path())) continue;
-    const auto* const stem =
-        std::find(kStems.begin(), kStems.end(), lower_case(entry->path().stem().string()));
+    const auto* const stem = std::ranges::find(kStems, lower_case(entry->path().stem().string()));
     pictures.push_back({stem - kStems.begin(), entry->last_write_time(gone), entry->path()});
   }
   if (pictures.empty()) return {};
-  const auto best =
-      std::min_element(pictures.begin(), pictures.end(), [](const Found& a, const Found& b) {
-        return std::tuple(a.rank, b.made, a.path) < std::tuple(b.rank, a.made, b.path);
-      });
+  const auto best = std::ranges::min_element(pictures, [](const Found& a, const Found& b) {
+    return std::tuple(a.rank, b.made, a.path) < std::tuple(b.rank, a.made, b.path);
+  });
   return FoundPicture{best->path, false};
 }
 

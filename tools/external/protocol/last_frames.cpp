@@ -77,7 +77,7 @@ class Line {
 
  private:
   void add(std::string_view more) {
-    std::copy(more.begin(), more.end(), text_.data() + size_);
+    std::ranges::copy(more, text_.data() + size_);
     size_ += more.size();
   }
   std::array<char, kMostFramesLine> text_;

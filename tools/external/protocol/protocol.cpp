@@ -253,10 +253,9 @@ std::vector<SphereHits> Reply::hits(std::size_t rays, std::size_t spheres) const
   }
   const auto by_ray = [](const auto& a, const auto& b) { return a.ray < b.ray; };
   for (SphereHits& of_sphere : hits) {
-    std::stable_sort(of_sphere.begin(), of_sphere.end(), by_ray);
-    const auto twice =
-        std::adjacent_find(of_sphere.begin(), of_sphere.end(),
-                           [](const auto& a, const auto& b) { return a.ray == b.ray; });
+    std::ranges::stable_sort(of_sphere, by_ray);
+    const auto twice = std::ranges::adjacent_find(
+        of_sphere, [](const auto& a, const auto& b) { return a.ray == b.ray; });
     if (twice != of_sphere.end()) {
       throw ProtocolError(
           fmt::format("its reply has two hits of ray {} with one sphere", twice->ray));

@@ -49,7 +49,7 @@ std::vector<std::string> made_programs(const fs::path& folder,
     const std::string path = fs::relative(entry.path(), folder).string();
     const int rank = likelihood_rank(name);
     found.emplace(rank == kHardlyARenderer || is_aside(path),
-                  std::find(likely.begin(), likely.end(), name) - likely.begin(), rank,
+                  std::ranges::find(likely, name) - likely.begin(), rank,
                   -entry.last_write_time().time_since_epoch(), path);
   }
   std::vector<std::string> programs;

@@ -55,8 +55,8 @@ struct CopiedFiles {
 /// Copies a submission to a folder; adds a Python module for each Jupyter notebook.
 CopiedFiles copied(const Submission& submission, const Rubric& rubric, const fs::path& folder) {
   const fs::path top = innermost(submission.path, [&](const std::string& name) {
-    return std::any_of(rubric.forms.begin(), rubric.forms.end(),
-                       [&](const Form& form) { return means_folder(form, name); });
+    return std::ranges::any_of(rubric.forms,
+                               [&](const Form& form) { return means_folder(form, name); });
   });
   HandedInPaths handed_in = paths_of(top, rubric.limits);
   HandedInPaths in_copy{{}, std::move(handed_in.folders)};
@@ -253,7 +253,7 @@ class Preparing {
     const auto is_handed_in = [&](const std::string& word) {
       return word.find(path) != std::string::npos;
     };
-    std::replace_if(program.arguments.begin(), program.arguments.end(), is_handed_in, "false");
+    std::ranges::replace_if(program.arguments, is_handed_in, "false");
     std::erase_if(program.readable, is_handed_in);
     program.start = nullptr;
     return program;

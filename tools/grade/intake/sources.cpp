@@ -154,8 +154,8 @@ std::vector<IncludeLine> includes_of(std::string_view given) {
 }
 
 bool Vendored::has(const std::string& path) const {
-  return std::any_of(folders.begin(), folders.end(),
-                     [&](const std::string& folder) { return path.starts_with(folder + "/"); });
+  return std::ranges::any_of(
+      folders, [&](const std::string& folder) { return path.starts_with(folder + "/"); });
 }
 
 Vendored vendored_in(const HandedInFiles& files) {
@@ -210,10 +210,10 @@ int likelihood_rank(const std::string& path) {
 
 void sort_by_likelihood(std::vector<std::string>& names) {
   const auto key = [](const std::string& name) {
-    return std::tuple(likelihood_rank(name), std::count(name.begin(), name.end(), '/'), name);
+    return std::tuple(likelihood_rank(name), std::ranges::count(name, '/'), name);
   };
-  std::sort(names.begin(), names.end(),
-            [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
+  std::ranges::sort(names,
+                    [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
 }
 
 namespace {
@@ -256,9 +256,8 @@ class Headers {
   template <class Test>
   bool any_place(const std::string& from, const std::string& name, const Test& test) const {
     if (test(normal(fs::path(folder_of(from)) / name))) return true;
-    return std::any_of(include_.begin(), include_.end(), [&](const std::string& folder) {
-      return test(normal(fs::path(folder) / name));
-    });
+    return std::ranges::any_of(
+        include_, [&](const std::string& folder) { return test(normal(fs::path(folder) / name)); });
   }
 
   const HandedInFiles& files_;
@@ -320,7 +319,7 @@ std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Ven
     for (const IncludeLine& one : includes_of(content.text)) {
       if (headers.are_found(file, one.name)) continue;
       std::string name = one.name;
-      std::replace(name.begin(), name.end(), '\\', '/');
+      std::ranges::replace(name, '\\', '/');
       const std::string library = library_header(name);
       if (!library.empty()) {
         repairs.push_back({file, one.line, one.name, library});

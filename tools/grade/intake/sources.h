@@ -18,7 +18,7 @@ std::string candidate_word(const std::string& name);
 
 template <class Names>
 bool is_one_of(const Names& names, std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  return std::ranges::find(names, name) != std::end(names);
 }
 
 /// In lower case, ASCII only.

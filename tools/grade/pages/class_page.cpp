@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "tools/grade/pages/views.h"
@@ -31,8 +32,7 @@ std::string distribution(const ClassGrade& graded) {
   for (const SubmissionGrade* grade : submissions_that(graded, true)) {
     ++counts[static_cast<std::size_t>(std::clamp(share_of(*grade), 0.0, 1.0) * kBins)];
   }
-  const std::size_t most =
-      std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
+  const std::size_t most = std::max<std::size_t>(1, *std::ranges::max_element(counts));
   std::string html = "<h2>Scores</h2>\n<table>\n";
   for (int bin = kBins; bin >= 0; --bin) {
     const std::size_t count = counts[static_cast<std::size_t>(bin)];
@@ -56,8 +56,7 @@ std::string about(const Item& item) {
 
 std::string failing_items(const ClassGrade& graded) {
   std::vector<ItemStatistics> rows = item_statistics(graded);
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return a.failing > b.failing; });
+  std::ranges::stable_sort(rows, std::greater{}, &ItemStatistics::failing);
   std::string html =
       "<h2>Items that fail most</h2>\n<div class=\"wide\"><table>\n<tr><th>item</th><th "
       "class=\"number\">fail</th><th class=\"number\">left out</th><th class=\"number\">asked"
