@@ -52,27 +52,36 @@ CLI::Validator number_between(double least, double most);
 extern const CLI::Validator kBound;
 /// Rejects an empty value: used for every option.
 extern const CLI::Validator kGiven;
-/// An option that takes one of these names, those of an enumeration in its order.
-template <class Enum, std::size_t N>
-CLI::Option* add_named(CLI::App& command, const std::string& option, Enum& value,
+/// An option that takes one of these names, those of an enumeration in its order; one that is
+/// optional has no default.
+template <class Value, std::size_t N>
+CLI::Option* add_named(CLI::App& command, const std::string& option, Value& value,
                        const std::array<std::string_view, N>& names, const std::string& meaning) {
   const std::vector<std::string> all(names.begin(), names.end());
   const auto take = [&value, all](const std::string& name) {
+    using Enum = std::decay_t<decltype(std::optional(value).value())>;
     value = static_cast<Enum>(std::ranges::find(all, name) - all.begin());
   };
-  return command.add_option_function<std::string>(option, take, meaning)
-      ->check(CLI::IsMember(all))
-      ->default_str(all[static_cast<std::size_t>(value)]);
+  CLI::Option* const added =
+      command.add_option_function<std::string>(option, take, meaning)->check(CLI::IsMember(all));
+  if constexpr (std::is_enum_v<Value>) added->default_str(all[static_cast<std::size_t>(value)]);
+  return added;
 }
 /// The largest --cases and --steps.
 inline constexpr std::uint64_t kMostCases = 1'000'000'000;
 
+/// An option that takes a whole number in this range; its default is shown.
+template <class Count>
+CLI::Option* add_number(CLI::App& command, const std::string& option, Count& number,
+                        std::uint64_t least, std::uint64_t most, const std::string& meaning) {
+  return command.add_option(option, number, meaning)
+      ->check(whole_number(least, most))
+      ->capture_default_str();
+}
 /// --cases, or how many of what `meaning` says.
 template <class Count>
 void add_cases(CLI::App& command, Count& cases, const std::string& meaning) {
-  command.add_option("--cases", cases, meaning)
-      ->check(whole_number(1, kMostCases))
-      ->capture_default_str();
+  add_number(command, "--cases", cases, 1, kMostCases, meaning);
 }
 
 /// The source of cases of that name, SOURCE or SOURCE@SEVERITY; the error names the option.

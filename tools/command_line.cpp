@@ -20,6 +20,7 @@
 #include "scene/arithmetic.h"
 #include "scene/interruption.h"
 #include "scene/invalid_input.h"
+#include "scene/text.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/report/json.h"
@@ -78,7 +79,7 @@ void require_no_unit(const CLI::App& command, const Written& file) {
       std::error_code error;
       const fs::path inside = fs::weakly_canonical(folder, error);
       const fs::path path = fs::weakly_canonical(file.path, error);
-      if (std::ranges::mismatch(inside, path).first != inside.end()) {
+      if (std::ranges::mismatch(inside, path).in1 != inside.end()) {
         continue;
       }
       throw std::invalid_argument(
@@ -217,12 +218,8 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
   }
   const std::string first = argc > 1 ? argv[1] : "";
   if (!first.empty() && first.front() != '-' && find_command(first) == nullptr) {
-    std::string known;
-    for (const CommandRow& row : kCommands) {
-      known += (known.empty() ? "" : ", ") + std::string(row.name);
-    }
-    print_error(
-        fmt::format("raycheck: there is no command '{}'; the commands are {}\n", first, known));
+    print_error(fmt::format("raycheck: there is no command '{}'; the commands are {}\n", first,
+                            scene::joined(kCommands, ", ", &CommandRow::name)));
     return kExitBadInput;
   }
   try {

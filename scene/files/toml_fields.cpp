@@ -1,6 +1,7 @@
 #include "scene/files/toml_fields.h"
 
 #include "scene/number.h"
+#include "scene/text.h"
 
 namespace raycheck::scene {
 namespace {
@@ -141,9 +142,7 @@ std::string spelled(const toml::node& node) {
   if (node.is_array_of_tables()) return "(an array of tables)";
   const auto* array = node.as_array();
   if (!array) return "(a date or time)";
-  std::string list;
-  for (const toml::node& element : *array) list += (list.empty() ? "" : ", ") + spelled(element);
-  return "[" + list + "]";
+  return "[" + scene::joined(*array, ", ", spelled) + "]";
 }
 
 std::optional<double> number_in(const toml::node& node) {

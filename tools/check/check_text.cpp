@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/number.h"
+#include "scene/text.h"
 #include "tools/check/check.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
@@ -13,7 +14,6 @@ namespace {
 using properties::Quantity;
 using properties::Standing;
 using properties::Tally;
-using properties::Wrong;
 
 std::string scene_text(const CheckReport& report) {
   std::string text = scene_file_text(report.path, report.dialect) + ": ";
@@ -55,15 +55,8 @@ std::string worst_text(const Tally& tally, Quantity quantity) {
 
 /// What was compared of a candidate, a row per quantity.
 std::string quantities_table(const CandidateReport& candidate) {
-  using enum Table::Align;
-  Table table({{"quantity"},
-               {"cases", kRight},
-               {"class errors"},
-               {"median", kRight},
-               {"max", kRight},
-               {"bound", kRight},
-               {"unit"},
-               {"worst at"}});
+  Table table(
+      {"quantity", ">cases", "class errors", ">median", ">max", ">bound", "unit", "worst at"});
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
     const bool measured = !tally.errors.empty();
     table.add({std::string(info(quantity).name), std::to_string(tally.cases),
@@ -140,9 +133,7 @@ std::string replay_text(const CheckReport& report, const CandidateReport& candid
   const scene::Ray& ray = scene.rays.front();
   const scene::Sphere& sphere = scene.spheres.front();
   const auto listed = [](std::initializer_list<double> numbers) {
-    std::string text;
-    for (const double x : numbers) text += (text.empty() ? "" : ",") + scene::shortest(x);
-    return text;
+    return scene::joined(numbers, ",", scene::shortest);
   };
   return words(
       fmt::format("explain --ray {} --sphere {}",

@@ -13,12 +13,10 @@ namespace raycheck::tools {
 
 using properties::Candidate;
 using properties::Case;
-using properties::FailureSearch;
 using properties::Law;
 using properties::Per;
 using properties::RunControl;
 using properties::Trials;
-using properties::Truth;
 using properties::Verdict;
 
 struct ChunkVerdict {

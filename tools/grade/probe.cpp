@@ -245,13 +245,7 @@ std::string notes_text(const SubmissionProbe& probe) {
 }
 
 std::string table_text(const ProbeReport& report) {
-  using Align = Table::Align;
-  Table table({{"submission", Align::kLeft},
-               {"built in", Align::kRight},
-               {"draws in", Align::kRight},
-               {"reads", Align::kLeft},
-               {"writes", Align::kLeft},
-               {"shows", Align::kLeft}});
+  Table table({"submission", ">built in", ">draws in", "reads", "writes", "shows"});
   for (const SubmissionProbe& probe : report.submissions) table.add(row(probe));
   std::istringstream lines(table.text(""));
   std::string line, text;

@@ -7,6 +7,7 @@
 #include "properties/candidates/fast_candidate.h"
 #include "properties/candidates/reference_methods.h"
 #include "scene/invalid_input.h"
+#include "scene/text.h"
 
 namespace raycheck::tools {
 namespace {
@@ -15,12 +16,11 @@ using properties::Stage;
 
 template <class Methods>
 auto& find(const Methods& methods, const std::string& name, const char* field) {
-  std::string known;
-  for (const auto* method : methods) {
-    if (method->name == name) return *method;
-    known += (known.empty() ? "" : ", ") + std::string(method->name);
-  }
-  throw scene::InvalidInput(field, name, "no such method; the methods are " + known);
+  const auto name_of = [](const auto* method) { return method->name; };
+  const auto found = std::ranges::find(methods, name, name_of);
+  if (found != methods.end()) return **found;
+  throw scene::InvalidInput(
+      field, name, "no such method; the methods are " + scene::joined(methods, ", ", name_of));
 }
 
 ReadyCalls<properties::SphereHits> ready_calls(const fast::IntersectMethod& method,
@@ -158,9 +158,9 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
   for (const std::string& name : names) {
     if (std::ranges::none_of(
             all, [&](const Implementation& method) { return is_called(method, name); })) {
-      std::string known;
-      for (const Implementation& method : all) known += (known.empty() ? "" : ", ") + method.name;
-      throw scene::InvalidInput("method", name, "no such method; the methods are " + known);
+      throw scene::InvalidInput(
+          "method", name,
+          "no such method; the methods are " + scene::joined(all, ", ", &Implementation::name));
     }
   }
   std::erase_if(all, [&](const Implementation& method) {

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "scene/text.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
@@ -58,10 +59,8 @@ std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool
 
 /// "the far root is taken (root: wrong root; ordinary)"
 std::string summary_of(const CampaignReport& campaign, const std::vector<Identity>& defects) {
-  std::string shown;
-  for (const Identity& one : defects) {
-    shown += fmt::format("{}{}, {}", shown.empty() ? "" : "; ", one.kind, one.place);
-  }
+  const std::string shown =
+      scene::joined(defects, "; ", [](const Identity& one) { return one.kind + ", " + one.place; });
   const std::string_view why = campaign.explanations.empty()
                                    ? campaign.law->sentence
                                    : std::string_view(campaign.explanations.front().sentence);

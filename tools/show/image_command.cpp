@@ -93,9 +93,7 @@ CommandRun add_image(CLI::App& command) {
   command.add_option("--size", arguments.size,
                      "pixels across and down, W,H (default: the scene's)");
   add_strict(command, arguments.strict);
-  command.add_option("--threads", arguments.threads, "how many; the picture is the same")
-      ->check(whole_number(1, 1024))
-      ->capture_default_str();
+  add_threads(command, arguments.threads, "the picture");
   add_dialect(command, arguments.dialect);
   add_external(command, arguments.external);
   command.get_option("--candidate")->excludes(command.get_option("--intersect"));

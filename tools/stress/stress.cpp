@@ -17,7 +17,6 @@ namespace {
 using properties::CaseSource;
 using properties::Stage;
 using properties::StressResult;
-using properties::Verdict;
 
 std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& names) {
   std::vector<const CaseSource*> families;

@@ -9,12 +9,9 @@ namespace raycheck::tools {
 namespace {
 
 using properties::Quantity;
-using properties::Stage;
 using properties::Tally;
 using properties::Verdict;
 using properties::Wrong;
-
-constexpr auto kRight = Table::Align::kRight;
 
 std::string duration_text(const std::optional<Duration>& duration) {
   return duration ? fmt::format("{:.1f}", duration->median) : "-";
@@ -75,24 +72,11 @@ std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) 
 
 /// For methods that are judged in one format: their errors have one unit.
 Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
-  Table table({{"  method"},
-               {"ns a call", kRight},
-               {"ns in a batch", kRight},
-               {"ratio", kRight},
-               {fmt::format("median {}", unit_name(Quantity::kParameter, precision)), kRight},
-               {"99.9%", kRight},
-               {"max", kRight},
-               {"audited", kRight},
-               {"bound", kRight},
-               {"missed/M", kRight},
-               {"false/M", kRight},
-               {"defects", kRight},
-               {fmt::format("backward {}", unit_name(Quantity::kBackwardError, precision)), kRight},
-               {"max rho", kRight},
-               {"outside: max", kRight},
-               {"missed/M", kRight},
-               {"false/M", kRight},
-               {"stable on"}});
+  Table table({"  method", ">ns a call", ">ns in a batch", ">ratio",
+               fmt::format(">median {}", unit_name(Quantity::kParameter, precision)), ">99.9%",
+               ">max", ">audited", ">bound", ">missed/M", ">false/M", ">defects",
+               fmt::format(">backward {}", unit_name(Quantity::kBackwardError, precision)),
+               ">max rho", ">outside: max", ">missed/M", ">false/M", "stable on"});
   const MethodCost* const base = baseline(costs);
   for (const MethodCost& cost : costs) {
     if (cost.promises.precision != precision) continue;
@@ -112,20 +96,11 @@ Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision 
 }
 
 Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
-  Table table(
-      {{"  method"},
-       {"ns a call", kRight},
-       {"ns in a batch", kRight},
-       {"ratio", kRight},
-       {fmt::format("median {} of D", unit_name(Quantity::kDirection, precision)), kRight},
-       {"99.9%", kRight},
-       {"max", kRight},
-       {"audited", kRight},
-       {"bound", kRight},
-       {fmt::format("audited {} of P", unit_name(Quantity::kPixelPoint, precision)), kRight},
-       {"bound", kRight},
-       {"max rho", kRight},
-       {"stable on"}});
+  Table table({"  method", ">ns a call", ">ns in a batch", ">ratio",
+               fmt::format(">median {} of D", unit_name(Quantity::kDirection, precision)), ">99.9%",
+               ">max", ">audited", ">bound",
+               fmt::format(">audited {} of P", unit_name(Quantity::kPixelPoint, precision)),
+               ">bound", ">max rho", "stable on"});
   const MethodCost* const base = baseline(costs);
   for (const MethodCost& cost : costs) {
     if (cost.promises.precision != precision) continue;

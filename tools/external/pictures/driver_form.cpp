@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "scene/number.h"
+#include "scene/text.h"
 
 namespace raycheck::tools {
 namespace {
@@ -73,18 +74,12 @@ std::vector<std::string> split(std::string_view text, const char* mark) {
 }
 
 /// "A, B, C, 2017, ..."
-std::string preset_names() {
-  std::string names;
-  for (const DriverPreset& one : driver_presets()) {
-    names += (names.empty() ? "" : ", ") + std::string(one.name);
-  }
-  return names;
-}
+std::string preset_names() { return scene::joined(driver_presets(), ", ", &DriverPreset::name); }
 
 std::vector<std::string> order_of(std::string_view part, scene::Dialect dialect) {
   std::vector<std::string> order = split(part.substr(kOrder.size()), ",");
   const std::vector<std::string> usual = usual_order(dialect);
-  if (!std::ranges::is_permutation(order, usual.begin(), usual.end())) {
+  if (!std::ranges::is_permutation(order, usual)) {
     throw std::invalid_argument(
         fmt::format("'{}' must have each of these once: {}", part, fmt::join(usual, ",")));
   }

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "scene/invalid_input.h"
+#include "scene/text.h"
 #include "tools/external/sandbox/control_group.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/private_folder.h"
@@ -172,10 +173,9 @@ LayersHere chosen_layers(Sandbox sandbox) {
   if (sandbox == Sandbox::kNone) return {};
   const LayersHere& here = layers_here();
   if (sandbox == Sandbox::kAvailable || here.missing.empty()) return here;
-  std::string missing;
-  for (const auto& [name, why] : here.missing) {
-    missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", name, why);
-  }
+  const std::string missing = scene::joined(here.missing, "; ", [](const auto& layer) {
+    return fmt::format("{} ({})", layer.name, layer.why);
+  });
   throw scene::InvalidInput(
       "sandbox", "require",
       fmt::format(

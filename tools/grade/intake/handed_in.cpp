@@ -53,7 +53,7 @@ fs::path resolved(const fs::path& path) {
 
 /// Domain: both resolved.
 bool is_in(const fs::path& path, const fs::path& folder) {
-  return std::ranges::mismatch(folder, path).first == folder.end();
+  return std::ranges::mismatch(folder, path).in1 == folder.end();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "scene/text.h"
 #include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
@@ -137,9 +138,7 @@ std::string libraries_of(const HandedInFiles& files, const std::vector<std::stri
 
 std::string names_shown(const std::vector<std::string>& names) {
   if (names.size() > 3) return fmt::format("{} and {} more", names.front(), names.size() - 1);
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-  return text;
+  return scene::joined(names, " ");
 }
 
 /// Compiles and links with the first standard that works; otherwise shows the newest one's errors.

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "scene/text.h"
 #include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/rubric.h"
@@ -102,8 +103,7 @@ std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric
       if (fits(form, name)) return {&form, name};
     }
   }
-  std::string asked;
-  for (const Form& form : rubric.forms) asked += (asked.empty() ? "" : ", ") + form.has;
+  const std::string asked = scene::joined(rubric.forms, ", ", &Form::has);
   refuse(asked.empty() ? "the rubric has no [[form]] of submissions"
                        : fmt::format("it has none of the required files: {}", asked));
 }

@@ -12,6 +12,7 @@
 #include <sstream>
 #include <utility>
 
+#include "scene/text.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -34,9 +35,7 @@ std::vector<std::string> folders_of(const std::string& path) {
 }  // namespace
 
 std::string shell_words(const std::vector<std::string>& names) {
-  std::string words;
-  for (const std::string& name : names) words += (words.empty() ? "" : " ") + single_quoted(name);
-  return words;
+  return scene::joined(names, " ", single_quoted);
 }
 
 std::string candidate_word(const std::string& name) {

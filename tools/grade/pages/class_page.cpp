@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "scene/text.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/result.h"
 #include "tools/report/words.h"
@@ -95,11 +96,8 @@ std::string figures_link(const ClassGrade& graded, const SubmissionGrade& grade)
 }
 
 std::string links(const Submissions& members) {
-  std::string html;
-  for (const SubmissionGrade* member : members) {
-    html += (html.empty() ? "" : ", ") + link(*member);
-  }
-  return "<p>" + html + "</p>\n";
+  const auto link_of = [](const SubmissionGrade* member) { return link(*member); };
+  return "<p>" + scene::joined(members, ", ", link_of) + "</p>\n";
 }
 
 /// The smallest case of a mistake, to look at and to download.
