@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "properties/cases/case_source.h"
@@ -39,7 +40,6 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
 /// The form of driver files for renderers that it names, or that each form is tried; likewise.
 std::optional<DriverRule> parse_driver(const std::string& text);
-/// --dialect of a driver file that is read.
 void add_dialect(CLI::App& command, std::string& dialect);
 /// --dialect, which replaces a rubric's [driver].
 void add_rubric_dialect(CLI::App& command, std::string& dialect);
@@ -140,18 +140,13 @@ std::vector<Implementation> find_by_stages(const std::vector<std::string>& metho
 
 /// --format, one of these names; the first by default.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
-/// The same for the views of a report.
-template <class Report, std::size_t N>
-std::vector<std::string> names_of(const View<Report> (&views)[N]) {
+/// Of views, or of whatever else an option chooses from.
+template <class Named>
+std::vector<std::string> names_of(const Named& all) {
   std::vector<std::string> names;
-  for (const View<Report>& view : views) names.emplace_back(view.name);
+  for (const auto& one : all) names.emplace_back(one.name);
   return names;
 }
-template <class Report, std::size_t N>
-void add_format(CLI::App& command, std::string& format, const View<Report> (&views)[N]) {
-  add_format(command, format, names_of(views));
-}
-/// --method, of either kind; several.
 void add_methods(CLI::App& command, std::vector<std::string>& methods);
 /// Whether an option names files that are read.
 bool reads(const CLI::Option& option);
@@ -161,19 +156,14 @@ std::vector<std::string> files_of(const CLI::Option& option);
 /// The file that an option names, opened before the work that it is to take; empty where it is not
 /// given. Errors: std::invalid_argument as OutputFile.
 std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);
-/// --top
 void add_top(CLI::App& command, std::size_t& top);
-/// --max-ulp
 void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_view meaning);
 /// --view FILE: a page for a browser that shows `what`.
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
-/// --certificates FILE
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
 /// --threads; `same` names what does not depend on it.
 void add_threads(CLI::App& command, int& threads, std::string_view same);
-/// --strict
 void add_strict(CLI::App& command, bool& strict);
-/// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 
 /// Prints a report in the format of this name.

@@ -172,7 +172,7 @@ void TomlFields::require_known(const Table& from, std::span<const std::string_vi
   }
   if (unknown) {
     located_.fail(unknown->line, unknown->name, spelled(unknown->node),
-                  "unknown key; " + from.name + " knows " + listed(known));
+                  "unknown key; " + from.name + " knows " + joined(known));
   }
 }
 

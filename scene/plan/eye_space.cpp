@@ -4,8 +4,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "scene/plan/plan_kernel.h"
-
 namespace raycheck::scene {
 namespace {
 

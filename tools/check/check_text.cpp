@@ -157,7 +157,6 @@ std::string failed_question_text(const CheckReport& report) {
   return "";
 }
 
-/// What was judged of a candidate, and how.
 std::string candidate_text(const CheckReport& report, const CandidateReport& candidate) {
   const Implementation& implementation = candidate.implementation;
   std::string text = "\n" + candidate.name;

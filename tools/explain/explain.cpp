@@ -214,7 +214,6 @@ Subject subject_of(const scene::Scene& scene, const std::optional<reference::Exa
           reference::ClosedFormRay(*scene.camera, scene.conventions, *pixel), true};
 }
 
-/// Everyone's rays at a pixel.
 void report_all_rays(const Case& the_case, const std::optional<Candidate>& other,
                      ExplainReport& report) {
   SharedTruths truths(the_case);

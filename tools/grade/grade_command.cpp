@@ -152,8 +152,7 @@ CommandRun add_grade(CLI::App& command) {
                   "write the zip file that Gradescope takes as an autograder")
       ->excludes(submissions)
       ->excludes(command.get_option("--dialect"));
-  std::vector<std::string> formats;
-  for (const ClassView& view : kPrintedViews) formats.emplace_back(view.name);
+  std::vector<std::string> formats = names_of(kPrintedViews);
   for (const ResultsFormat& format : kResultsFormats) formats.emplace_back(format.name);
   add_format(command, arguments.format, formats);
   return [given] { return run_grade(*given); };

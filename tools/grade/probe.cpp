@@ -65,7 +65,6 @@ using Probes = std::vector<const SubmissionProbe*>;
 /// Files that determine how a submission is built without being named in the command.
 constexpr std::array<std::string_view, 2> kRecipes = {"CMakeLists.txt", "package.json"};
 
-/// How many submissions a comment names.
 constexpr std::size_t kMostNamed = 4;
 
 /// A TOML basic string.

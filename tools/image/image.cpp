@@ -129,7 +129,6 @@ std::vector<std::optional<std::size_t>> nearest_of(const std::vector<properties:
 
 using MakeRays = decltype(properties::Functions::pixel_rays);
 
-/// Rounds rays to a format.
 MakeRays rounded(const MakeRays& make, scene::Precision precision) {
   if (!make || precision == scene::Precision::kDouble) return make;
   return [make, precision](const scene::Camera& camera, const scene::Conventions& conventions,

@@ -34,7 +34,7 @@ CommandRun add_plan(CLI::App& command) {
   add_number(command, "--top", arguments.options.top, 0, std::numeric_limits<int>::max(),
              "how many spheres the text shows");
   add_dialect(command, arguments.dialect);
-  add_format(command, arguments.format, kPlanViews);
+  add_format(command, arguments.format, names_of(kPlanViews));
   return [given] { return run_plan(*given); };
 }
 

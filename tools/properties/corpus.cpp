@@ -135,11 +135,7 @@ std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
 }
 
 void keep_in_corpus(const PropertiesReport& report, const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw scene::InvalidInput("corpus", folder, "cannot be made: " + error.message());
-  }
+  make_folder("corpus", folder);
   const auto keep = [&](const CampaignReport& campaign, const properties::Failure& failure) {
     if (failure.is_undecided) return;
     const fs::path file = fs::path(folder) / name_of(campaign, failure);

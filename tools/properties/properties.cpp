@@ -58,7 +58,6 @@ Candidate campaigner(const Implementation& implementation) {
   return candidate;
 }
 
-/// A law's campaign: what it came to, and why.
 CampaignReport report_of(const Law& law, const Implementation& implementation,
                          const Candidate& candidate, const std::string& lasting_name,
                          properties::CampaignResult result, const PropertiesOptions& options) {

@@ -124,7 +124,7 @@ CommandRun add_properties(CLI::App& command) {
   add_view(command, given->view, "the shrunk case of every broken law");
   add_max_ulp(command, options.max_error,
               "the bound on every error (default: the method's documented bounds)");
-  add_gate(command, given->gate, kPropertiesViews);
+  add_gate(command, given->gate, names_of(kPropertiesViews));
   return [given] { return run_properties_command(*given); };
 }
 

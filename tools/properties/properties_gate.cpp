@@ -67,7 +67,6 @@ std::string summary_of(const CampaignReport& campaign, const std::vector<Identit
   return fmt::format("{} ({})", why, shown);
 }
 
-/// Everything about what one source shows.
 std::string text_of(const CampaignReport& campaign, Parts parts) {
   const auto& failure = campaign.result.failure;
   const bool has_failure =

@@ -14,6 +14,7 @@
 #include "properties/cases/case_text.h"
 #include "scene/number.h"
 #include "scene/precision.h"
+#include "scene/text.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
@@ -101,6 +102,10 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
   return text + fmt::format("    {}\n", too_few_text(result));
 }
 
+void add_law(const CampaignReport& campaign, std::string& laws) {
+  laws += (laws.empty() ? "" : ", ") + std::string(campaign.law->name);
+}
+
 /// Why laws are broken: the cause of each, the one that explains most answers first, and the laws
 /// that nothing explains: "rows are upside down (20 of 20 wrong answers)" where that explains all.
 std::string causes_text(const std::vector<const CampaignReport*>& broken) {
@@ -113,18 +118,15 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   for (const CampaignReport* campaign : broken) {
     const auto& all = campaign->explanations;
     const auto best = std::ranges::max_element(all, {}, &properties::Explanation::explained);
-    const auto add_to = [&](std::string& laws) {
-      laws += (laws.empty() ? "" : ", ") + std::string(campaign->law->name);
-    };
     if (best == all.end() || best->explained == 0) {
-      add_to(unexplained);
+      add_law(*campaign, unexplained);
       continue;
     }
     auto known = std::ranges::find_if(
         causes, [&](const Cause& cause) { return cause.best->sentence == best->sentence; });
     if (known == causes.end()) known = causes.insert(known, {&*best, ""});
     if (best->explained > known->best->explained) known->best = &*best;
-    add_to(known->laws);
+    add_law(*campaign, known->laws);
   }
   if (causes.empty()) return "breaks " + unexplained;
   std::ranges::stable_sort(
@@ -145,13 +147,10 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
   std::vector<const CampaignReport*> all_broken;
   std::string open, failure;
   for (const CampaignReport* campaign : campaigns) {
-    const auto add_to = [&](std::string& list) {
-      list += (list.empty() ? "" : ", ") + std::string(campaign->law->name);
-    };
     if (campaign->finding == Finding::kHolds) {
       held = std::max(held.value_or(Level::kOrdinary), campaign->result.level);
     } else if (campaign->finding != Finding::kBroken && campaign->finding != Finding::kLeftOut) {
-      add_to(open);
+      add_law(*campaign, open);
     }
     const auto& parts = campaign->result.parts;
     if (campaign->result.failure && std::ranges::all_of(parts, &CampaignPart::failed_at_once)) {
@@ -309,10 +308,9 @@ std::string ranges_text(const properties::Ranges& ranges, scene::Precision preci
 
 std::string failure_text(const CampaignReport& campaign, const properties::Failure& failure,
                          bool colours) {
-  std::string discrepancies;
-  for (const auto& discrepancy : failure.verdict.worst(1)) {
-    discrepancies += discrepancy_text(discrepancy, colours);
-  }
+  const std::string discrepancies =
+      scene::joined(failure.verdict.worst(1), "",
+                    [&](const auto& one) { return discrepancy_text(one, colours); });
   const bool draws = campaign.implementation.draws();
   const std::string reason = fmt::format(
       "{} the law {} with {}{}", failure.is_undecided ? "leaves undecided" : "breaks",
@@ -370,7 +368,7 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
   text += fmt::format("{}, {} broken", count_text(report.campaigns.size(), "campaign"),
                       report.failures());
   for (const Finding finding : {Finding::kUndecided, Finding::kTooFewJudged, Finding::kNotJudged}) {
-    const auto count = std::ranges::count(report.campaigns, finding, &CampaignReport::finding);
+    const std::uint64_t count = report.count(finding);
     if (count > 0) text += fmt::format(", {} {}", count, name(finding));
   }
   text += "\n" + time_text(report);

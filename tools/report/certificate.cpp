@@ -8,6 +8,7 @@
 #include "properties/laws/law.h"
 #include "reference/account/proof.h"
 #include "reference/error_measure.h"
+#include "scene/text.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -252,9 +253,7 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
 }
 
 std::string certificates_text(const std::vector<Json>& certificates) {
-  std::string text;
-  for (const Json& one : certificates) text += json_line(one);
-  return text;
+  return scene::joined(certificates, "", json_line);
 }
 
 }  // namespace raycheck::tools

@@ -79,8 +79,9 @@ Json explanations_json(const std::vector<properties::Explanation>& explanations)
   });
 }
 
+Json pixel_json(const scene::Pixel& pixel) { return {pixel.i, pixel.j}; }
+
 Json place_json(const properties::Place& place) {
-  const auto pixel_json = [](const scene::Pixel& pixel) { return Json{pixel.i, pixel.j}; };
   return {{"pixel", or_null(place.pixel, pixel_json)},
           {"ray", place.ray},
           {"sphere", or_null(place.sphere)}};

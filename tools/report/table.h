@@ -6,7 +6,6 @@
 
 namespace raycheck::tools {
 
-/// How a report with tables is written.
 enum class Markup { kPlain, kMarkdown };
 
 /// A table of a report, printed as aligned text or as Markdown.

@@ -8,7 +8,6 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/image/image.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -97,7 +96,7 @@ CommandRun add_image(CLI::App& command) {
   add_dialect(command, arguments.dialect);
   add_external(command, arguments.external);
   command.get_option("--candidate")->excludes(command.get_option("--intersect"));
-  add_format(command, arguments.format, kImageViews);
+  add_format(command, arguments.format, names_of(kImageViews));
   return [given] { return run_image(*given); };
 }
 

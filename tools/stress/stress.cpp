@@ -68,7 +68,6 @@ std::vector<int> severities_of(const CaseSource& family, const StressOptions& op
   return properties::some_severities(from, to);
 }
 
-/// The stages that a family's cases can judge.
 std::vector<Stage> stages_of(const CaseSource& family) {
   if (family.has_camera) return {Stage::kRays, Stage::kIntersection};
   return {Stage::kIntersection};
@@ -104,7 +103,6 @@ std::vector<Series> all_series(const StressOptions& options) {
   return all;
 }
 
-/// Some cases of a series at a severity.
 struct StressUnit {
   std::size_t series, severity;
   int first, cases;

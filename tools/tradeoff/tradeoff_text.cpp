@@ -64,7 +64,6 @@ std::string name_text(const MethodCost& cost) {
   return (cost.pareto ? "* " : "  ") + cost.method.name;
 }
 
-/// Batch time over the baseline's.
 std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) {
   if (!cost.batch) return "-";
   return fmt::format("{:.2f}", cost.batch->median / baseline->batch->median);
@@ -115,7 +114,6 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
   return table;
 }
 
-/// What the columns are.
 std::string legend(std::string_view item, bool has_single) {
   std::string text = fmt::format(
       "\n{0}*: no other method is as fast in a batch, with as small a share of defects and as "

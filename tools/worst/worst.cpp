@@ -60,7 +60,6 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
       "quantity", chosen, fmt::format("no such quantity of {}; there are {}", name(stage), known));
 }
 
-/// Counts how many times a function fails.
 template <class Answer, class... Arguments>
 void count_failures(std::function<Answer(Arguments...)>& function, WorstFound& found) {
   if (!function) return;

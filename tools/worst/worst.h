@@ -22,7 +22,6 @@ struct WorstOptions {
   std::int64_t searches = 1;         ///< With seeds of their own; the worst of all is told.
 };
 
-/// What searches found.
 struct WorstFound {
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
   std::uint64_t failures = 0;                  ///< How many times the method gave no answer,

@@ -91,7 +91,7 @@ CommandRun add_worst(CLI::App& command) {
   add_view(command, given->view, "the input");
   add_external(command, given->external);
   command.get_option("--candidate")->excludes(method);
-  add_format(command, given->format, kWorstViews);
+  add_format(command, given->format, names_of(kWorstViews));
   return [given] { return run_worst(*given); };
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "scene/fields.h"
 #include "scene/number.h"
 #include "scene/validate.h"
 
@@ -58,19 +59,14 @@ std::optional<scene::ValidRoots> read_roots(Words& words) {
 void read_convention(Words& words, properties::DeclaredConventions& declared) {
   constexpr const char* kOtherwise = "declares no such convention";
   const std::string_view which = words.word();
-  if (which == "rows") {
-    declared.rows = choose<scene::Rows>(words, scene::kRowsNames, kOtherwise);
-  } else if (which == "samples") {
-    declared.samples = choose<scene::Samples>(words, scene::kSamplesNames, kOtherwise);
-  } else if (which == "origin") {
-    declared.origin = choose<scene::Origin>(words, scene::kOriginNames, kOtherwise);
-  } else if (which == "root") {
-    declared.root = choose<scene::Root>(words, scene::kRootNames, kOtherwise);
-  } else if (which == "tangent") {
-    declared.tangent = choose<scene::Tangent>(words, scene::kTangentNames, kOtherwise);
-  } else {
-    words.fail(kOtherwise);
-  }
+  bool is_known = false;
+  scene::for_each_choice(declared, [&](std::string_view name, auto& choice) {
+    using Enum = typename std::decay_t<decltype(choice)>::value_type;
+    if (name != which) return;
+    choice = choose<Enum>(words, names_of(Enum{}), kOtherwise);
+    is_known = true;
+  });
+  if (!is_known) words.fail(kOtherwise);
 }
 
 /// What a line of that kind states.

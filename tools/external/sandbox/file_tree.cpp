@@ -132,6 +132,12 @@ bool remove_tree(const std::filesystem::path& folder) {
   return rmdir(folder.c_str()) == 0 || errno == ENOENT;
 }
 
+void copy_with_time(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::filesystem::create_directories(to.parent_path());
+  std::filesystem::copy_file(from, to);
+  std::filesystem::last_write_time(to, std::filesystem::last_write_time(from));
+}
+
 void empty_folder(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     std::filesystem::remove_all(entry.path());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cctype>
 #include <set>
 #include <sstream>
@@ -38,7 +39,7 @@ constexpr std::array<std::string_view, 6> kLeftEndings = {".o",   ".obj", ".gch"
                                                           ".pch", ".pyc", ".pdb"};
 
 bool is_left_behind(const fs::path& path, bool is_folder) {
-  const std::string name = lower_case(path.filename().string());
+  const std::string name = boost::to_lower_copy(path.filename().string());
   if (is_folder) return is_one_of(kLeftFolders, name) || fs::exists(path / "pyvenv.cfg");
   return name.starts_with("._") || is_one_of(kLeftFiles, name) ||
          is_one_of(kLeftEndings, fs::path(name).extension().string());

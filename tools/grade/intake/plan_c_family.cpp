@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <set>
 #include <sstream>
 
@@ -169,7 +170,7 @@ BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
 std::vector<std::string> reached_from(const std::string& main, const HandedInFiles& files,
                                       const std::vector<std::string>& others) {
   const auto stem = [](const std::string& name) {
-    const std::string base = lower_case(base_of(name));
+    const std::string base = boost::to_lower_copy(base_of(name));
     return base.substr(0, base.rfind('.'));
   };
   std::set<std::string> stems, seen = {main};

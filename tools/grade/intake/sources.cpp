@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <cctype>
 #include <filesystem>
@@ -27,7 +28,7 @@ std::vector<std::string> folders_of(const std::string& path) {
   std::vector<std::string> parts;
   for (std::size_t at = 0, slash = 0; (slash = path.find('/', at)) != std::string::npos;
        at = slash + 1) {
-    parts.push_back(lower_case(path.substr(at, slash - at)));
+    parts.push_back(boost::to_lower_copy(path.substr(at, slash - at)));
   }
   return parts;
 }
@@ -43,13 +44,6 @@ std::string candidate_word(const std::string& name) {
   return name.find_first_of(" \t\"'") == std::string::npos ? name : quote + name + quote;
 }
 
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 std::string folder_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string::npos ? "" : path.substr(0, slash);
@@ -62,7 +56,7 @@ std::string ending_of(const std::string& path) {
   const std::size_t dot = base.rfind('.');
   if (dot == std::string::npos) return "";
   const std::string ending = base.substr(dot);
-  return ending == ".C" ? ending : lower_case(ending);
+  return ending == ".C" ? ending : boost::to_lower_copy(ending);
 }
 
 bool is_cpp(const std::string& path) { return is_one_of(kCpp, ending_of(path)); }
@@ -168,7 +162,7 @@ Vendored vendored_in(const HandedInFiles& files) {
     const std::string around = folder_of(folder);
     vendored.include.push_back(around.empty() ? "." : around);
     // A whole package: "eigen-3.4.0" has tests and examples, too.
-    const std::string called = lower_case(base_of(around));
+    const std::string called = boost::to_lower_copy(base_of(around));
     const bool is_package = !around.empty() && called.starts_with(is_eigen ? "eigen" : "glm");
     vendored.folders.push_back(is_package ? around : folder);
     if (is_eigen && !is_package) {
@@ -191,7 +185,7 @@ bool is_aside(const std::string& path) {
 }
 
 int likelihood_rank(const std::string& path) {
-  std::string stem = lower_case(base_of(path));
+  std::string stem = boost::to_lower_copy(base_of(path));
   stem.resize(std::min(stem.rfind('.'), stem.size()));
   for (const char* const other : {"test", "old", "backup", "copy", "example", "demo", "convert",
                                   "compare", "setup", "plot"}) {
@@ -228,8 +222,8 @@ class Headers {
           const std::vector<std::string>& include)
       : files_(files), include_(include) {
     for (const auto& [name, file] : files) {
-      by_lower_case_.try_emplace(lower_case(name), name);
-      if (!vendored.has(name)) by_base_[lower_case(base_of(name))].push_back(name);
+      by_lower_case_.try_emplace(boost::to_lower_copy(name), name);
+      if (!vendored.has(name)) by_base_[boost::to_lower_copy(base_of(name))].push_back(name);
     }
   }
 
@@ -241,12 +235,12 @@ class Headers {
   std::optional<std::string> meant(const std::string& from, const std::string& name) const {
     std::optional<std::string> found;
     any_place(from, name, [&](const std::string& at) {
-      const auto known = by_lower_case_.find(lower_case(at));
+      const auto known = by_lower_case_.find(boost::to_lower_copy(at));
       if (known != by_lower_case_.end()) found = known->second;
       return found.has_value();
     });
     if (found) return found;
-    const auto named = by_base_.find(lower_case(base_of(name)));
+    const auto named = by_base_.find(boost::to_lower_copy(base_of(name)));
     if (named != by_base_.end() && named->second.size() == 1) return named->second.front();
     return {};
   }

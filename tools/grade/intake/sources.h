@@ -21,9 +21,6 @@ bool is_one_of(const Names& names, std::string_view name) {
   return std::ranges::find(names, name) != std::end(names);
 }
 
-/// In lower case, ASCII only.
-std::string lower_case(std::string text);
-
 /// The folder of a path, "" at the top; its last component; its extension, ".cpp", in lower case
 /// except ".C".
 std::string folder_of(const std::string& path);

@@ -9,7 +9,6 @@
 
 #include "scene/interruption.h"
 #include "tools/grade/pages/views.h"
-#include "tools/implementations/built_in.h"
 #include "tools/report/words.h"
 #include "tools/view/page/page.h"
 #include "tools/view/scene_view.h"

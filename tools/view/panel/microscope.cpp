@@ -36,7 +36,6 @@ constexpr int kGridSteps = 8;  ///< Doubles on each side of s.
 /// Lengths from 2^-1074 to 2^1024 in one scene need some 2,100 bits, and as many again cancel.
 constexpr int kMostMicroscopeBits = 6144;
 
-/// The position of a method's answer.
 struct MicroscopeMark {
   std::string method;
   std::size_t number = 0;  ///< Determines shape and colour: its index among all methods.
@@ -290,7 +289,6 @@ std::vector<std::string> sentences_of(const Microscope& microscope, const Explai
   return sentences;
 }
 
-/// A number with six correct digits.
 std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
 
 Json zoom_json(const Zoom& zoom) {

@@ -7,7 +7,6 @@
 
 #include "scene/number.h"
 #include "tools/report/typeset.h"
-#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

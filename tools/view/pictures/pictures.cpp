@@ -141,7 +141,6 @@ Painter drawn_error_painter(const scene::Scene& scene, properties::Candidate can
   };
 }
 
-/// A candidate's answers for rows of pixels.
 void answer(const scene::Scene& scene, const properties::Candidate& candidate, std::int64_t j,
             std::span<std::int32_t> rows) {
   const properties::Case some = {scene, pixels_of_rows(scene, j, 0, rows.size())};
