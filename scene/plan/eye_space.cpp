@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "scene/plan/plan_kernel.h"
+
 namespace raycheck::scene {
 namespace {
 

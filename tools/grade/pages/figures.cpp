@@ -9,6 +9,7 @@
 
 #include "scene/interruption.h"
 #include "tools/grade/pages/views.h"
+#include "tools/implementations/implementation.h"
 #include "tools/report/words.h"
 #include "tools/view/page/page.h"
 #include "tools/view/scene_view.h"
