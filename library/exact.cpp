@@ -19,7 +19,6 @@
 namespace raycheck::exact {
 
 using reference::Enclosure;
-using reference::Enclosure3;
 
 /// How a number is computed.
 struct Number::Impl {

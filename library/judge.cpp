@@ -1,9 +1,7 @@
 #include <fmt/core.h>
 #include <raycheck/judge.h>
 
-#include <algorithm>
 #include <stdexcept>
-#include <utility>
 
 #include "library/conversions.h"
 #include "properties/laws/law.h"

@@ -1,6 +1,5 @@
 #include "scene/arithmetic.h"
 
-#include <cfenv>
 #include <cmath>
 #include <limits>
 

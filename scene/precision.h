@@ -1,10 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <compare>
 #include <cstddef>
-#include <limits>
 #include <string_view>
 
 namespace raycheck::scene {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,18 @@ std::string visible(std::string_view text);
 
 /// The same on one line: line ends and tabs are escaped, too.
 std::string visible_line(std::string_view text);
+
+/// What `write` makes of each value, with `between` between them.
+template <class Values, class Write = std::identity>
+std::string joined(const Values& values, std::string_view between = ", ", const Write& write = {}) {
+  std::string text;
+  bool is_first = true;
+  for (const auto& value : values) {
+    if (!is_first) text += between;
+    text += std::invoke(write, value);
+    is_first = false;
+  }
+  return text;
+}
 
 }  // namespace raycheck::scene

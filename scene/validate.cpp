@@ -3,7 +3,6 @@
 #include <gmpxx.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "scene/number.h"
 

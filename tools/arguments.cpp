@@ -168,9 +168,8 @@ std::optional<OutputFile> opened(const std::string& option,
 }
 
 void add_top(CLI::App& command, std::size_t& top) {
-  command.add_option("--top", top, "how many of the worst discrepancies are shown")
-      ->check(whole_number(0, properties::kKeptDiscrepancies))
-      ->capture_default_str();
+  add_number(command, "--top", top, 0, properties::kKeptDiscrepancies,
+             "how many of the worst discrepancies are shown");
 }
 
 void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_view meaning) {
@@ -200,8 +199,7 @@ constexpr const char* kReading[] = {"--baseline", "--candidate", "--secret-file"
 
 bool reads(const CLI::Option& option) {
   return option.get_positional() ||
-         std::any_of(std::begin(kReading), std::end(kReading),
-                     [&](const char* name) { return option.check_name(name); });
+         std::ranges::any_of(kReading, [&](const char* name) { return option.check_name(name); });
 }
 
 std::vector<std::string> files_of(const CLI::Option& option) {
@@ -218,9 +216,8 @@ std::vector<std::string> files_of(const CLI::Option& option) {
 
 void add_threads(CLI::App& command, int& threads, std::string_view same) {
   constexpr int kMostThreads = 1024;
-  command.add_option("--threads", threads, fmt::format("how many; {} is the same", same))
-      ->check(whole_number(1, kMostThreads))
-      ->capture_default_str();
+  add_number(command, "--threads", threads, 1, kMostThreads,
+             fmt::format("how many; {} is the same", same));
 }
 
 void add_strict(CLI::App& command, bool& strict) {
@@ -229,9 +226,8 @@ void add_strict(CLI::App& command, bool& strict) {
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "the same seed gives the same cases")
-      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
-      ->capture_default_str();
+  add_number(command, "--seed", seed, 0, std::numeric_limits<std::uint64_t>::max(),
+             "the same seed gives the same cases");
 }
 
 int exit_code(bool was_interrupted, bool found, bool checked) {
@@ -247,7 +243,7 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
   std::vector<MethodPair> pairs;
   for (const std::string& name : intersect) {
     const MethodPair pair = {&rays, &find_intersect(name, field)};
-    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
+    if (std::ranges::find(pairs, pair) == pairs.end()) pairs.push_back(pair);
   }
   if (pairs.empty()) pairs.push_back({&rays, kDefaultMethods.intersect});
   return pairs;
@@ -296,12 +292,9 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
       ->check(number_between(kLeastSeconds, kMostSeconds))
       ->needs(candidate)
       ->capture_default_str();
-  command
-      .add_option("--memory", arguments.memory_mib,
-                  "MiB of memory that a candidate may use, and each of its processes reserve")
-      ->check(whole_number(1, std::uint64_t{1} << 30))
-      ->needs(candidate)
-      ->capture_default_str();
+  add_number(command, "--memory", arguments.memory_mib, 1, std::uint64_t{1} << 30,
+             "MiB of memory that a candidate may use, and each of its processes reserve")
+      ->needs(candidate);
   command
       .add_option("--bounds", arguments.bounds,
                   "whose documented bounds hold for candidates: INTERSECT or RAYS/INTERSECT "
@@ -327,14 +320,8 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments) {
       ->check(kBound)
       ->needs(candidate)
       ->capture_default_str();
-  const auto start = [&arguments](const std::string& at) {
-    arguments.origin =
-        at == name(scene::Origin::kFocal) ? scene::Origin::kFocal : scene::Origin::kPixel;
-  };
-  command
-      .add_option_function<std::string>("--origin", start,
-                                        "where a renderer's rays start (default: where scenes say)")
-      ->check(CLI::IsMember({name(scene::Origin::kPixel), name(scene::Origin::kFocal)}))
+  add_named(command, "--origin", arguments.origin, scene::kOriginNames,
+            "where a renderer's rays start (default: where scenes say)")
       ->needs(candidate);
 }
 

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "properties/cases/case_source.h"
@@ -39,7 +40,6 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
 /// The form of driver files for renderers that it names, or that each form is tried; likewise.
 std::optional<DriverRule> parse_driver(const std::string& text);
-/// --dialect of a driver file that is read.
 void add_dialect(CLI::App& command, std::string& dialect);
 /// --dialect, which replaces a rubric's [driver].
 void add_rubric_dialect(CLI::App& command, std::string& dialect);
@@ -52,27 +52,36 @@ CLI::Validator number_between(double least, double most);
 extern const CLI::Validator kBound;
 /// Rejects an empty value: used for every option.
 extern const CLI::Validator kGiven;
-/// An option that takes one of these names, those of an enumeration in its order.
-template <class Enum, std::size_t N>
-CLI::Option* add_named(CLI::App& command, const std::string& option, Enum& value,
+/// An option that takes one of these names, those of an enumeration in its order; one that is
+/// optional has no default.
+template <class Value, std::size_t N>
+CLI::Option* add_named(CLI::App& command, const std::string& option, Value& value,
                        const std::array<std::string_view, N>& names, const std::string& meaning) {
   const std::vector<std::string> all(names.begin(), names.end());
   const auto take = [&value, all](const std::string& name) {
-    value = static_cast<Enum>(std::find(all.begin(), all.end(), name) - all.begin());
+    using Enum = std::decay_t<decltype(std::optional(value).value())>;
+    value = static_cast<Enum>(std::ranges::find(all, name) - all.begin());
   };
-  return command.add_option_function<std::string>(option, take, meaning)
-      ->check(CLI::IsMember(all))
-      ->default_str(all[static_cast<std::size_t>(value)]);
+  CLI::Option* const added =
+      command.add_option_function<std::string>(option, take, meaning)->check(CLI::IsMember(all));
+  if constexpr (std::is_enum_v<Value>) added->default_str(all[static_cast<std::size_t>(value)]);
+  return added;
 }
 /// The largest --cases and --steps.
 inline constexpr std::uint64_t kMostCases = 1'000'000'000;
 
+/// An option that takes a whole number in this range; its default is shown.
+template <class Count>
+CLI::Option* add_number(CLI::App& command, const std::string& option, Count& number,
+                        std::uint64_t least, std::uint64_t most, const std::string& meaning) {
+  return command.add_option(option, number, meaning)
+      ->check(whole_number(least, most))
+      ->capture_default_str();
+}
 /// --cases, or how many of what `meaning` says.
 template <class Count>
 void add_cases(CLI::App& command, Count& cases, const std::string& meaning) {
-  command.add_option("--cases", cases, meaning)
-      ->check(whole_number(1, kMostCases))
-      ->capture_default_str();
+  add_number(command, "--cases", cases, 1, kMostCases, meaning);
 }
 
 /// The source of cases of that name, SOURCE or SOURCE@SEVERITY; the error names the option.
@@ -131,18 +140,13 @@ std::vector<Implementation> find_by_stages(const std::vector<std::string>& metho
 
 /// --format, one of these names; the first by default.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
-/// The same for the views of a report.
-template <class Report, std::size_t N>
-std::vector<std::string> names_of(const View<Report> (&views)[N]) {
+/// Of views, or of whatever else an option chooses from.
+template <class Named>
+std::vector<std::string> names_of(const Named& all) {
   std::vector<std::string> names;
-  for (const View<Report>& view : views) names.emplace_back(view.name);
+  for (const auto& one : all) names.emplace_back(one.name);
   return names;
 }
-template <class Report, std::size_t N>
-void add_format(CLI::App& command, std::string& format, const View<Report> (&views)[N]) {
-  add_format(command, format, names_of(views));
-}
-/// --method, of either kind; several.
 void add_methods(CLI::App& command, std::vector<std::string>& methods);
 /// Whether an option names files that are read.
 bool reads(const CLI::Option& option);
@@ -152,19 +156,14 @@ std::vector<std::string> files_of(const CLI::Option& option);
 /// The file that an option names, opened before the work that it is to take; empty where it is not
 /// given. Errors: std::invalid_argument as OutputFile.
 std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);
-/// --top
 void add_top(CLI::App& command, std::size_t& top);
-/// --max-ulp
 void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_view meaning);
 /// --view FILE: a page for a browser that shows `what`.
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
-/// --certificates FILE
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
 /// --threads; `same` names what does not depend on it.
 void add_threads(CLI::App& command, int& threads, std::string_view same);
-/// --strict
 void add_strict(CLI::App& command, bool& strict);
-/// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 
 /// Prints a report in the format of this name.

@@ -20,6 +20,7 @@
 #include "scene/arithmetic.h"
 #include "scene/interruption.h"
 #include "scene/invalid_input.h"
+#include "scene/text.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/report/json.h"
@@ -78,8 +79,7 @@ void require_no_unit(const CLI::App& command, const Written& file) {
       std::error_code error;
       const fs::path inside = fs::weakly_canonical(folder, error);
       const fs::path path = fs::weakly_canonical(file.path, error);
-      if (std::mismatch(inside.begin(), inside.end(), path.begin(), path.end()).first !=
-          inside.end()) {
+      if (std::ranges::mismatch(inside, path).in1 != inside.end()) {
         continue;
       }
       throw std::invalid_argument(
@@ -105,8 +105,8 @@ void require_written_apart(const CLI::App& command) {
     std::error_code error;
     if (!fs::is_regular_file(one->path, error)) continue;
     for (const CLI::Option* option : command.get_options()) {
-      const bool is_written = std::any_of(
-          all.begin(), all.end(), [&](const Written& other) { return other.option == option; });
+      const bool is_written =
+          std::ranges::any_of(all, [&](const Written& other) { return other.option == option; });
       if (is_written || !reads(*option)) continue;
       require_no_input(one->named_by, one->path, files_of(*option));
     }
@@ -196,8 +196,7 @@ std::vector<Command> make_program(CLI::App& program, std::span<const LinkedComma
   std::vector<Command> commands;
   for (const CommandRow& row : kCommands) {
     CLI::App& app = *program.add_subcommand(std::string(row.name), std::string(row.sentence));
-    const auto found = std::find_if(linked.begin(), linked.end(),
-                                    [&](const auto& command) { return command.name == row.name; });
+    const auto found = std::ranges::find(linked, row.name, &LinkedCommand::name);
     if (found != linked.end()) commands.push_back({&app, found->add(app)});
   }
   return commands;
@@ -219,12 +218,8 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
   }
   const std::string first = argc > 1 ? argv[1] : "";
   if (!first.empty() && first.front() != '-' && find_command(first) == nullptr) {
-    std::string known;
-    for (const CommandRow& row : kCommands) {
-      known += (known.empty() ? "" : ", ") + std::string(row.name);
-    }
-    print_error(
-        fmt::format("raycheck: there is no command '{}'; the commands are {}\n", first, known));
+    print_error(fmt::format("raycheck: there is no command '{}'; the commands are {}\n", first,
+                            scene::joined(kCommands, ", ", &CommandRow::name)));
     return kExitBadInput;
   }
   try {

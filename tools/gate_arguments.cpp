@@ -1,6 +1,5 @@
 #include "tools/gate_arguments.h"
 
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -23,7 +22,7 @@ CLI::Validator report_of(const std::vector<std::string>& kinds) {
         const std::size_t equals = text.find('=');
         const std::string kind = text.substr(0, equals);
         if (equals == std::string::npos || equals + 1 == text.size() ||
-            std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+            std::ranges::find(kinds, kind) == kinds.end()) {
           return fmt::format("'{}' is not KIND=FILE, KIND one of {}", text, fmt::join(kinds, ", "));
         }
         return "";

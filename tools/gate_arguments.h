@@ -25,10 +25,6 @@ struct GateArguments {
 /// --format and --report, of these names and those of gate_formats(), and the options of a
 /// baseline.
 void add_gate(CLI::App& command, GateArguments& arguments, std::vector<std::string> formats);
-template <class Report, std::size_t N>
-void add_gate(CLI::App& command, GateArguments& arguments, const View<Report> (&views)[N]) {
-  add_gate(command, arguments, names_of(views));
-}
 
 /// Prints a report, or its gate, in the format of this name.
 template <class Report, std::size_t N>

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <map>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -30,8 +29,8 @@ bool is_of_units(const CLI::Option& option) {
   const auto is_called = [&](const char* name) { return option.check_name(name); };
   return option.count() > 0 && !is_called("--out") && !is_called("--shard") &&
          !is_called("--merged") &&
-         std::none_of(std::begin(kReportOptions), std::end(kReportOptions),
-                      [&](const NamedOption& one) { return is_called(one.name); });
+         std::ranges::none_of(kReportOptions,
+                              [&](const NamedOption& one) { return is_called(one.name); });
 }
 
 /// Adds a file, or all files of a folder, but hidden ones and folders of units.
@@ -63,8 +62,7 @@ CampaignIdentity identity_of(const CLI::App& command, Judged judged) {
     if (!is_of_units(*option)) continue;
     const bool is_flag = option->get_items_expected_max() == 0;
     const bool is_known =
-        option->get_positional() ||
-        std::any_of(std::begin(kUnitOptions), std::end(kUnitOptions), [&](const NamedOption& one) {
+        option->get_positional() || std::ranges::any_of(kUnitOptions, [&](const NamedOption& one) {
           return one.name == option->get_name() && one.has_value != is_flag;
         });
     if (!is_known) throw std::logic_error(option->get_name() + " is missing in kUnitOptions");
@@ -125,8 +123,7 @@ std::unique_ptr<Units> units_of(const ShardArguments& arguments, Judged judged) 
 
 bool runs_candidates(const CampaignIdentity& campaign) {
   return campaign.command == "grade" ||
-         std::find(campaign.arguments.begin(), campaign.arguments.end(), "--candidate") !=
-             campaign.arguments.end();
+         std::ranges::find(campaign.arguments, "--candidate") != campaign.arguments.end();
 }
 
 int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted) {

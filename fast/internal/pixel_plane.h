@@ -2,7 +2,6 @@
 
 // The image plane that every pixel ray method walks over. Internal to fast/.
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 

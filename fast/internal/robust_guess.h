@@ -8,8 +8,6 @@
 #define RAYCHECK_FAST_INTERNAL_ROBUST_GUESS_H_
 #endif
 
-#include <cmath>
-
 #include "fast/internal/intersect_batch.h"
 
 HWY_BEFORE_NAMESPACE();

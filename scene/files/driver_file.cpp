@@ -9,6 +9,7 @@
 #include "scene/files/scene_file.h"
 #include "scene/interruption.h"
 #include "scene/number.h"
+#include "scene/text.h"
 
 namespace raycheck::scene {
 namespace {
@@ -23,11 +24,7 @@ struct Entry {
   std::size_t line = 0;  ///< From 1.
 
   /// The words after the keyword, one space apart.
-  std::string joined() const {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-    return text;
-  }
+  std::string joined() const { return scene::joined(words, " "); }
 };
 
 /// The entries of a driver file, without its comments (from # to the end of a line), whatever its
@@ -128,9 +125,7 @@ class DriverReader {
         once_.contains("bounds") || once_.contains("res")) {
       return;
     }
-    std::string first;
-    for (const std::string& word : unknown_) first += (first.empty() ? "" : ", ") + word;
-    located_.fail(1, "first words", first,
+    located_.fail(1, "first words", scene::joined(unknown_),
                   "neither TOML, in a file whose name ends in .toml, nor a driver file");
   }
 

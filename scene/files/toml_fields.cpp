@@ -1,6 +1,7 @@
 #include "scene/files/toml_fields.h"
 
 #include "scene/number.h"
+#include "scene/text.h"
 
 namespace raycheck::scene {
 namespace {
@@ -141,9 +142,7 @@ std::string spelled(const toml::node& node) {
   if (node.is_array_of_tables()) return "(an array of tables)";
   const auto* array = node.as_array();
   if (!array) return "(a date or time)";
-  std::string list;
-  for (const toml::node& element : *array) list += (list.empty() ? "" : ", ") + spelled(element);
-  return "[" + list + "]";
+  return "[" + scene::joined(*array, ", ", spelled) + "]";
 }
 
 std::optional<double> number_in(const toml::node& node) {
@@ -168,12 +167,12 @@ void TomlFields::require_known(const Table& from, std::span<const std::string_vi
   std::optional<Field> unknown;
   for (const auto& [key, node] : from.keys) {
     const Field field{node, from.prefix + std::string(key.str()), key.source().begin.line};
-    const bool is_known = std::find(known.begin(), known.end(), key.str()) != known.end();
+    const bool is_known = std::ranges::find(known, key.str()) != known.end();
     if (!is_known && (!unknown || field.line < unknown->line)) unknown.emplace(field);
   }
   if (unknown) {
     located_.fail(unknown->line, unknown->name, spelled(unknown->node),
-                  "unknown key; " + from.name + " knows " + listed(known));
+                  "unknown key; " + from.name + " knows " + joined(known));
   }
 }
 

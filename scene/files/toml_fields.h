@@ -17,6 +17,7 @@
 #include "scene/conventions.h"
 #include "scene/fields.h"
 #include "scene/files/located_fields.h"
+#include "scene/text.h"
 
 namespace raycheck::scene {
 
@@ -98,17 +99,9 @@ class TomlFields {
   template <typename Choice, typename Names>
   Choice chosen(const Field& field, const Names& names) const {
     const auto* text = field.node.as_string();
-    const auto found = text ? std::find(names.begin(), names.end(), text->get()) : names.end();
-    if (found == names.end()) fail(field, "must be one of " + listed(names));
+    const auto found = text ? std::ranges::find(names, text->get()) : names.end();
+    if (found == names.end()) fail(field, "must be one of " + joined(names));
     return static_cast<Choice>(found - names.begin());
-  }
-  template <typename Names>
-  static std::string listed(const Names& names) {
-    std::string list;
-    for (const std::string_view name : names) {
-      list += (list.empty() ? "" : ", ") + std::string(name);
-    }
-    return list;
   }
 
   LocatedFields located_;

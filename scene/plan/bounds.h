@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-#include <limits>
-
 #include "scene/numbers.h"
 
 namespace raycheck::scene {

@@ -36,7 +36,7 @@ bool is_zero(const Bounds& x) { return x.low == 0 && x.high == 0; }
 
 /// Whether a vector points along a world axis or its opposite, and which.
 bool along_world_axis(const Axis& v, Axis& axis) {
-  if (std::count_if(v.begin(), v.end(), is_zero) != 2) return false;
+  if (std::ranges::count_if(v, is_zero) != 2) return false;
   for (std::size_t k = 0; k < 3; ++k) {
     if (v[k].contains(0) && !is_zero(v[k])) return false;
     axis[k] = Bounds::exactly(is_zero(v[k]) ? 0 : v[k].low > 0 ? 1 : -1);
@@ -92,10 +92,10 @@ Axis across(const Camera& camera, const Axis& to_eye) {
   const Axis up = scaled_near_one(exactly(camera.up));
   const Point3 &E = camera.eye, &A = camera.look_at;
   const Difference to[] = {difference(E.x, A.x), difference(E.y, A.y), difference(E.z, A.z)};
-  const bool is_all_plain = std::all_of(std::begin(to), std::end(to), [](const Difference& d) {
+  const bool is_all_plain = std::ranges::all_of(to, [](const Difference& d) {
     return is_plain(d.x) && is_plain(d.rest) && std::abs(d.x) < 1 / kLeastFactor;
   });
-  if (!is_all_plain || !std::all_of(up.begin(), up.end(), [](const Bounds& x) {
+  if (!is_all_plain || !std::ranges::all_of(up, [](const Bounds& x) {
         return x.low == x.high && is_plain(x.low);
       })) {
     return cross(up, to_eye);

@@ -1,7 +1,6 @@
 #include "scene/plan/plan.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>

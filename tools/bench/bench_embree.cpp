@@ -51,7 +51,7 @@ bool EmbreeImage::has(const scene::Scene& scene) {
   return is_near(camera.eye) && is_small(camera.near) && std::abs(camera.near) > 1 / kMost &&
          is_small(camera.left) && is_small(camera.right) && is_small(camera.bottom) &&
          is_small(camera.top) &&
-         std::all_of(scene.spheres.begin(), scene.spheres.end(), [&](const scene::Sphere& sphere) {
+         std::ranges::all_of(scene.spheres, [&](const scene::Sphere& sphere) {
            return is_near(sphere.centre) && is_small(sphere.radius);
          });
 }

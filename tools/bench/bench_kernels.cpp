@@ -333,7 +333,7 @@ int main(int argc, char** argv) {
   const std::vector<Kernel> all = kernels();
   if (checks) {
     std::cout << built_by() << "\n";
-    return std::all_of(all.begin(), all.end(), is_right) ? 0 : 1;
+    return std::ranges::all_of(all, is_right) ? 0 : 1;
   }
   if (counts) {
     for (const Kernel& kernel : all) count(kernel);

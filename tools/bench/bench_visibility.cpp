@@ -51,8 +51,7 @@ std::vector<Shipped> shipped() {
     scene.camera->width = scene.camera->height = 1024;
     result.push_back({entry.path().stem().string(), scene});
   }
-  std::sort(result.begin(), result.end(),
-            [](const Shipped& a, const Shipped& b) { return a.name < b.name; });
+  std::ranges::sort(result, {}, &Shipped::name);
   return result;
 }
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <span>
-#include <stdexcept>
-#include <utility>
 
 #include "properties/cases/scene_cases.h"
 #include "properties/laws/law.h"
@@ -81,8 +79,7 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
 /// The scene, and the implementations as they are to be given it: renderers in the file's own
 /// dialect, where they do not keep their form.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
-  const bool draw = std::any_of(implementations.begin(), implementations.end(),
-                                [](const Implementation& one) { return one.draws(); });
+  const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
   scene::LoadedScene loaded =
       scene::load_scene(options.path, draw ? std::nullopt : options.dialect);
   if (!loaded.dialect || options.keeps_forms) return loaded;
@@ -108,7 +105,7 @@ std::vector<Implementation> without_equals(const std::vector<Implementation>& im
     MethodPair pair = *one.methods;
     if (!scene.camera) pair.rays = kDefaultMethods.rays;
     if (scene.spheres.empty()) pair.intersect = kDefaultMethods.intersect;
-    if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
+    if (std::ranges::find(pairs, pair) != pairs.end()) continue;
     pairs.push_back(pair);
     result.push_back(built_in(pair));
   }
@@ -118,16 +115,15 @@ std::vector<Implementation> without_equals(const std::vector<Implementation>& im
 }  // namespace
 
 bool CheckReport::holds() const {
-  return std::all_of(candidates.begin(), candidates.end(),
-                     [this](const CandidateReport& one) { return one.verdict.holds(strict); });
+  return std::ranges::all_of(
+      candidates, [this](const CandidateReport& one) { return one.verdict.holds(strict); });
 }
 
 bool CheckReport::is_enough_judged() const {
   const bool knows_undecided = ratchet && ratchet->is_conclusive;
-  return !candidates.empty() &&
-         std::all_of(candidates.begin(), candidates.end(), [&](const CandidateReport& one) {
-           return knows_undecided ? one.is_judged() : one.is_enough_judged();
-         });
+  return !candidates.empty() && std::ranges::all_of(candidates, [&](const CandidateReport& one) {
+    return knows_undecided ? one.is_judged() : one.is_enough_judged();
+  });
 }
 
 CheckReport check(const CheckOptions& options, const RunControl& control, Units* units) {

@@ -56,7 +56,6 @@ struct ExcludedHits {
   }
 };
 
-/// How many of the worst are kept.
 inline constexpr std::size_t kKeptExcluded = 10;
 
 struct CheckOptions {

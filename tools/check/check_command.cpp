@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "tools/arguments.h"
 #include "tools/check/check.h"
@@ -88,7 +87,7 @@ CommandRun add_check(CLI::App& command) {
   add_shards(command, arguments.shards);
   add_certificates(command, arguments.certificates);
   add_view(command, arguments.view, "the scene and its worst discrepancies");
-  add_gate(command, arguments.gate, kCheckViews);
+  add_gate(command, arguments.gate, names_of(kCheckViews));
   return [given] { return run_check(*given); };
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <utility>
 
 #include "properties/laws/law.h"
 #include "tools/check/check.h"

@@ -1,4 +1,3 @@
-
 #include "properties/laws/law.h"
 #include "scene/number.h"
 #include "tools/check/check.h"

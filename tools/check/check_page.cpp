@@ -54,9 +54,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
     if (one.quantity == Quantity::kNearestSphere) {
       what += fmt::format(", {} for {}", got_text(one), exact_text(one));
     }
-    const auto known =
-        std::find_if(findings.begin(), findings.end(),
-                     [&](const FindingView& other) { return other.selection == selection; });
+    const auto known = std::ranges::find(findings, selection, &FindingView::selection);
     if (known != findings.end()) {
       known->sentence += "; " + what;
     } else if (findings.size() < kMostFindings) {
@@ -146,14 +144,13 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
       document.findings.insert(document.findings.end(), found.begin(), found.end());
     }
     // Defects first, then in the order of the report.
-    std::stable_sort(document.findings.begin(), document.findings.end(),
-                     [](const FindingView& a, const FindingView& b) {
-                       const auto rank = [](const FindingView& one) {
-                         return one.standing ? static_cast<int>(*one.standing)
-                                             : static_cast<int>(properties::kStandingCount);
-                       };
-                       return rank(a) < rank(b);
-                     });
+    std::ranges::stable_sort(document.findings, [](const FindingView& a, const FindingView& b) {
+      const auto rank = [](const FindingView& one) {
+        return one.standing ? static_cast<int>(*one.standing)
+                            : static_cast<int>(properties::kStandingCount);
+      };
+      return rank(a) < rank(b);
+    });
     for (const FindingView& finding : document.findings) {
       if (finding.scene == document.scenes.size()) view.wanted.push_back(finding.selection);
     }
@@ -161,8 +158,8 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
   }
   const std::uint64_t total = report.discrepancies();
   const std::vector<FindingView>& findings = document.findings;
-  const auto listed = static_cast<std::uint64_t>(std::count_if(
-      findings.begin(), findings.end(), [](const auto& one) { return one.standing.has_value(); }));
+  const auto listed = static_cast<std::uint64_t>(
+      std::ranges::count_if(findings, [](const auto& one) { return one.standing.has_value(); }));
   document.found = found_text(listed, total, findings.size() - listed);
   if (listed > 0) document.worst = worst_of(listed, total);
   return document;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/number.h"
+#include "scene/text.h"
 #include "tools/check/check.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
@@ -13,7 +14,6 @@ namespace {
 using properties::Quantity;
 using properties::Standing;
 using properties::Tally;
-using properties::Wrong;
 
 std::string scene_text(const CheckReport& report) {
   std::string text = scene_file_text(report.path, report.dialect) + ": ";
@@ -55,15 +55,8 @@ std::string worst_text(const Tally& tally, Quantity quantity) {
 
 /// What was compared of a candidate, a row per quantity.
 std::string quantities_table(const CandidateReport& candidate) {
-  using enum Table::Align;
-  Table table({{"quantity"},
-               {"cases", kRight},
-               {"class errors"},
-               {"median", kRight},
-               {"max", kRight},
-               {"bound", kRight},
-               {"unit"},
-               {"worst at"}});
+  Table table(
+      {"quantity", ">cases", "class errors", ">median", ">max", ">bound", "unit", "worst at"});
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
     const bool measured = !tally.errors.empty();
     table.add({std::string(info(quantity).name), std::to_string(tally.cases),
@@ -140,9 +133,7 @@ std::string replay_text(const CheckReport& report, const CandidateReport& candid
   const scene::Ray& ray = scene.rays.front();
   const scene::Sphere& sphere = scene.spheres.front();
   const auto listed = [](std::initializer_list<double> numbers) {
-    std::string text;
-    for (const double x : numbers) text += (text.empty() ? "" : ",") + scene::shortest(x);
-    return text;
+    return scene::joined(numbers, ",", scene::shortest);
   };
   return words(
       fmt::format("explain --ray {} --sphere {}",
@@ -166,7 +157,6 @@ std::string failed_question_text(const CheckReport& report) {
   return "";
 }
 
-/// What was judged of a candidate, and how.
 std::string candidate_text(const CheckReport& report, const CandidateReport& candidate) {
   const Implementation& implementation = candidate.implementation;
   std::string text = "\n" + candidate.name;
@@ -204,7 +194,7 @@ std::vector<RankedDiscrepancy> worst_of_all(const CheckReport& report) {
       ranked.push_back({&candidate, rank++, discrepancy});
     }
   }
-  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
+  std::ranges::stable_sort(ranked, [](const auto& a, const auto& b) {
     const auto key = [](const RankedDiscrepancy& one) {
       return std::pair(one.discrepancy.excuse.standing(), one.rank);
     };
@@ -248,21 +238,19 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
   };
   std::vector<Group> groups;
   const auto add = [&](const std::string& whose, const LeftOut& entry) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
+    auto group = std::ranges::find_if(groups, [&](const Group& known) {
       return known.whose == whose && known.reason == entry.reason;
     });
     if (group == groups.end()) group = groups.insert(group, {whose, entry.reason, {}});
-    if (std::find(group->laws.begin(), group->laws.end(), entry.law) == group->laws.end()) {
+    if (std::ranges::find(group->laws, entry.law) == group->laws.end()) {
       group->laws.push_back(entry.law);
     }
   };
   for (const CandidateReport& candidate : report.candidates) {
     for (const LeftOut& entry : candidate.left_out) {
-      const bool all = std::all_of(
-          report.candidates.begin(), report.candidates.end(), [&](const CandidateReport& other) {
-            return std::find(other.left_out.begin(), other.left_out.end(), entry) !=
-                   other.left_out.end();
-          });
+      const bool all = std::ranges::all_of(report.candidates, [&](const CandidateReport& other) {
+        return std::ranges::find(other.left_out, entry) != other.left_out.end();
+      });
       add(all ? "" : candidate.name + ", ", entry);
     }
   }

@@ -2,25 +2,21 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <utility>
 
 #include "properties/laws/law.h"
 #include "properties/search/campaign.h"
 #include "scene/interruption.h"
-#include "tools/check/check.h"
 #include "tools/shards/run_units.h"
 
 namespace raycheck::tools {
 
 using properties::Candidate;
 using properties::Case;
-using properties::FailureSearch;
 using properties::Law;
 using properties::Per;
 using properties::RunControl;
 using properties::Trials;
-using properties::Truth;
 using properties::Verdict;
 
 struct ChunkVerdict {
@@ -41,9 +37,7 @@ struct ChunkVerdict {
 namespace {
 
 void keep_worst(std::vector<ExcludedHit>& worst) {
-  std::stable_sort(worst.begin(), worst.end(), [](const ExcludedHit& a, const ExcludedHit& b) {
-    return a.in_radii > b.in_radii;
-  });
+  std::ranges::stable_sort(worst, std::greater{}, &ExcludedHit::in_radii);
   if (worst.size() > kKeptExcluded) worst.resize(kKeptExcluded);
 }
 
@@ -132,9 +126,8 @@ Judgement::Judgement(std::optional<double> max_error, const ScenesOfFormats& sce
     if (!cases || !cases->scene().camera) continue;
     auto& plans = plans_[index_of(format)];
     const scene::Conventions conventions = properties::planned(draft.report.conventions);
-    const bool is_planned =
-        std::any_of(plans.begin(), plans.end(),
-                    [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
+    const bool is_planned = std::ranges::any_of(
+        plans, [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
     if (!is_planned) {
       plans.push_back(plan_scene(cases->scene(), conventions, scene::Wanted::kParameter));
     }
@@ -218,7 +211,7 @@ ChunkVerdicts Judgement::judge(std::uint64_t first) {
     const auto is_asked = [&](const Draft& draft) {
       return draft.report.implementation.input_format() == format;
     };
-    if (!cases || std::none_of(drafts_.begin(), drafts_.end(), is_asked)) continue;
+    if (!cases || std::ranges::none_of(drafts_, is_asked)) continue;
     const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
     properties::SharedTruths truths(chunk, plans_[index_of(format)]);
     for (std::size_t k = 0; k < drafts_.size(); ++k) {

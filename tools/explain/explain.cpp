@@ -214,7 +214,6 @@ Subject subject_of(const scene::Scene& scene, const std::optional<reference::Exa
           reference::ClosedFormRay(*scene.camera, scene.conventions, *pixel), true};
 }
 
-/// Everyone's rays at a pixel.
 void report_all_rays(const Case& the_case, const std::optional<Candidate>& other,
                      ExplainReport& report) {
   SharedTruths truths(the_case);
@@ -248,13 +247,12 @@ void report_all_intersections(const Case& the_case, const fast::PixelRayMethod& 
 }  // namespace
 
 const Step* ExplainReport::find(const std::string& symbol) const {
-  const auto found = std::find_if(steps.begin(), steps.end(),
-                                  [&](const Step& one) { return one.symbol == symbol; });
+  const auto found = std::ranges::find(steps, symbol, &Step::symbol);
   return found == steps.end() ? nullptr : &*found;
 }
 
 bool ExplainReport::has_discrepancy() const {
-  return std::any_of(methods.begin(), methods.end(), [](const MethodReport& method) {
+  return std::ranges::any_of(methods, [](const MethodReport& method) {
     return method.wrong && method.wrong->excuse.standing() == properties::Standing::kDefect;
   });
 }

@@ -31,7 +31,7 @@ CandidateSpec parse_candidate(const std::string& text) {
   const std::string name = text.substr(0, colon);
   const std::string what = colon == std::string::npos ? "" : text.substr(colon + 1);
   if (what.empty()) throw CandidateError(fmt::format("give {}", kKinds), {}, text);
-  const auto* const found = std::find(kCandidateKindNames.begin(), kCandidateKindNames.end(), name);
+  const auto* const found = std::ranges::find(kCandidateKindNames, name);
   if (found == kCandidateKindNames.end()) {
     throw CandidateError(fmt::format("there is no {}:; give {}", name, kKinds), {}, text);
   }

@@ -29,7 +29,7 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
       files.push_back(entry.path());
     }
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -177,10 +177,7 @@ void build(const fs::path& folder, const BuildWords& words, const fs::path& to,
     if (words.keeps && !words.keeps(entry.path())) continue;
     bytes += entry.file_size();
     if (bytes > kMostBuilt) throw CandidateError(words.shown + ": it makes too large files");
-    const fs::path copy = to / fs::relative(entry.path(), step.folder());
-    fs::create_directories(copy.parent_path());
-    fs::copy_file(entry.path(), copy);
-    fs::last_write_time(copy, entry.last_write_time());
+    copy_with_time(entry.path(), to / fs::relative(entry.path(), step.folder()));
   }
 }
 

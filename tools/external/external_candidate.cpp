@@ -6,7 +6,6 @@
 #include <atomic>
 #include <iterator>
 #include <mutex>
-#include <optional>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -70,9 +69,8 @@ class Pictures {
   /// A scene's picture, drawn or not, which becomes the last.
   std::shared_ptr<Picture> kept(const scene::Scene& scene, scene::Rows rows) {
     const std::lock_guard lock(mutex_);
-    auto found = std::find_if(kept_.begin(), kept_.end(), [&](const auto& one) {
-      return one->rows == rows && one->scene == scene;
-    });
+    auto found = std::ranges::find_if(
+        kept_, [&](const auto& one) { return one->rows == rows && one->scene == scene; });
     if (found == kept_.end()) {
       kept_.push_back(std::shared_ptr<Picture>(new Picture{scene, rows}));
       found = std::prev(kept_.end());

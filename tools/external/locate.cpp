@@ -29,8 +29,7 @@ fs::path existing(const std::string& path, const RunOptions& options) {
 External library(const std::string& name, const fs::path& path, const RunOptions& options) {
   auto folder = std::make_shared<PrivateFolder>();
   // Where it may read what lies beside it, it stays there: its rpath may begin with $ORIGIN.
-  const bool stays = std::find(options.reads.begin(), options.reads.end(), path.parent_path()) !=
-                     options.reads.end();
+  const bool stays = std::ranges::find(options.reads, path.parent_path()) != options.reads.end();
   const fs::path copy = stays ? path : folder->path() / path.filename();
   if (!stays) fs::copy_file(path, copy);
   open_to_others(folder->path());
@@ -124,7 +123,7 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 bool is_on_path(const std::string& program) {
-  return std::any_of(kProgramFolders.begin(), kProgramFolders.end(), [&](const char* folder) {
+  return std::ranges::any_of(kProgramFolders, [&](const char* folder) {
     std::error_code error;
     return fs::is_regular_file(fs::path(folder) / program, error);
   });

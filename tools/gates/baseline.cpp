@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cstddef>
 #include <filesystem>
@@ -170,21 +169,16 @@ Ratchet compare(const Baseline& baseline, const Findings& findings) {
   Ratchet ratchet;
   const auto& found = findings.found;
   const auto& known = baseline.known;
-  std::set_intersection(found.begin(), found.end(), known.begin(), known.end(),
-                        std::back_inserter(ratchet.known));
-  std::set_difference(found.begin(), found.end(), known.begin(), known.end(),
-                      std::back_inserter(ratchet.added));
-  std::set_difference(known.begin(), known.end(), found.begin(), found.end(),
-                      std::back_inserter(ratchet.mended));
-  std::copy_if(known.begin(), known.end(), std::back_inserter(ratchet.unasked),
-               [&](const Identity& one) {
-                 return !findings.asked.contains(scope_of(one)) && !found.contains(one);
-               });
+  std::ranges::set_intersection(found, known, std::back_inserter(ratchet.known));
+  std::ranges::set_difference(found, known, std::back_inserter(ratchet.added));
+  std::ranges::set_difference(known, found, std::back_inserter(ratchet.mended));
+  std::ranges::copy_if(known, std::back_inserter(ratchet.unasked), [&](const Identity& one) {
+    return !findings.asked.contains(scope_of(one)) && !found.contains(one);
+  });
   std::erase_if(ratchet.mended,
                 [&](const Identity& one) { return !findings.complete.contains(scope_of(one)); });
   ratchet.is_conclusive =
-      !findings.is_cut && std::none_of(ratchet.added.begin(), ratchet.added.end(),
-                                       [](const Identity& one) { return one.is_undecided(); });
+      !findings.is_cut && std::ranges::none_of(ratchet.added, &Identity::is_undecided);
   return ratchet;
 }
 

@@ -72,8 +72,8 @@ struct Ratchet {
   bool is_conclusive = true;      ///< All undecided ones are known.
 
   bool fails() const {
-    const bool has_defects = std::any_of(added.begin(), added.end(),
-                                         [](const Identity& one) { return !one.is_undecided(); });
+    const bool has_defects =
+        std::ranges::any_of(added, [](const Identity& one) { return !one.is_undecided(); });
     return has_defects || (strict && !mended.empty());
   }
 };

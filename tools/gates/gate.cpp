@@ -25,13 +25,11 @@ void make_unique(std::vector<GateCheck>& checks) {
 }  // namespace
 
 std::uint64_t Gate::count(GateOutcome outcome) const {
-  return static_cast<std::uint64_t>(
-      std::count_if(checks.begin(), checks.end(),
-                    [&](const GateCheck& check) { return check.outcome == outcome; }));
+  return static_cast<std::uint64_t>(std::ranges::count(checks, outcome, &GateCheck::outcome));
 }
 
 bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet) {
-  return ratchet && std::binary_search(ratchet->known.begin(), ratchet->known.end(), one);
+  return ratchet && std::ranges::binary_search(ratchet->known, one);
 }
 
 std::optional<properties::CodeLine> line_of(const Gate& gate, const GateCheck& check) {
@@ -46,8 +44,8 @@ GateCheck& add_check(Gate& gate, GateCheck check, const LeftUndecided& undecided
   check.outcome = has_found ? GateOutcome::kKnown : GateOutcome::kPassed;
   const auto are_known = [&](const std::vector<Identity>& found) {
     gate.findings.found.insert(found.begin(), found.end());
-    return std::all_of(found.begin(), found.end(),
-                       [&](const Identity& one) { return is_known(one, gate.ratchet); });
+    return std::ranges::all_of(found,
+                               [&](const Identity& one) { return is_known(one, gate.ratchet); });
   };
   gate.findings.is_cut = gate.findings.is_cut || undecided.is_cut;
   if (!are_known(undecided.kept) || undecided.is_cut) check.outcome = GateOutcome::kInconclusive;

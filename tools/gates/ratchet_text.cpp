@@ -1,17 +1,16 @@
 #include <fmt/core.h>
 
+#include "scene/text.h"
 #include "tools/gates/gate.h"
 
 namespace raycheck::tools {
 namespace {
 
 std::string lines_of(std::string_view what, const std::vector<Identity>& identities) {
-  std::string text;
-  for (const Identity& one : identities) {
-    text += fmt::format("  {}: {} on {}, {}, {}: {}\n", what, one.law, one.source, one.place,
-                        one.kind, one.candidate);
-  }
-  return text;
+  return scene::joined(identities, "", [&](const Identity& one) {
+    return fmt::format("  {}: {} on {}, {}, {}: {}\n", what, one.law, one.source, one.place,
+                       one.kind, one.candidate);
+  });
 }
 
 }  // namespace

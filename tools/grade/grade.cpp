@@ -1,23 +1,16 @@
 #include "tools/grade/grade.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
-#include <utility>
 
 #include "properties/mistakes/shown_picture.h"
 #include "scene/interruption.h"
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
-#include "tools/grade/pages/views.h"
 #include "tools/grade/results/record.h"
-#include "tools/grade/results/result.h"
-#include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/version.h"
@@ -81,8 +74,8 @@ void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
 /// Not true of a submission with points: it shows scenes other than the dry run's.
 void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& grade) {
   if (!dry || dry->shows_nothing.empty()) return;
-  const bool has_points = std::any_of(grade.items.begin(), grade.items.end(),
-                                      [](const ItemGrade& item) { return item.score > 0; });
+  const bool has_points =
+      std::ranges::any_of(grade.items, [](const ItemGrade& item) { return item.score > 0; });
   if (!has_points) grade.notes.push_back(plain_text(dry->shows_nothing));
 }
 
@@ -305,8 +298,8 @@ ClassGrade grade(const GradeOptions& options, const RunControl& control, Units* 
 std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,
                                         const RunControl& control) {
   const auto asks = [&](const auto& task) {
-    return std::any_of(rubric.items.begin(), rubric.items.end(),
-                       [&](const Item& item) { return (item.*task).has_value(); });
+    return std::ranges::any_of(rubric.items,
+                               [&](const Item& item) { return (item.*task).has_value(); });
   };
   std::vector<SubmissionGrade> grades;
   const auto try_on = [&](const char* name, const properties::Candidate& candidate, bool pictures) {
@@ -329,8 +322,7 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
 
 bool TryReport::holds() const {
   const auto& items = shown.submission.items;
-  return could_be_judged(shown.submission) &&
-         std::all_of(items.begin(), items.end(), [](const ItemGrade& item) {
+  return could_be_judged(shown.submission) && std::ranges::all_of(items, [](const ItemGrade& item) {
            return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
          });
 }

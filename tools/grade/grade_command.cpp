@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <tbb/info.h>
 
 #include <algorithm>
@@ -6,7 +5,6 @@
 #include <iterator>
 #include <memory>
 #include <stdexcept>
-#include <utility>
 
 #include "scene/files/file_text.h"
 #include "tools/arguments.h"
@@ -75,8 +73,8 @@ int try_own_methods(const GradeArguments& arguments) {
 
 /// Only the dry run.
 int run_probe(const GradeArguments& arguments) {
-  if (std::none_of(std::begin(kProbeViews), std::end(kProbeViews),
-                   [&](const auto& view) { return view.name == arguments.format; })) {
+  if (std::ranges::none_of(kProbeViews,
+                           [&](const auto& view) { return view.name == arguments.format; })) {
     throw std::invalid_argument("--format " + arguments.format + ": --probe has text and json");
   }
   GradeOptions options = arguments.options;
@@ -154,8 +152,7 @@ CommandRun add_grade(CLI::App& command) {
                   "write the zip file that Gradescope takes as an autograder")
       ->excludes(submissions)
       ->excludes(command.get_option("--dialect"));
-  std::vector<std::string> formats;
-  for (const ClassView& view : kPrintedViews) formats.emplace_back(view.name);
+  std::vector<std::string> formats = names_of(kPrintedViews);
   for (const ResultsFormat& format : kResultsFormats) formats.emplace_back(format.name);
   add_format(command, arguments.format, formats);
   return [given] { return run_grade(*given); };

@@ -9,7 +9,6 @@
 #include <sstream>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/record.h"
@@ -41,8 +40,8 @@ SubmissionProbe probed(const Submission& submission, const Rubric& rubric, const
 }  // namespace
 
 bool ProbeReport::holds() const {
-  return std::none_of(submissions.begin(), submissions.end(),
-                      [](const SubmissionProbe& one) { return one.refusal.has_value(); });
+  return std::ranges::none_of(submissions,
+                              [](const SubmissionProbe& one) { return one.refusal.has_value(); });
 }
 
 ProbeReport probe(const GradeOptions& options, const properties::RunControl& control) {
@@ -66,7 +65,6 @@ using Probes = std::vector<const SubmissionProbe*>;
 /// Files that determine how a submission is built without being named in the command.
 constexpr std::array<std::string_view, 2> kRecipes = {"CMakeLists.txt", "package.json"};
 
-/// How many submissions a comment names.
 constexpr std::size_t kMostNamed = 4;
 
 /// A TOML basic string.
@@ -91,8 +89,8 @@ std::string driver_part(const ProbeReport& report) {
   for (const SubmissionProbe& probe : report.submissions) {
     const auto& dry = probe.found.dry_run;
     if (!dry || !dry->shows_a_sphere()) continue;
-    const auto known = std::find_if(counts.begin(), counts.end(),
-                                    [&](const auto& count) { return count.first == dry->driver; });
+    const auto known =
+        std::ranges::find_if(counts, [&](const auto& count) { return count.first == dry->driver; });
     if (known == counts.end()) {
       counts.emplace_back(dry->driver, 1);
     } else {
@@ -100,9 +98,8 @@ std::string driver_part(const ProbeReport& report) {
     }
   }
   if (counts.empty()) return "";
-  const auto most =
-      std::max_element(counts.begin(), counts.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto most = std::ranges::max_element(
+      counts, [](const auto& a, const auto& b) { return a.second < b.second; });
   return fmt::format("[driver]\npreset = {}\n{}", toml_text(most->first.name()),
                      counts.size() > 1 ? "others = true\n" : "");
 }
@@ -118,7 +115,7 @@ std::vector<BuiltAlike> built_alike(const ProbeReport& report) {
   for (const SubmissionProbe& probe : report.submissions) {
     if (probe.refusal || !probe.found.built_automatically) continue;
     const std::string candidate = probe.found.program->text();
-    auto known = std::find_if(found.begin(), found.end(), [&](const BuiltAlike& one) {
+    auto known = std::ranges::find_if(found, [&](const BuiltAlike& one) {
       return one.build == probe.found.build_words && one.candidate == candidate;
     });
     if (known == found.end()) {
@@ -126,30 +123,27 @@ std::vector<BuiltAlike> built_alike(const ProbeReport& report) {
     }
     known->members.push_back(&probe);
   }
-  std::stable_sort(found.begin(), found.end(), [](const BuiltAlike& a, const BuiltAlike& b) {
+  std::ranges::stable_sort(found, [](const BuiltAlike& a, const BuiltAlike& b) {
     return a.members.size() > b.members.size();
   });
   return found;
 }
 
 bool has_file(const SubmissionProbe& probe, const std::string& name) {
-  return std::find(probe.found.files.begin(), probe.found.files.end(), name) !=
-         probe.found.files.end();
+  return std::ranges::find(probe.found.files, name) != probe.found.files.end();
 }
 
 /// The name of a file by which a form fits only these; empty if there is none.
 std::string distinguishing_file(const BuiltAlike& alike, const ProbeReport& report) {
   for (const std::string& name : alike.members.front()->found.files) {
-    const bool is_what_it_is_of =
-        alike.build.find(name) != std::string::npos ||
-        alike.candidate.find(name) != std::string::npos ||
-        std::find(kRecipes.begin(), kRecipes.end(), name) != kRecipes.end();
+    const bool is_what_it_is_of = alike.build.find(name) != std::string::npos ||
+                                  alike.candidate.find(name) != std::string::npos ||
+                                  std::ranges::find(kRecipes, name) != kRecipes.end();
     if (!is_what_it_is_of || name.find_first_of("*?[\\") != std::string::npos) continue;
-    const auto having =
-        std::count_if(report.submissions.begin(), report.submissions.end(),
-                      [&](const SubmissionProbe& probe) { return has_file(probe, name); });
-    const bool all_have = std::all_of(alike.members.begin(), alike.members.end(),
-                                      [&](const auto* probe) { return has_file(*probe, name); });
+    const auto having = std::ranges::count_if(
+        report.submissions, [&](const SubmissionProbe& probe) { return has_file(probe, name); });
+    const bool all_have = std::ranges::all_of(
+        alike.members, [&](const auto* probe) { return has_file(*probe, name); });
     if (all_have && static_cast<std::size_t>(having) == alike.members.size()) return name;
   }
   return "";
@@ -250,13 +244,7 @@ std::string notes_text(const SubmissionProbe& probe) {
 }
 
 std::string table_text(const ProbeReport& report) {
-  using Align = Table::Align;
-  Table table({{"submission", Align::kLeft},
-               {"built in", Align::kRight},
-               {"draws in", Align::kRight},
-               {"reads", Align::kLeft},
-               {"writes", Align::kLeft},
-               {"shows", Align::kLeft}});
+  Table table({"submission", ">built in", ">draws in", "reads", "writes", "shows"});
   for (const SubmissionProbe& probe : report.submissions) table.add(row(probe));
   std::istringstream lines(table.text(""));
   std::string line, text;

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "tools/external/locate.h"
 #include "tools/grade/grade.h"
@@ -61,7 +60,7 @@ constexpr OwnSubmission kOwn[] = {
 
 /// Libraries and builds are tried only if there is a compiler: otherwise nothing is built here.
 bool is_asked(CandidateKind kind, const Rubric& rubric) {
-  return std::any_of(rubric.forms.begin(), rubric.forms.end(), [&](const Form& form) {
+  return std::ranges::any_of(rubric.forms, [&](const Form& form) {
     const bool may_compile = form.program.kind == CandidateKind::kLibrary || !form.build.empty();
     return form.program.kind == kind ||
            (kind == CandidateKind::kSource && may_compile && fs::exists(kCompiler));

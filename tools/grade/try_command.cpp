@@ -1,5 +1,4 @@
 #include <memory>
-#include <string>
 
 #include "tools/arguments.h"
 #include "tools/commands.h"

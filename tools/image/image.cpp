@@ -85,7 +85,7 @@ PaintedBand painted(const SeenBand& band, const Painter& painter, std::int64_t w
     ++result.pixels_that_see;
     if (result.spheres.empty() || result.spheres.back() != sphere) result.spheres.push_back(sphere);
   }
-  std::sort(result.spheres.begin(), result.spheres.end());
+  std::ranges::sort(result.spheres);
   result.spheres.erase(std::unique(result.spheres.begin(), result.spheres.end()),
                        result.spheres.end());
   result.decided_by = band.decided_by;
@@ -129,7 +129,6 @@ std::vector<std::optional<std::size_t>> nearest_of(const std::vector<properties:
 
 using MakeRays = decltype(properties::Functions::pixel_rays);
 
-/// Rounds rays to a format.
 MakeRays rounded(const MakeRays& make, scene::Precision precision) {
   if (!make || precision == scene::Precision::kDouble) return make;
   return [make, precision](const scene::Camera& camera, const scene::Conventions& conventions,

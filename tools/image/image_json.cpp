@@ -1,4 +1,3 @@
-
 #include "tools/image/image.h"
 #include "tools/image/image_paint.h"
 #include "tools/report/json.h"

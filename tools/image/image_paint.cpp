@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/sphere_choice.h"
@@ -144,9 +143,8 @@ Painter error_painter(const scene::Scene& scene, std::function<properties::Candi
       const properties::Case chunk = {scene, pixels_of_rows(scene, band.j_begin, first, end)};
       properties::Trial trial(chunk, made, {.search = &search});
       const auto found = errors_of(trial, seen.subspan(first, end - first), search, errors);
-      std::transform(found.begin(), found.end(),
-                     pixels.begin() + static_cast<std::ptrdiff_t>(first),
-                     [&](const auto& error) { return colour_counted(error, errors); });
+      std::ranges::transform(found, pixels.begin() + static_cast<std::ptrdiff_t>(first),
+                             [&](const auto& error) { return colour_counted(error, errors); });
     }
   };
 }

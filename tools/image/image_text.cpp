@@ -11,7 +11,7 @@ namespace {
 
 std::string error_table(const ErrorCounts& error) {
   const std::string_view unit = unit_name(properties::Quantity::kParameter, error.precision);
-  Table table({{"error of s"}, {"colour"}, {"pixels", Table::Align::kRight}});
+  Table table({"error of s", "colour", ">pixels"});
   for (std::size_t k = 0; k < kErrorSteps.size(); ++k) {
     const auto& [at_most, colour] = kErrorSteps[k];
     table.add({k + 1 < kErrorSteps.size() ? fmt::format("up to {} {}", at_most, unit) : "more",

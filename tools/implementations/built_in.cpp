@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/candidates/reference_methods.h"
 #include "scene/invalid_input.h"
+#include "scene/text.h"
 
 namespace raycheck::tools {
 namespace {
@@ -16,12 +16,11 @@ using properties::Stage;
 
 template <class Methods>
 auto& find(const Methods& methods, const std::string& name, const char* field) {
-  std::string known;
-  for (const auto* method : methods) {
-    if (method->name == name) return *method;
-    known += (known.empty() ? "" : ", ") + std::string(method->name);
-  }
-  throw scene::InvalidInput(field, name, "no such method; the methods are " + known);
+  const auto name_of = [](const auto* method) { return method->name; };
+  const auto found = std::ranges::find(methods, name, name_of);
+  if (found != methods.end()) return **found;
+  throw scene::InvalidInput(
+      field, name, "no such method; the methods are " + scene::joined(methods, ", ", name_of));
 }
 
 ReadyCalls<properties::SphereHits> ready_calls(const fast::IntersectMethod& method,
@@ -140,7 +139,7 @@ std::vector<Implementation> built_in(const std::vector<MethodPair>& pairs) {
 std::vector<Implementation> find_methods(const std::vector<std::string>& names) {
   std::vector<Implementation> all = each_alone();
   constexpr const char* kAll = "all";
-  if (std::find(names.begin(), names.end(), kAll) != names.end()) {
+  if (std::ranges::find(names, kAll) != names.end()) {
     if (names.size() == 1) return all;
     throw scene::InvalidInput("method", kAll, "is every method; leave out the others");
   }
@@ -148,7 +147,7 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
     std::erase_if(all, [](const Implementation& method) {
       const auto fast = fast::intersect_methods();
       return method.offers(Stage::kIntersection) &&
-             std::find(fast.begin(), fast.end(), method.methods->intersect) == fast.end();
+             std::ranges::find(fast, method.methods->intersect) == fast.end();
     });
     return all;
   }
@@ -157,16 +156,16 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
     return name == method.name || name == kind + method.name;
   };
   for (const std::string& name : names) {
-    if (std::none_of(all.begin(), all.end(),
-                     [&](const Implementation& method) { return is_called(method, name); })) {
-      std::string known;
-      for (const Implementation& method : all) known += (known.empty() ? "" : ", ") + method.name;
-      throw scene::InvalidInput("method", name, "no such method; the methods are " + known);
+    if (std::ranges::none_of(
+            all, [&](const Implementation& method) { return is_called(method, name); })) {
+      throw scene::InvalidInput(
+          "method", name,
+          "no such method; the methods are " + scene::joined(all, ", ", &Implementation::name));
     }
   }
   std::erase_if(all, [&](const Implementation& method) {
-    return std::none_of(names.begin(), names.end(),
-                        [&](const std::string& name) { return is_called(method, name); });
+    return std::ranges::none_of(names,
+                                [&](const std::string& name) { return is_called(method, name); });
   });
   return all;
 }

@@ -10,7 +10,7 @@
 namespace raycheck::tools {
 
 bool Implementation::offers(properties::Stage stage) const {
-  return std::find(stages.begin(), stages.end(), stage) != stages.end();
+  return std::ranges::find(stages, stage) != stages.end();
 }
 
 std::string Implementation::name_in(properties::Stage stage) const {
@@ -22,9 +22,8 @@ std::string Implementation::name_in(properties::Stage stage) const {
 std::vector<std::string> lasting_names(const std::vector<Implementation>& implementations) {
   std::vector<std::string> names;
   for (const Implementation& one : implementations) {
-    const auto called_the_same = std::count_if(
-        implementations.begin(), implementations.end(),
-        [&](const Implementation& other) { return other.lasting_name == one.lasting_name; });
+    const auto called_the_same =
+        std::ranges::count(implementations, one.lasting_name, &Implementation::lasting_name);
     names.push_back(called_the_same == 1 ? one.lasting_name : one.name);
   }
   return names;
@@ -43,8 +42,8 @@ std::string isolation_text(const std::vector<Implementation>& implementations) {
     if (one.precision != scene::Precision::kDouble) {
       holds += "; judged in single precision: u = 2^-24, ulp of float";
     }
-    const auto same = std::find_if(lines.begin(), lines.end(),
-                                   [&](const auto& line) { return line.second == holds; });
+    const auto same =
+        std::ranges::find_if(lines, [&](const auto& line) { return line.second == holds; });
     if (same == lines.end()) {
       lines.emplace_back(one.name, holds);
     } else {

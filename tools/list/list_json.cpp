@@ -1,4 +1,3 @@
-
 #include "scene/conventions.h"
 #include "tools/list/list.h"
 #include "tools/report/json.h"

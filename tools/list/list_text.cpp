@@ -1,10 +1,10 @@
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <string>
 #include <vector>
 
 #include "scene/conventions.h"
+#include "scene/text.h"
 #include "tools/list/list.h"
 
 namespace raycheck::tools {
@@ -25,11 +25,9 @@ std::string lengths(const fast::Domain& domain) {
 /// "parameter 88 ulp, hit point 104 u"
 template <class Method>
 std::string promised_text(const Method& method) {
-  std::vector<std::string> all;
-  for (const Promise& one : promises_of(method)) {
-    all.push_back(fmt::format("{} {} {}", one.name, one.max, one.unit));
-  }
-  return fmt::format("{}", fmt::join(all, ", "));
+  return scene::joined(promises_of(method), ", ", [](const Promise& one) {
+    return fmt::format("{} {} {}", one.name, one.max, one.unit);
+  });
 }
 
 /// What a dial measures, and which of its severities belong to which level.

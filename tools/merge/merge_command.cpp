@@ -57,8 +57,7 @@ int run_merge(const MergeArguments& arguments) {
       words.push_back(*argument);
       continue;
     }
-    const auto known = std::find_if(std::begin(kUnitOptions), std::end(kUnitOptions),
-                                    [&](const NamedOption& one) { return one.name == *argument; });
+    const auto known = std::ranges::find(kUnitOptions, *argument, &NamedOption::name);
     const bool lacks_value =
         known != std::end(kUnitOptions) && known->has_value && std::next(argument) == all.end();
     if (known == std::end(kUnitOptions) || lacks_value) {

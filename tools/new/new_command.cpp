@@ -20,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A language that adapters may be written in.
 struct Language {
   std::string_view name, extension;
   std::string_view beside;  ///< A file of adapters() that lies beside it; empty: none does.
@@ -56,9 +55,7 @@ std::string named(std::string_view text, const std::string& name) {
 }
 
 std::string write_adapter(const NewArguments& arguments) {
-  const auto* const language =
-      std::find_if(std::begin(kLanguages), std::end(kLanguages),
-                   [&](const Language& one) { return one.name == arguments.language; });
+  const auto* const language = std::ranges::find(kLanguages, arguments.language, &Language::name);
   if (language->reserved.find(" " + arguments.name + " ") != std::string_view::npos) {
     throw std::invalid_argument(fmt::format("NAME {}: is a word of {}; give another name",
                                             arguments.name, arguments.language));
@@ -78,9 +75,7 @@ std::string write_adapter(const NewArguments& arguments) {
   if (fs::exists(out / file)) {
     throw scene::InvalidInput("out", arguments.out, file + " is there already");
   }
-  std::error_code error;
-  fs::create_directories(out, error);
-  if (error) throw scene::InvalidInput("out", arguments.out, error.message());
+  make_folder("out", out);
   for (const auto& [name, text] : texts) OutputFile("out", out / name).write(text);
   return fmt::format(
       "wrote {}: it compiles, and says what is missing when it is judged:\n"
@@ -103,10 +98,8 @@ CommandRun add_new(CLI::App& command) {
                              name.find_first_not_of(kLetters) == std::string::npos;
         return is_name ? std::string() : "must be a letter, then letters, digits and _";
       });
-  std::vector<std::string> names;
-  for (const Language& language : kLanguages) names.emplace_back(language.name);
   command.add_option("--language", given->language, "what your code is called from")
-      ->check(CLI::IsMember(names))
+      ->check(CLI::IsMember(names_of(kLanguages)))
       ->capture_default_str();
   command.add_option("--out", given->out, "the folder that takes it")->capture_default_str();
   return [given] {

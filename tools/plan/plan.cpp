@@ -143,8 +143,7 @@ PlanReport make_plan(const PlanOptions& options, const properties::RunControl& c
     // The answer is what was timed so far.
   }
   report.interrupted = control.interrupted();
-  constexpr auto kFilter = std::find_if(kPlanItems.begin(), kPlanItems.end(),
-                                        [](const auto& item) { return item.name == "filter"; });
+  constexpr auto kFilter = std::ranges::find(kPlanItems, "filter", &PlanItem::name);
   count_filtered(report.decided_by,
                  report.items[static_cast<std::size_t>(kFilter - kPlanItems.begin())]);
   return report;

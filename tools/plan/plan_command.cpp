@@ -31,11 +31,10 @@ CommandRun add_plan(CLI::App& command) {
   add_named(command, "--wanted", arguments.options.wanted, scene::kWantedNames,
             "class: of every sphere; nearest: the nearest sphere; parameter: with its s; point: "
             "with s and Q");
-  command.add_option("--top", arguments.options.top, "how many spheres the text shows")
-      ->check(whole_number(0, std::numeric_limits<int>::max()))
-      ->capture_default_str();
+  add_number(command, "--top", arguments.options.top, 0, std::numeric_limits<int>::max(),
+             "how many spheres the text shows");
   add_dialect(command, arguments.dialect);
-  add_format(command, arguments.format, kPlanViews);
+  add_format(command, arguments.format, names_of(kPlanViews));
   return [given] { return run_plan(*given); };
 }
 

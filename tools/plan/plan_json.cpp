@@ -1,4 +1,3 @@
-
 #include "tools/plan/plan.h"
 #include "tools/report/json.h"
 

@@ -26,12 +26,7 @@ std::string left_out_text(const ItemReport& item) {
 }
 
 std::string items_table(const PlanReport& report) {
-  Table table({{"item"},
-               {"left out"},
-               {"ms with", Table::Align::kRight},
-               {"ms without", Table::Align::kRight},
-               {"saves", Table::Align::kRight},
-               {"why"}});
+  Table table({"item", "left out", ">ms with", ">ms without", ">saves", "why"});
   for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
     const ItemReport& item = report.items[k];
     const bool is_estimate = kPlanItems[k].member == &scene::PlanItems::filter && item.time;
@@ -50,13 +45,7 @@ std::string range_text(std::int64_t begin, std::int64_t end) {
 }
 
 std::string spheres_table(const PlanReport& report) {
-  Table table({{"sphere", Table::Align::kRight},
-               {"columns", Table::Align::kRight},
-               {"rows", Table::Align::kRight},
-               {"pixels", Table::Align::kRight},
-               {"far root"},
-               {"behind test"},
-               {"left out"}});
+  Table table({">sphere", ">columns", ">rows", ">pixels", "far root", "behind test", "left out"});
   const std::vector<SpherePlan>& spheres = report.plan->spheres;
   const std::size_t shown = std::min(report.top, spheres.size());
   for (std::size_t k = 0; k < shown; ++k) {

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 #include <system_error>
 
 #include "properties/cases/case_text.h"
@@ -67,7 +66,7 @@ std::vector<fs::path> files_in(const std::string& folder) {
   for (const auto& entry : fs::directory_iterator(folder, none)) {
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   }
-  std::sort(files.begin(), files.end());
+  std::ranges::sort(files);
   return files;
 }
 
@@ -106,8 +105,7 @@ std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
   for (const fs::path& file : files_in(options.corpus)) {
     const std::string text = scene::file_text(file);
     const std::string law_name = said(text, kLaw);
-    const auto law = std::find_if(laws.begin(), laws.end(),
-                                  [&](const auto* one) { return one->name == law_name; });
+    const auto law = std::ranges::find(laws, law_name, &properties::Law::name);
     if (properties::find_law(law_name) == nullptr) {
       throw scene::InvalidInput("corpus", file.string(), "names no law; a line '# law: NAME' does");
     }
@@ -137,11 +135,7 @@ std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
 }
 
 void keep_in_corpus(const PropertiesReport& report, const std::string& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw scene::InvalidInput("corpus", folder, "cannot be made: " + error.message());
-  }
+  make_folder("corpus", folder);
   const auto keep = [&](const CampaignReport& campaign, const properties::Failure& failure) {
     if (failure.is_undecided) return;
     const fs::path file = fs::path(folder) / name_of(campaign, failure);

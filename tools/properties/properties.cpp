@@ -58,7 +58,6 @@ Candidate campaigner(const Implementation& implementation) {
   return candidate;
 }
 
-/// A law's campaign: what it came to, and why.
 CampaignReport report_of(const Law& law, const Implementation& implementation,
                          const Candidate& candidate, const std::string& lasting_name,
                          properties::CampaignResult result, const PropertiesOptions& options) {
@@ -311,13 +310,11 @@ class Study {
 
 std::uint64_t PropertiesReport::count(properties::Finding finding) const {
   return static_cast<std::uint64_t>(
-      std::count_if(campaigns.begin(), campaigns.end(),
-                    [&](const CampaignReport& campaign) { return campaign.finding == finding; }));
+      std::ranges::count(campaigns, finding, &CampaignReport::finding));
 }
 
 bool PropertiesReport::holds() const {
-  return failures() == 0 &&
-         std::none_of(corpus.begin(), corpus.end(), [](const CorpusFinding& one) {
+  return failures() == 0 && std::ranges::none_of(corpus, [](const CorpusFinding& one) {
            return one.finding == properties::Finding::kBroken;
          });
 }

@@ -36,7 +36,6 @@ struct PropertiesOptions {
   std::string corpus;  ///< A folder of cases that once broke a law; empty: none.
 };
 
-/// What became of a case of the corpus.
 struct CorpusFinding {
   std::string file, law;
   std::string candidate, lasting_name;
@@ -119,7 +118,6 @@ std::vector<std::span<const properties::CampaignPart>> by_source(
 /// Why too little was judged to say that a law holds.
 /// Domain: a campaign with that finding.
 std::string too_few_text(const properties::CampaignResult& result);
-/// The command that replays a case.
 std::string replay_text(const CampaignReport& campaign, const std::string& replay);
 /// Why a law is broken, in lines, with the shrunk case.
 /// Domain: a campaign with a failure.

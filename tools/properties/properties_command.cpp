@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <tbb/info.h>
 
 #include <algorithm>
@@ -20,20 +19,12 @@ struct PropertiesArguments {
   PropertiesOptions options;
   JudgedArguments judged;
   std::vector<std::string> sources;
-  std::string level;
   std::optional<std::string> view;
   GateArguments gate;
   int threads = tbb::info::default_concurrency();
   ShardArguments shards;
-  std::string target, budget;
+  std::string budget;
 };
-
-/// Domain: one of kLevelNames.
-properties::Level level_called(const std::string& name) {
-  const auto& names = properties::kLevelNames;
-  return static_cast<properties::Level>(std::find(names.begin(), names.end(), name) -
-                                        names.begin());
-}
 
 /// "90s", "10m" or "2h"
 double seconds_of(const std::string& text) {
@@ -52,15 +43,9 @@ int run_properties_command(PropertiesArguments& arguments) {
   for (const std::string& name : arguments.sources) {
     options.sources.push_back(parse_source("--source", name));
   }
-  if (!arguments.level.empty()) options.level = level_called(arguments.level);
   options.implementations = find_judged(arguments.judged);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
-  if (!arguments.target.empty()) {
-    const auto& names = properties::kClimbNames;
-    options.target = static_cast<properties::Climb>(
-        std::find(names.begin(), names.end(), arguments.target) - names.begin());
-  }
   if (!arguments.budget.empty()) {
     options.cases = cases_for(options, seconds_of(arguments.budget),
                               run_control("how many cases", arguments.threads));
@@ -103,13 +88,10 @@ CommandRun add_properties(CLI::App& command) {
   command.add_option("--source", given->sources,
                      "only cases of this source, or of this severity (SOURCE@SEVERITY); several "
                      "times for several");
-  command
-      .add_option("--level", given->level,
-                  "which severities of a source are tried: ordinary, demanding (those too) or "
-                  "extreme (all); default: what the candidate states, else ordinary for someone "
-                  "else's and demanding for raycheck's methods")
-      ->check(CLI::IsMember(std::vector<std::string>(properties::kLevelNames.begin(),
-                                                     properties::kLevelNames.end())));
+  add_named(command, "--level", options.level, properties::kLevelNames,
+            "which severities of a source are tried: ordinary, demanding (those too) or extreme "
+            "(all); default: what the candidate states, else ordinary for someone else's and "
+            "demanding for raycheck's methods");
   // Its string names law, methods and source.
   add_shards(command, given->shards);
   for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect", "--out"}) {
@@ -121,13 +103,9 @@ CommandRun add_properties(CLI::App& command) {
                   "says how many that is")
       ->type_name("TIME")
       ->excludes(replay, command.get_option("--cases"), command.get_option("--out"));
-  command
-      .add_option("--target", given->target,
-                  "after the random cases, climb from the worst of them on what each law measures: "
-                  "its error, its error over what the documented bound grows by, or the stability "
-                  "ratio rho")
-      ->check(CLI::IsMember(
-          std::vector<std::string>(properties::kClimbNames.begin(), properties::kClimbNames.end())))
+  add_named(command, "--target", options.target, properties::kClimbNames,
+            "after the random cases, climb from the worst of them on what each law measures: its "
+            "error, its error over what the documented bound grows by, or the stability ratio rho")
       ->excludes(replay);
   command
       .add_option("--corpus", options.corpus,
@@ -146,7 +124,7 @@ CommandRun add_properties(CLI::App& command) {
   add_view(command, given->view, "the shrunk case of every broken law");
   add_max_ulp(command, options.max_error,
               "the bound on every error (default: the method's documented bounds)");
-  add_gate(command, given->gate, kPropertiesViews);
+  add_gate(command, given->gate, names_of(kPropertiesViews));
   return [given] { return run_properties_command(*given); };
 }
 

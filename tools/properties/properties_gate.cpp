@@ -1,10 +1,10 @@
 #include <fmt/core.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
+#include "scene/text.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
@@ -59,21 +59,18 @@ std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool
 
 /// "the far root is taken (root: wrong root; ordinary)"
 std::string summary_of(const CampaignReport& campaign, const std::vector<Identity>& defects) {
-  std::string shown;
-  for (const Identity& one : defects) {
-    shown += fmt::format("{}{}, {}", shown.empty() ? "" : "; ", one.kind, one.place);
-  }
+  const std::string shown =
+      scene::joined(defects, "; ", [](const Identity& one) { return one.kind + ", " + one.place; });
   const std::string_view why = campaign.explanations.empty()
                                    ? campaign.law->sentence
                                    : std::string_view(campaign.explanations.front().sentence);
   return fmt::format("{} ({})", why, shown);
 }
 
-/// Everything about what one source shows.
 std::string text_of(const CampaignReport& campaign, Parts parts) {
   const auto& failure = campaign.result.failure;
   const bool has_failure =
-      failure && std::any_of(parts.begin(), parts.end(), [&](const CampaignPart& part) {
+      failure && std::ranges::any_of(parts, [&](const CampaignPart& part) {
         return part.is_broken() && part.breaks.front().replay == failure->replay;
       });
   if (has_failure) return failure_text(campaign, false);

@@ -1,4 +1,3 @@
-
 #include "properties/cases/case_text.h"
 #include "scene/number.h"
 #include "tools/properties/properties.h"

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
@@ -22,8 +21,7 @@ ViewDocument properties_document(const PropertiesReport& report,
   const auto is_shown = [](const CampaignReport& campaign) {
     return campaign.result.failure.has_value();
   };
-  const auto broken = static_cast<std::size_t>(
-      std::count_if(report.campaigns.begin(), report.campaigns.end(), is_shown));
+  const auto broken = static_cast<std::size_t>(std::ranges::count_if(report.campaigns, is_shown));
   const std::size_t shown = std::min(broken, kMostCasesShown);
   if (shown < broken) {
     document.left_out.push_back(fmt::format(

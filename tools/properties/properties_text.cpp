@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 #include "properties/cases/case_text.h"
 #include "scene/number.h"
 #include "scene/precision.h"
+#include "scene/text.h"
 #include "tools/properties/properties.h"
 #include "tools/report/words.h"
 
@@ -31,8 +31,7 @@ using properties::Standing;
 std::string broken_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
-    const auto broken = std::count_if(parts.begin(), parts.end(),
-                                      [](const CampaignPart& part) { return part.is_broken(); });
+    const auto broken = std::ranges::count_if(parts, &CampaignPart::is_broken);
     if (broken == 0) continue;
     const bool is_all = broken == std::ssize(parts) && broken > 1;
     std::string runs;
@@ -54,8 +53,7 @@ std::string broken_text(const CampaignResult& result) {
 std::string holding_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
-    const auto broken = std::find_if(parts.begin(), parts.end(),
-                                     [](const CampaignPart& part) { return part.is_broken(); });
+    const auto broken = std::ranges::find_if(parts, &CampaignPart::is_broken);
     if (broken == parts.end()) continue;
     const auto held =
         std::find_if(std::make_reverse_iterator(broken), parts.rend(),
@@ -104,6 +102,10 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
   return text + fmt::format("    {}\n", too_few_text(result));
 }
 
+void add_law(const CampaignReport& campaign, std::string& laws) {
+  laws += (laws.empty() ? "" : ", ") + std::string(campaign.law->name);
+}
+
 /// Why laws are broken: the cause of each, the one that explains most answers first, and the laws
 /// that nothing explains: "rows are upside down (20 of 20 wrong answers)" where that explains all.
 std::string causes_text(const std::vector<const CampaignReport*>& broken) {
@@ -115,27 +117,20 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   std::string unexplained;
   for (const CampaignReport* campaign : broken) {
     const auto& all = campaign->explanations;
-    const auto best = std::max_element(all.begin(), all.end(), [](const auto& a, const auto& b) {
-      return a.explained < b.explained;
-    });
-    const auto add_to = [&](std::string& laws) {
-      laws += (laws.empty() ? "" : ", ") + std::string(campaign->law->name);
-    };
+    const auto best = std::ranges::max_element(all, {}, &properties::Explanation::explained);
     if (best == all.end() || best->explained == 0) {
-      add_to(unexplained);
+      add_law(*campaign, unexplained);
       continue;
     }
-    auto known = std::find_if(causes.begin(), causes.end(), [&](const Cause& cause) {
-      return cause.best->sentence == best->sentence;
-    });
+    auto known = std::ranges::find_if(
+        causes, [&](const Cause& cause) { return cause.best->sentence == best->sentence; });
     if (known == causes.end()) known = causes.insert(known, {&*best, ""});
     if (best->explained > known->best->explained) known->best = &*best;
-    add_to(known->laws);
+    add_law(*campaign, known->laws);
   }
   if (causes.empty()) return "breaks " + unexplained;
-  std::stable_sort(causes.begin(), causes.end(), [](const Cause& a, const Cause& b) {
-    return a.best->explained > b.best->explained;
-  });
+  std::ranges::stable_sort(
+      causes, [](const Cause& a, const Cause& b) { return a.best->explained > b.best->explained; });
   const bool is_all = causes.size() == 1 && unexplained.empty();
   std::string text;
   for (const auto& [best, laws] : causes) {
@@ -153,20 +148,15 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
   std::string open, failure;
   bool is_outside = false;
   for (const CampaignReport* campaign : campaigns) {
-    const auto add_to = [&](std::string& list) {
-      list += (list.empty() ? "" : ", ") + std::string(campaign->law->name);
-    };
     if (campaign->finding == Finding::kHolds) {
       held = std::max(held.value_or(Level::kOrdinary), campaign->result.level);
     } else if (campaign->finding == Finding::kUndecided ||
                campaign->finding == Finding::kTooFewJudged) {
-      add_to(open);
+      add_law(*campaign, open);
     }
     is_outside = is_outside || campaign->finding == Finding::kNotJudged;
     const auto& parts = campaign->result.parts;
-    if (campaign->result.failure && std::all_of(parts.begin(), parts.end(), [](const auto& part) {
-          return part.failed_at_once;
-        })) {
+    if (campaign->result.failure && std::ranges::all_of(parts, &CampaignPart::failed_at_once)) {
       failure = campaign->result.failure->verdict.worst(1).front().what;
     }
     if (campaign->finding != Finding::kBroken) continue;
@@ -220,8 +210,8 @@ std::string time_text(const PropertiesReport& report) {
       std::int64_t cases = 0;
       for (const CampaignPart& part : parts) cases += part.counts.cases;
       const std::string_view source = parts.front().source.source->name;
-      auto known = std::find_if(sources.begin(), sources.end(),
-                                [&](const auto& one) { return one.first == source; });
+      auto known =
+          std::ranges::find_if(sources, [&](const auto& one) { return one.first == source; });
       if (known == sources.end()) known = sources.insert(known, {source, 0});
       known->second = std::max(known->second, cases);
     }
@@ -324,10 +314,9 @@ std::string ranges_text(const properties::Ranges& ranges, scene::Precision preci
 
 std::string failure_text(const CampaignReport& campaign, const properties::Failure& failure,
                          bool colours) {
-  std::string discrepancies;
-  for (const auto& discrepancy : failure.verdict.worst(1)) {
-    discrepancies += discrepancy_text(discrepancy, colours);
-  }
+  const std::string discrepancies =
+      scene::joined(failure.verdict.worst(1), "",
+                    [&](const auto& one) { return discrepancy_text(one, colours); });
   const bool draws = campaign.implementation.draws();
   const std::string reason = fmt::format(
       "{} the law {} with {}{}", failure.is_undecided ? "leaves undecided" : "breaks",
@@ -385,9 +374,7 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
   text += fmt::format("{}, {} broken", count_text(report.campaigns.size(), "campaign"),
                       report.failures());
   for (const Finding finding : {Finding::kUndecided, Finding::kTooFewJudged, Finding::kNotJudged}) {
-    const auto count =
-        std::count_if(report.campaigns.begin(), report.campaigns.end(),
-                      [&](const CampaignReport& campaign) { return campaign.finding == finding; });
+    const std::uint64_t count = report.count(finding);
     if (count > 0) text += fmt::format(", {} {}", count, name(finding));
   }
   text += "\n" + time_text(report);

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
-#include <utility>
 
 #include "properties/laws/law.h"
 #include "reference/account/proof.h"
 #include "reference/error_measure.h"
+#include "scene/text.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -133,7 +132,7 @@ Json proof_json(const reference::Proof& proof) {
 }
 
 bool are_finite(const std::vector<double>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return std::isfinite(x); });
+  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
 }
 
 scene::Point3 point_at(const std::vector<double>& numbers, std::size_t first) {
@@ -254,9 +253,7 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
 }
 
 std::string certificates_text(const std::vector<Json>& certificates) {
-  std::string text;
-  for (const Json& one : certificates) text += json_line(one);
-  return text;
+  return scene::joined(certificates, "", json_line);
 }
 
 }  // namespace raycheck::tools

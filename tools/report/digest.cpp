@@ -8,16 +8,19 @@
 
 namespace raycheck::tools {
 
-std::string digest(const std::vector<std::string>& texts) {
-  std::string all;
-  for (const std::string& text : texts) all += std::to_string(text.size()) + ":" + text;
-  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> made{};
   unsigned int size = 0;
-  if (EVP_Digest(all.data(), all.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1) {
+  if (EVP_Digest(bytes.data(), bytes.size(), made.data(), &size, EVP_sha256(), nullptr) != 1) {
     throw std::runtime_error("SHA-256 is not to be had");
   }
-  std::string hexadecimal;
-  for (unsigned int k = 0; k < size; ++k) hexadecimal += fmt::format("{:02x}", bytes[k]);
+  return {made.begin(), made.begin() + size};
+}
+
+std::string digest(const std::vector<std::string>& texts) {
+  std::string all, hexadecimal;
+  for (const std::string& text : texts) all += std::to_string(text.size()) + ":" + text;
+  for (const unsigned char byte : sha256(all)) hexadecimal += fmt::format("{:02x}", byte);
   return hexadecimal;
 }
 

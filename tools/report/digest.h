@@ -1,10 +1,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raycheck::tools {
 
+/// The 32 bytes of SHA-256.
+std::string sha256(std::string_view bytes);
 /// SHA-256 of texts, in hexadecimal; different lists never hash the same bytes.
 std::string digest(const std::vector<std::string>& texts);
 

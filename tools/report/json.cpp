@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "scene/files/scene_file.h"
 #include "scene/number.h"
 #include "scene/text.h"
 #include "tools/report/version.h"
@@ -80,8 +79,9 @@ Json explanations_json(const std::vector<properties::Explanation>& explanations)
   });
 }
 
+Json pixel_json(const scene::Pixel& pixel) { return {pixel.i, pixel.j}; }
+
 Json place_json(const properties::Place& place) {
-  const auto pixel_json = [](const scene::Pixel& pixel) { return Json{pixel.i, pixel.j}; };
   return {{"pixel", or_null(place.pixel, pixel_json)},
           {"ray", place.ray},
           {"sphere", or_null(place.sphere)}};

@@ -24,7 +24,6 @@ inline constexpr int kSchemaVersion = 6;
 /// A report as text, as every view writes it. Bytes that are not UTF-8 become U+FFFD, and nothing
 /// in it acts on a terminal.
 std::string json_text(const Json& json);
-/// The same on one line.
 std::string json_line(const Json& json);
 
 /// The start of every command's report.
@@ -40,7 +39,6 @@ template <class Value, class Write = std::identity>
 Json or_null(const std::optional<Value>& value, const Write& write = {}) {
   return value ? Json(write(*value)) : Json(nullptr);
 }
-/// A text; null if it is empty.
 inline Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
@@ -60,6 +58,7 @@ Json hexfloat_or_null(std::optional<double> number);
 Json conventions_json(const scene::Conventions& conventions);
 /// "A", "B" or "C"; null if the file is not a driver file.
 Json dialect_json(std::optional<scene::Dialect> dialect);
+Json pixel_json(const scene::Pixel& pixel);
 Json place_json(const properties::Place& place);
 /// The file of a scene, and the size of its image, null where it has none.
 void add_scene(Json& json, const std::string& path, const scene::Scene& scene);

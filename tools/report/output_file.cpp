@@ -68,6 +68,14 @@ void OutputFile::fail(const std::string& why) const {
   throw std::runtime_error(fmt::format("{} {}: could not be written: {}", named_by_, path_, why));
 }
 
+void make_folder(const std::string& named_by, const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw scene::InvalidInput(named_by, folder.string(), "cannot be made: " + error.message());
+  }
+}
+
 void require_no_input(const std::string& named_by, const std::string& path,
                       const std::vector<std::string>& inputs) {
   for (const std::string& input : inputs) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -40,6 +41,9 @@ class OutputFile {
   std::string beside_;  ///< Where it is written first; empty once moved.
   std::ofstream file_;
 };
+
+/// Makes a folder, and those above it, that may be there. Errors: std::invalid_argument as above.
+void make_folder(const std::string& named_by, const std::filesystem::path& folder);
 
 /// Throws std::invalid_argument where an output file is one of those that the same command reads,
 /// whatever links lead there. An input that does not exist does not count.

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <csetjmp>
 #include <exception>
-#include <stdexcept>
 #include <utility>
 
 namespace raycheck::tools {

@@ -13,7 +13,6 @@
 
 namespace raycheck::tools {
 
-/// A colour, as pictures store it.
 struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
   bool operator==(const Colour&) const = default;
@@ -23,7 +22,6 @@ static_assert(sizeof(Colour) == 3, "pixels are written as they lie in memory");
 /// The most pixels of a picture across, and down: libpng's limit.
 inline constexpr std::int64_t kMostPictureSide = 1'000'000;
 
-/// How a picture is stored.
 class PictureEncoder {
  public:
   virtual ~PictureEncoder() = default;

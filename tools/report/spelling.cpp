@@ -24,8 +24,8 @@ constexpr std::string_view kNone = "-";
 
 bool is_formula(std::string_view text) {
   return text != kNone && !scene::parse_number(text) &&
-         std::any_of(kFormulasBegin.begin(), kFormulasBegin.end(),
-                     [&](std::string_view sign) { return text.starts_with(sign); });
+         std::ranges::any_of(kFormulasBegin,
+                             [&](std::string_view sign) { return text.starts_with(sign); });
 }
 
 }  // namespace

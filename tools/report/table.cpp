@@ -21,35 +21,41 @@ std::string line(const Cells& cells, std::string_view before, std::string_view b
 
 }  // namespace
 
+Table::Table(const std::vector<std::string>& headings) {
+  for (const std::string& heading : headings) {
+    are_right_.push_back(heading.starts_with('>'));
+    headings_.push_back(heading.substr(are_right_.back() ? 1 : 0));
+  }
+}
+
 std::string Table::text(std::string_view indent) const {
-  std::vector<std::string> headings;
-  for (const Column& column : columns_) headings.push_back(column.heading);
-  std::vector<std::size_t> widths(columns_.size());
+  std::vector<std::size_t> widths(headings_.size());
   const auto widen = [&](const std::vector<std::string>& row) {
     for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
   };
-  widen(headings);
+  widen(headings_);
   for (const auto& row : rows_) widen(row);
   std::string result;
   const auto print = [&](const std::vector<std::string>& row) {
     std::string printed = line(row, indent, "  ", "", [&](std::size_t k, const std::string& cell) {
-      return columns_[k].align == Align::kRight ? fmt::format("{:>{}}", cell, widths[k])
-                                                : fmt::format("{:<{}}", cell, widths[k]);
+      return are_right_[k] ? fmt::format("{:>{}}", cell, widths[k])
+                           : fmt::format("{:<{}}", cell, widths[k]);
     });
     printed.erase(printed.find_last_not_of(' ') + 1);
     result += printed + "\n";
   };
-  print(headings);
+  print(headings_);
   for (const auto& row : rows_) print(row);
   return result;
 }
 
 std::string Table::markdown() const {
-  std::string result = line(columns_, "| ", " | ", " |\n",
-                            [](std::size_t, const Column& column) { return column.heading; });
-  result += line(columns_, "|", "|", "|\n", [](std::size_t, const Column& column) {
-    return std::string(column.align == Align::kRight ? "---:" : "---");
-  });
+  const auto as_is = [](std::size_t, const std::string& cell) { return cell; };
+  const auto rule = [&](std::size_t k, const std::string&) {
+    return are_right_[k] ? "---:" : "---";
+  };
+  std::string result =
+      line(headings_, "| ", " | ", " |\n", as_is) + line(headings_, "|", "|", "|\n", rule);
   for (const auto& row : rows_) {
     result += line(row, "| ", " | ", " |\n", [](std::size_t, const std::string& cell) {
       return boost::replace_all_copy(cell, "|", "\\|");

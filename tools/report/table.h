@@ -6,19 +6,13 @@
 
 namespace raycheck::tools {
 
-/// How a report with tables is written.
 enum class Markup { kPlain, kMarkdown };
 
 /// A table of a report, printed as aligned text or as Markdown.
 class Table {
  public:
-  enum class Align { kLeft, kRight };
-  struct Column {
-    std::string heading;
-    Align align = Align::kLeft;
-  };
-
-  explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  /// Of columns with these headings; one that begins with ">" has its cells on the right.
+  explicit Table(const std::vector<std::string>& headings);
   /// One cell per column.
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
   bool empty() const { return rows_.empty(); }
@@ -30,7 +24,8 @@ class Table {
   std::string section(std::string_view heading, Markup markup) const;
 
  private:
-  std::vector<Column> columns_;
+  std::vector<std::string> headings_;
+  std::vector<bool> are_right_;
   std::vector<std::vector<std::string>> rows_;
 };
 

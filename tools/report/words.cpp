@@ -1,7 +1,6 @@
 #include "tools/report/words.h"
 
 #include <fmt/color.h>
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +33,7 @@ std::string witness_text(const Discrepancy& d) {
   for (std::size_t k = 0; k < change.size(); ++k) {
     if (change[k] != 0) changed.push_back(k);
   }
-  std::stable_sort(changed.begin(), changed.end(), [&](std::size_t a, std::size_t b) {
+  std::ranges::stable_sort(changed, [&](std::size_t a, std::size_t b) {
     return std::abs(change[a]) > std::abs(change[b]);
   });
   std::string text;

@@ -56,9 +56,7 @@ std::string copy_rubric(const std::string& name, const std::string& out) {
   }
   for (const auto& [file, source] : files) {
     const fs::path to = fs::path(out) / file;
-    std::error_code error;
-    fs::create_directories(to.parent_path(), error);
-    if (error) throw scene::InvalidInput("out", out, error.message());
+    make_folder("out", to.parent_path());
     OutputFile("out", to).write(scene::file_text(source));
   }
   return fmt::format("wrote {} and {}\n", (fs::path(out) / from.filename()).string(),

@@ -23,35 +23,15 @@ namespace raycheck::tools {
 
 /// How many enumerators there are, of each enumeration that a result has.
 template <class Enum>
-inline constexpr std::size_t kEnumerators = 0;
-template <>
-inline constexpr std::size_t kEnumerators<scene::Rows> = scene::kRowsNames.size();
-template <>
-inline constexpr std::size_t kEnumerators<scene::Samples> = scene::kSamplesNames.size();
-template <>
-inline constexpr std::size_t kEnumerators<scene::Origin> = scene::kOriginNames.size();
-template <>
-inline constexpr std::size_t kEnumerators<scene::Root> = scene::kRootNames.size();
-template <>
-inline constexpr std::size_t kEnumerators<scene::Tangent> = scene::kTangentNames.size();
-template <>
-inline constexpr std::size_t kEnumerators<scene::Ends> = 4;
-template <>
-inline constexpr std::size_t kEnumerators<scene::TUnit> = scene::kTUnitNames.size();
-template <>
-inline constexpr std::size_t kEnumerators<scene::Culling> = scene::kCullingNames.size();
-template <>
-inline constexpr std::size_t kEnumerators<scene::Precision> = scene::kPrecisionNames.size();
-template <>
-inline constexpr std::size_t kEnumerators<properties::Quantity> = properties::kQuantityCount;
-template <>
-inline constexpr std::size_t kEnumerators<properties::Wrong> = properties::kWrongCount;
-template <>
-inline constexpr std::size_t kEnumerators<properties::ExcuseKind> = properties::kExcuses.size();
-template <>
-inline constexpr std::size_t kEnumerators<properties::Outcome> = properties::kOutcomeCount;
-template <>
-inline constexpr std::size_t kEnumerators<properties::Blame> = properties::kBlameNames.size();
+constexpr std::size_t enumerators(Enum value) {
+  return names_of(value).size();
+}
+constexpr std::size_t enumerators(scene::Precision) { return scene::kPrecisionNames.size(); }
+constexpr std::size_t enumerators(properties::Quantity) { return properties::kQuantityCount; }
+constexpr std::size_t enumerators(properties::Wrong) { return properties::kWrongCount; }
+constexpr std::size_t enumerators(properties::ExcuseKind) { return properties::kExcuses.size(); }
+constexpr std::size_t enumerators(properties::Outcome) { return properties::kOutcomeCount; }
+constexpr std::size_t enumerators(properties::Blame) { return properties::kBlameNames.size(); }
 
 class UnitWriter : public cereal::OutputArchive<UnitWriter, cereal::AllowEmptyClassElision> {
  public:
@@ -98,6 +78,10 @@ class UnitReader : public cereal::InputArchive<UnitReader, cereal::AllowEmptyCla
   std::string_view left_;
 };
 
+template <class Archive>
+inline constexpr bool is_of_units =
+    std::is_same_v<Archive, UnitReader> || std::is_same_v<Archive, UnitWriter>;
+
 template <class Number>
 requires std::is_arithmetic_v<Number>
 void save(UnitWriter& archive, const Number& number) {
@@ -123,10 +107,9 @@ void save(UnitWriter& archive, const Enum& value) {
 template <class Enum>
 requires std::is_enum_v<Enum>
 void load(UnitReader& archive, Enum& value) {
-  static_assert(kEnumerators<Enum> > 0, "of an enumeration in results its enumerators are counted");
   std::underlying_type_t<Enum> number = 0;
   load(archive, number);
-  if (number < 0 || static_cast<std::size_t>(number) >= kEnumerators<Enum>) {
+  if (number < 0 || static_cast<std::size_t>(number) >= enumerators(Enum{})) {
     throw std::invalid_argument("a number is no enumerator");
   }
   value = static_cast<Enum>(number);
@@ -141,14 +124,9 @@ void load(UnitReader& archive, cereal::BinaryData<Numbers>& data) {
   using Number = std::remove_pointer_t<Numbers>;
   archive.take(data.data, static_cast<std::size_t>(data.size), sizeof(Number));
 }
-template <class Value>
-void save(UnitWriter& archive, const cereal::NameValuePair<Value>& pair) {
-  archive(pair.value);
-}
-template <class Value>
-void load(UnitReader& archive, cereal::NameValuePair<Value>& pair) {
-  archive(pair.value);
-}
+template <class Archive, class Value>
+requires is_of_units<Archive>
+void serialize(Archive& archive, cereal::NameValuePair<Value>& pair) { archive(pair.value); }
 template <class Count>
 void save(UnitWriter& archive, const cereal::SizeTag<Count>& count) {
   archive(count.size);
@@ -165,14 +143,8 @@ CEREAL_SETUP_ARCHIVE_TRAITS(raycheck::tools::UnitReader, raycheck::tools::UnitWr
 
 namespace cereal {
 // In place of cereal's own for enumerations, which take any number.
-template <class Enum>
-requires std::is_enum_v<Enum>
-struct specialize<raycheck::tools::UnitReader, Enum, specialization::non_member_load_save>
-    : std::true_type {
-};
-template <class Enum>
-requires std::is_enum_v<Enum>
-struct specialize<raycheck::tools::UnitWriter, Enum, specialization::non_member_load_save>
-    : std::true_type {
+template <class Archive, class Enum>
+requires(raycheck::tools::is_of_units<Archive>&& std::is_enum_v<Enum>) struct specialize<
+    Archive, Enum, specialization::non_member_load_save> : std::true_type {
 };
 }  // namespace cereal

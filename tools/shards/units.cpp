@@ -1,7 +1,6 @@
 #include "tools/shards/units.h"
 
 #include <fmt/core.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -152,11 +151,7 @@ Units::Units(CampaignIdentity campaign, std::vector<fs::path> folders)
 
 void Units::make_folder() const {
   const fs::path& folder = folders_.front();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw scene::InvalidInput("out", folder.string(), "cannot be made: " + error.message());
-  }
+  tools::make_folder("out", folder);
   if (!fs::exists(folder / kCampaignFile)) {
     OutputFile("out", (folder / kCampaignFile).string())
         .write(json_text({{"command", campaign_.command},

@@ -1,10 +1,8 @@
-
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
 #include "scene/interruption.h"
-#include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/explain/explain.h"
@@ -95,7 +93,7 @@ CommandRun add_explain(CLI::App& command) {
                      "which sphere of the scene (default: the one met first); with --ray: "
                      "cx,cy,cz,r");
   add_external(command, arguments.external);
-  add_format(command, arguments.format, kExplainViews);
+  add_format(command, arguments.format, names_of(kExplainViews));
   return [given] { return run_explain(*given); };
 }
 

@@ -8,7 +8,6 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/image/image.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -93,13 +92,11 @@ CommandRun add_image(CLI::App& command) {
   command.add_option("--size", arguments.size,
                      "pixels across and down, W,H (default: the scene's)");
   add_strict(command, arguments.strict);
-  command.add_option("--threads", arguments.threads, "how many; the picture is the same")
-      ->check(whole_number(1, 1024))
-      ->capture_default_str();
+  add_threads(command, arguments.threads, "the picture");
   add_dialect(command, arguments.dialect);
   add_external(command, arguments.external);
   command.get_option("--candidate")->excludes(command.get_option("--intersect"));
-  add_format(command, arguments.format, kImageViews);
+  add_format(command, arguments.format, names_of(kImageViews));
   return [given] { return run_image(*given); };
 }
 

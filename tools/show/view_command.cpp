@@ -183,9 +183,7 @@ CommandRun add_view(CLI::App& command) {
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
   command.add_option("--family", arguments.family,
                      "a stress family in place of a scene: its dial, a scene at each severity");
-  command.add_option("--cases", arguments.cases, "cases at each severity of a family")
-      ->check(whole_number(1, kMostCases))
-      ->capture_default_str();
+  add_cases(command, arguments.cases, "cases at each severity of a family");
   add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one HTML file, which needs no other");
   add_dialect(command, arguments.dialect);

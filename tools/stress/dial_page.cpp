@@ -1,10 +1,8 @@
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/cases/random.h"
@@ -73,7 +71,6 @@ ShownCase worst_of_first(const properties::CaseSource& family, int severity,
   return shown;
 }
 
-/// Of a case that shows something wrong.
 FindingView finding_of(const ShownCase& shown, int severity, const std::string& method) {
   return {.sentence = fmt::format("severity {}: {} {}", severity, info(shown.wrong->quantity).name,
                                   wrongness_text(*shown.wrong)),

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/search/campaign.h"
@@ -19,7 +17,6 @@ namespace {
 using properties::CaseSource;
 using properties::Stage;
 using properties::StressResult;
-using properties::Verdict;
 
 std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& names) {
   std::vector<const CaseSource*> families;
@@ -34,7 +31,7 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
     if (family == nullptr || !family->dial) {
       throw scene::InvalidInput("family", name, "no such family; the families are " + known);
     }
-    if (std::find(families.begin(), families.end(), family) == families.end()) {
+    if (std::ranges::find(families, family) == families.end()) {
       families.push_back(family);
     }
   }
@@ -56,7 +53,7 @@ void require_severities(const std::vector<const CaseSource*>& families,
   const auto by_highest = [](const CaseSource* a, const CaseSource* b) {
     return a->dial->highest < b->dial->highest;
   };
-  const auto [fewest, most] = std::minmax_element(families.begin(), families.end(), by_highest);
+  const auto [fewest, most] = std::ranges::minmax_element(families, by_highest);
   const CaseSource* const beyond = from > (*fewest)->dial->highest ? *fewest
                                    : to > (*most)->dial->highest   ? *most
                                                                    : nullptr;
@@ -71,7 +68,6 @@ std::vector<int> severities_of(const CaseSource& family, const StressOptions& op
   return properties::some_severities(from, to);
 }
 
-/// The stages that a family's cases can judge.
 std::vector<Stage> stages_of(const CaseSource& family) {
   if (family.has_camera) return {Stage::kRays, Stage::kIntersection};
   return {Stage::kIntersection};
@@ -107,7 +103,6 @@ std::vector<Series> all_series(const StressOptions& options) {
   return all;
 }
 
-/// Some cases of a series at a severity.
 struct StressUnit {
   std::size_t series, severity;
   int first, cases;
@@ -137,8 +132,8 @@ std::vector<StressUnit> units_of(const std::vector<Series>& all, int cases) {
 }  // namespace
 
 bool StressCurve::is_judged() const {
-  return std::any_of(results.begin(), results.end(),
-                     [](const StressResult& result) { return result.inside.compared() > 0; });
+  return std::ranges::any_of(
+      results, [](const StressResult& result) { return result.inside.compared() > 0; });
 }
 
 std::optional<int> StressCurve::first_failing() const {
@@ -204,8 +199,9 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   std::size_t next = 0;
   properties::RunControl allowed = control;
   // Who is silent three times is asked no more, which must not depend on threads.
-  if (kept == nullptr && std::any_of(options.implementations.begin(), options.implementations.end(),
-                                     [](const Implementation& one) { return !one.methods; })) {
+  if (kept == nullptr &&
+      std::ranges::any_of(options.implementations,
+                          [](const Implementation& one) { return !one.methods; })) {
     allowed.threads = 1;
   }
   run_units<Results>(

@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <tbb/info.h>
 
 #include <limits>
@@ -74,7 +73,7 @@ CommandRun add_stress(CLI::App& command) {
   add_shards(command, given->shards);
   add_view(command, given->view, "error against severity, every family and quantile");
   add_certificates(command, given->certificates);
-  add_format(command, given->format, kStressViews);
+  add_format(command, given->format, names_of(kStressViews));
   return [given] { return run_stress(*given); };
 }
 

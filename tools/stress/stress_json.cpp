@@ -1,4 +1,3 @@
-
 #include "tools/report/certificate.h"
 #include "tools/report/json.h"
 #include "tools/stress/stress.h"

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "tools/report/table.h"
 #include "tools/report/words.h"
@@ -29,7 +28,7 @@ std::string failing_text(const StressCurve& curve) {
 
 /// First failing severities of one stage's methods, a row per family.
 Table first_failing_table(const StressReport& report, Stage stage) {
-  std::vector<Table::Column> columns = {{"family"}, {"severities"}};
+  std::vector<std::string> columns = {"family", "severities"};
   std::vector<std::vector<std::string>> rows;
   for (const FamilyReport& family : report.families) {
     std::vector<std::string> row = {
@@ -40,42 +39,18 @@ Table first_failing_table(const StressReport& report, Stage stage) {
     for (const StressCurve& curve : family.curves) {
       if (curve.stage != stage) continue;
       if (rows.empty()) {
-        columns.push_back({curve.method.name, Table::Align::kRight});
+        columns.push_back(">" + curve.method.name);
       }
       row.push_back(failing_text(curve));
     }
     if (row.size() > 2) rows.push_back(std::move(row));
   }
-  Table table(std::move(columns));
+  Table table(columns);
   for (auto& row : rows) table.add(std::move(row));
   return table;
 }
 
 /// The numbers of one method on one family at one severity.
-std::vector<Table::Column> detail_columns() {
-  constexpr auto kRight = Table::Align::kRight;
-  return {{"family"},
-          {"method"},
-          {"severity", kRight},
-          {"decisions", kRight},
-          {"defects", kRight},
-          {"undecided", kRight},
-          {"excused", kRight},
-          {"answers", kRight},
-          {"unit", Table::Align::kLeft},
-          {"median", kRight},
-          {"99.9%", kRight},
-          {"max", kRight},
-          {"backward u", kRight},
-          {"max rho", kRight},
-          {"median kappa", kRight},
-          {"exact", kRight},
-          {"accurate", kRight},
-          {"ill-conditioned", kRight},
-          {"unstable", kRight},
-          {"outside domain", kRight}};
-}
-
 std::vector<std::string> detail_row(const FamilyReport& family, const StressCurve& curve,
                                     std::size_t k) {
   const StressResult& result = curve.results[k];
@@ -112,7 +87,10 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
 }
 
 Table detail_table(const StressReport& report) {
-  Table table(detail_columns());
+  Table table({"family",     "method",    ">severity",        ">decisions", ">defects",
+               ">undecided", ">excused",  ">answers",         "unit",       ">median",
+               ">99.9%",     ">max",      ">backward u",      ">max rho",   ">median kappa",
+               ">exact",     ">accurate", ">ill-conditioned", ">unstable",  ">outside domain"});
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
       for (std::size_t k = 0; k < curve.results.size(); ++k) {
@@ -125,17 +103,8 @@ Table detail_table(const StressReport& report) {
 
 /// A summary of a method on a family, in one row.
 Table summary_table(const StressReport& report) {
-  constexpr auto kRight = Table::Align::kRight;
-  Table table({{"family"},
-               {"method"},
-               {"first failing", kRight},
-               {"slope", kRight},
-               {"max rho", kRight},
-               {"missed", kRight},
-               {"false", kRight},
-               {"other defects", kRight},
-               {"max error", kRight},
-               {"unit", Table::Align::kLeft}});
+  Table table({"family", "method", ">first failing", ">slope", ">max rho", ">missed", ">false",
+               ">other defects", ">max error", "unit"});
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
       Verdict all;

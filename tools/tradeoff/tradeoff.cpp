@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <stdexcept>
 #include <tuple>
 
 #include "properties/cases/random.h"
@@ -165,7 +163,7 @@ void mark_pareto(std::vector<MethodCost>& costs) {
   for (MethodCost& one : costs) {
     const auto mine = rank_of(one);
     if (!mine) continue;
-    one.pareto = std::none_of(costs.begin(), costs.end(), [&](const MethodCost& other) {
+    one.pareto = std::ranges::none_of(costs, [&](const MethodCost& other) {
       const auto its = rank_of(other);
       if (!its || &other == &one) return false;
       const auto [time, defects, error] = *mine;
@@ -278,7 +276,7 @@ void run_on_sources(const TradeoffOptions& options, const properties::RunControl
 }  // namespace
 
 std::size_t JudgedSource::stretch_of(int severity) const {
-  const auto next = std::upper_bound(severities.begin(), severities.end(), severity);
+  const auto next = std::ranges::upper_bound(severities, severity);
   return static_cast<std::size_t>(next - severities.begin()) - 1;
 }
 
@@ -288,8 +286,8 @@ std::string subject_text(const TradeoffReport& report) {
 }
 
 const MethodCost* baseline(const std::vector<MethodCost>& costs) {
-  const auto first = std::find_if(costs.begin(), costs.end(),
-                                  [](const MethodCost& cost) { return cost.batch.has_value(); });
+  const auto first =
+      std::ranges::find_if(costs, [](const MethodCost& cost) { return cost.batch.has_value(); });
   return first == costs.end() ? nullptr : &*first;
 }
 

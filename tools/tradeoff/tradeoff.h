@@ -62,10 +62,9 @@ struct MethodCost {
   std::optional<std::pair<double, double>> badness() const;
 };
 
-/// Whether any method is judged in a format.
 inline bool has_any(const std::vector<MethodCost>& costs, scene::Precision precision) {
-  return std::any_of(costs.begin(), costs.end(),
-                     [=](const MethodCost& cost) { return cost.promises.precision == precision; });
+  return std::ranges::any_of(
+      costs, [=](const MethodCost& cost) { return cost.promises.precision == precision; });
 }
 
 /// The method whose batch time ratios refer to: the first that was timed; null if none was.
@@ -79,7 +78,6 @@ struct JudgedSource {
   std::vector<int> severities = {0};
   int last = 0;  ///< Severity.
 
-  /// The index of a severity's stretch.
   std::size_t stretch_of(int severity) const;
 };
 

@@ -55,7 +55,7 @@ CommandRun add_tradeoff(CLI::App& command) {
   add_seed(command, options.seed);
   add_view(command, given->view, "error against run time, every source, severity and quantile");
   add_external(command, given->external);
-  add_format(command, given->format, kTradeoffViews);
+  add_format(command, given->format, names_of(kTradeoffViews));
   return [given] { return run_tradeoff(*given); };
 }
 

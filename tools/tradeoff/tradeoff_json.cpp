@@ -1,4 +1,3 @@
-
 #include "tools/report/json.h"
 #include "tools/tradeoff/tradeoff.h"
 

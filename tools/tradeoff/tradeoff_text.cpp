@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,12 +9,9 @@ namespace raycheck::tools {
 namespace {
 
 using properties::Quantity;
-using properties::Stage;
 using properties::Tally;
 using properties::Verdict;
 using properties::Wrong;
-
-constexpr auto kRight = Table::Align::kRight;
 
 std::string duration_text(const std::optional<Duration>& duration) {
   return duration ? fmt::format("{:.1f}", duration->median) : "-";
@@ -68,7 +64,6 @@ std::string name_text(const MethodCost& cost) {
   return (cost.pareto ? "* " : "  ") + cost.method.name;
 }
 
-/// Batch time over the baseline's.
 std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) {
   if (!cost.batch) return "-";
   return fmt::format("{:.2f}", cost.batch->median / baseline->batch->median);
@@ -76,24 +71,11 @@ std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) 
 
 /// For methods that are judged in one format: their errors have one unit.
 Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
-  Table table({{"  method"},
-               {"ns a call", kRight},
-               {"ns in a batch", kRight},
-               {"ratio", kRight},
-               {fmt::format("median {}", unit_name(Quantity::kParameter, precision)), kRight},
-               {"99.9%", kRight},
-               {"max", kRight},
-               {"audited", kRight},
-               {"bound", kRight},
-               {"missed/M", kRight},
-               {"false/M", kRight},
-               {"defects", kRight},
-               {fmt::format("backward {}", unit_name(Quantity::kBackwardError, precision)), kRight},
-               {"max rho", kRight},
-               {"outside: max", kRight},
-               {"missed/M", kRight},
-               {"false/M", kRight},
-               {"stable on"}});
+  Table table({"  method", ">ns a call", ">ns in a batch", ">ratio",
+               fmt::format(">median {}", unit_name(Quantity::kParameter, precision)), ">99.9%",
+               ">max", ">audited", ">bound", ">missed/M", ">false/M", ">defects",
+               fmt::format(">backward {}", unit_name(Quantity::kBackwardError, precision)),
+               ">max rho", ">outside: max", ">missed/M", ">false/M", "stable on"});
   const MethodCost* const base = baseline(costs);
   for (const MethodCost& cost : costs) {
     if (cost.promises.precision != precision) continue;
@@ -113,20 +95,11 @@ Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision 
 }
 
 Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
-  Table table(
-      {{"  method"},
-       {"ns a call", kRight},
-       {"ns in a batch", kRight},
-       {"ratio", kRight},
-       {fmt::format("median {} of D", unit_name(Quantity::kDirection, precision)), kRight},
-       {"99.9%", kRight},
-       {"max", kRight},
-       {"audited", kRight},
-       {"bound", kRight},
-       {fmt::format("audited {} of P", unit_name(Quantity::kPixelPoint, precision)), kRight},
-       {"bound", kRight},
-       {"max rho", kRight},
-       {"stable on"}});
+  Table table({"  method", ">ns a call", ">ns in a batch", ">ratio",
+               fmt::format(">median {} of D", unit_name(Quantity::kDirection, precision)), ">99.9%",
+               ">max", ">audited", ">bound",
+               fmt::format(">audited {} of P", unit_name(Quantity::kPixelPoint, precision)),
+               ">bound", ">max rho", "stable on"});
   const MethodCost* const base = baseline(costs);
   for (const MethodCost& cost : costs) {
     if (cost.promises.precision != precision) continue;
@@ -141,7 +114,6 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
   return table;
 }
 
-/// What the columns are.
 std::string legend(std::string_view item, bool has_single) {
   std::string text = fmt::format(
       "\n{0}*: no other method is as fast in a batch, with as small a share of defects and as "

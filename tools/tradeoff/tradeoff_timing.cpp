@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -89,7 +88,7 @@ std::vector<Duration> time_interleaved(const std::vector<Timed>& all) {
   }
   std::vector<Duration> durations;
   for (std::vector<double>& times : seen) {
-    std::sort(times.begin(), times.end());
+    std::ranges::sort(times);
     durations.push_back(
         {times[times.size() / 2], times[times.size() / 4], times[times.size() * 3 / 4]});
   }
@@ -158,13 +157,13 @@ std::vector<IntersectCall> batches_of(const std::vector<IntersectCall>& pairs,
 }
 
 bool is_same(const properties::SphereHits& a, const properties::SphereHits& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+  return std::ranges::equal(a, b, [](const auto& one, const auto& other) {
     return one.ray == other.ray && same_bits(one.hit.parameter, other.hit.parameter) &&
            same_bits(one.hit.point, other.hit.point);
   });
 }
 bool is_same(const std::vector<scene::Ray>& a, const std::vector<scene::Ray>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+  return std::ranges::equal(a, b, [](const auto& one, const auto& other) {
     return same_bits(one.origin, other.origin) && same_bits(one.direction, other.direction);
   });
 }

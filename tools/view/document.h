@@ -47,7 +47,6 @@ struct SceneView {
   Selection start;  ///< The first selection.
 };
 
-/// Something to look at.
 struct FindingView {
   std::string sentence;
   std::string candidate;

@@ -78,10 +78,7 @@ Json whole(const ViewDocument& document) {
 }  // namespace
 
 Json selection_json(const Selection& selection) {
-  return {{"pixel", or_null(selection.pixel,
-                            [](const scene::Pixel& pixel) {
-                              return Json{pixel.i, pixel.j};
-                            })},
+  return {{"pixel", or_null(selection.pixel, pixel_json)},
           {"ray", or_null(selection.ray)},
           {"sphere", or_null(selection.sphere)}};
 }

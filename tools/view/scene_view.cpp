@@ -7,13 +7,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "properties/case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
-#include "tools/implementations/built_in.h"
 #include "tools/report/words.h"
 #include "tools/run/in_order.h"
-#include "tools/view/document.h"
 #include "tools/view/figure/figure.h"
 #include "tools/view/page/page.h"
 #include "tools/view/panel/panel.h"
@@ -152,9 +149,9 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
         return made;
       },
       [&](const Made& made) {
-        const bool is_there = std::any_of(
-            view.panels.begin(), view.panels.end(),
-            [&](const Panel& other) { return other.selection == made.panel.selection; });
+        const bool is_there = std::ranges::any_of(view.panels, [&](const Panel& other) {
+          return other.selection == made.panel.selection;
+        });
         if (is_full || is_there) return;
         bytes += deflated_behind(before, made.line);
         before = made.line;

@@ -6,7 +6,6 @@
 #include <functional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include "properties/cases/random.h"
 #include "scene/invalid_input.h"
@@ -61,7 +60,6 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
       "quantity", chosen, fmt::format("no such quantity of {}; there are {}", name(stage), known));
 }
 
-/// Counts how many times a function fails.
 template <class Answer, class... Arguments>
 void count_failures(std::function<Answer(Arguments...)>& function, WorstFound& found) {
   if (!function) return;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "properties/run_control.h"
 #include "properties/search/worst_case.h"
@@ -23,7 +22,6 @@ struct WorstOptions {
   std::int64_t searches = 1;         ///< With seeds of their own; the worst of all is told.
 };
 
-/// What searches found.
 struct WorstFound {
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
   std::uint64_t failures = 0;                  ///< How many times the method gave no answer,

@@ -79,23 +79,19 @@ CommandRun add_worst(CLI::App& command) {
       command, "--by", options.search.climb, properties::kClimbNames,
       "what to climb on: the error, the error over what the documented bound grows by, or the "
       "stability ratio rho");
-  command.add_option("--cases", options.search.cases, "random cases")
-      ->check(whole_number(1, kMostCases))
-      ->capture_default_str();
-  command.add_option("--steps", options.search.steps, "changes tried after the random cases")
-      ->check(whole_number(0, kMostCases))
-      ->capture_default_str();
+  add_cases(command, options.search.cases, "random cases");
+  add_number(command, "--steps", options.search.steps, 0, kMostCases,
+             "changes tried after the random cases");
   add_seed(command, options.search.seed);
-  command.add_option("--searches", options.searches, "how many, from other random cases each")
-      ->check(whole_number(1, kMostCases))
-      ->capture_default_str();
+  add_number(command, "--searches", options.searches, 1, kMostCases,
+             "how many, from other random cases each");
   add_threads(command, given->threads, "the report");
   add_shards(command, given->shards);
   command.add_option("--save", given->save, "write the input to a TOML scene");
   add_view(command, given->view, "the input");
   add_external(command, given->external);
   command.get_option("--candidate")->excludes(method);
-  add_format(command, given->format, kWorstViews);
+  add_format(command, given->format, names_of(kWorstViews));
   return [given] { return run_worst(*given); };
 }
 

@@ -1,4 +1,3 @@
-
 #include "properties/cases/case_text.h"
 #include "tools/report/json.h"
 #include "tools/worst/worst.h"

@@ -7,7 +7,6 @@
 namespace raycheck::tools {
 namespace {
 
-/// The finding, in a line.
 std::string headline(const WorstReport& report) {
   const properties::WorstCase& worst = *report.worst;
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "scene/number.h"
+#include "scene/text.h"
 
 namespace raycheck::tools {
 namespace {
@@ -54,14 +55,12 @@ std::string_view number_name(DriverNumbers numbers) {
 }
 
 bool is_count(std::string_view part) {
-  return !part.empty() &&
-         std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return !part.empty() && std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
 }
 
 int sphere_numbers_of(std::string_view part) {
-  const auto* const known =
-      std::find_if(kSphereNumbers.begin(), kSphereNumbers.end(),
-                   [&](int numbers) { return std::to_string(numbers) == part; });
+  const auto* const known = std::ranges::find_if(
+      kSphereNumbers, [&](int numbers) { return std::to_string(numbers) == part; });
   if (known == kSphereNumbers.end()) {
     throw std::invalid_argument(
         fmt::format("{} numbers: a sphere has one of {}", part, fmt::join(kSphereNumbers, ", ")));
@@ -75,18 +74,12 @@ std::vector<std::string> split(std::string_view text, const char* mark) {
 }
 
 /// "A, B, C, 2017, ..."
-std::string preset_names() {
-  std::string names;
-  for (const DriverPreset& one : driver_presets()) {
-    names += (names.empty() ? "" : ", ") + std::string(one.name);
-  }
-  return names;
-}
+std::string preset_names() { return scene::joined(driver_presets(), ", ", &DriverPreset::name); }
 
 std::vector<std::string> order_of(std::string_view part, scene::Dialect dialect) {
   std::vector<std::string> order = split(part.substr(kOrder.size()), ",");
   const std::vector<std::string> usual = usual_order(dialect);
-  if (!std::is_permutation(order.begin(), order.end(), usual.begin(), usual.end())) {
+  if (!std::ranges::is_permutation(order, usual)) {
     throw std::invalid_argument(
         fmt::format("'{}' must have each of these once: {}", part, fmt::join(usual, ",")));
   }
@@ -228,7 +221,7 @@ std::vector<DriverForm> known_forms(const DriverForm& first) {
   const auto add = [&](DriverForm form) {
     form.numbers = first.numbers;
     if (form.dialect == first.dialect) form.order = first.order;
-    if (std::find(forms.begin(), forms.end(), form) == forms.end()) forms.push_back(form);
+    if (std::ranges::find(forms, form) == forms.end()) forms.push_back(form);
   };
   for (const DriverPreset& preset : driver_presets()) add(preset.form);
   std::vector<Dialect> dialects = {first.dialect};

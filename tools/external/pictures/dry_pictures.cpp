@@ -105,8 +105,8 @@ scene::Scene middle_spheres() {
 Colour background_of(const ReadPicture& picture) {
   const Frame frame(picture);
   if (frame.share_of_most() < kBackgroundShare) return {};
-  const bool shows_more = std::any_of(picture.pixels.begin(), picture.pixels.end(),
-                                      [&](const Colour& c) { return !(c == frame.most); });
+  const bool shows_more =
+      std::ranges::any_of(picture.pixels, [&](const Colour& c) { return !(c == frame.most); });
   return shows_more ? frame.most : Colour{};
 }
 

@@ -101,8 +101,8 @@ class DryRunner {
 
  private:
   static bool is_uniform(const ReadPicture& picture) {
-    return std::adjacent_find(picture.pixels.begin(), picture.pixels.end(),
-                              [](auto& a, auto& b) { return !(a == b); }) == picture.pixels.end();
+    return std::ranges::adjacent_find(picture.pixels, [](auto& a, auto& b) { return !(a == b); }) ==
+           picture.pixels.end();
   }
   static bool is_black(const ReadPicture& picture) {
     return is_uniform(picture) && picture.pixels.front() == Colour{};
@@ -248,7 +248,7 @@ class DryRunner {
     constexpr std::array<Colour, 3> kPure = {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
     std::array<std::optional<Colour>, 3> seen;
     for (std::size_t k = 0; k < kPure.size(); ++k) seen[k] = shown(kPure[k], found);
-    if (std::none_of(seen.begin(), seen.end(), [](const auto& one) { return one.has_value(); })) {
+    if (std::ranges::none_of(seen, [](const auto& one) { return one.has_value(); })) {
       return;
     }
     std::array<std::size_t, 3> channels{};
@@ -256,10 +256,10 @@ class DryRunner {
       const std::array<int, 3> parts =
           seen[k] ? std::array<int, 3>{seen[k]->red, seen[k]->green, seen[k]->blue}
                   : std::array<int, 3>{};
-      const auto most = std::max_element(parts.begin(), parts.end());
+      const auto most = std::ranges::max_element(parts);
       channels[k] = static_cast<std::size_t>(most - parts.begin());
-      const auto others = std::count_if(parts.begin(), parts.end(),
-                                        [&](int part) { return part <= kNoChannel * *most; });
+      const auto others =
+          std::ranges::count_if(parts, [&](int part) { return part <= kNoChannel * *most; });
       found.colours.tells_spheres = found.colours.tells_spheres && *most > 0 && others == 2;
     }
     const bool all_differ =
@@ -279,7 +279,7 @@ class DryRunner {
     const scene::Scene whole = whole_scene();
     std::vector<DriverForm> forms = known_forms(rule_.form);
     forms.resize(std::min(forms.size(), rule_.tries_others ? kMostForms : 1));
-    return std::any_of(forms.begin(), forms.end(), [&](const DriverForm& form) {
+    return std::ranges::any_of(forms, [&](const DriverForm& form) {
       return !control_.interrupted() && timed_out_ < kMostTimeouts &&
              attempt_of(whole, form).made.has_value();
     });

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
-#include <cctype>
 #include <ctime>
 #include <sstream>
 #include <string_view>
@@ -55,13 +55,8 @@ class ComputedFor {
 constexpr std::array<std::string_view, 7> kStems = {"scene", "scene.txt", "out",   "output",
                                                     "image", "picture",   "result"};
 
-std::string lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 bool is_picture(const fs::path& path) {
-  const std::string ending = lower_case(path.extension().string());
+  const std::string ending = boost::to_lower_copy(path.extension().string());
   return ending == ".ppm" || ending == ".pnm" || ending == ".png";
 }
 
@@ -91,14 +86,13 @@ std::optional<FoundPicture> found_picture(const fs::path& folder) {
     std::error_code gone;
     if (!fs::is_regular_file(entry->symlink_status(gone)) || !is_picture(entry->path())) continue;
     const auto* const stem =
-        std::find(kStems.begin(), kStems.end(), lower_case(entry->path().stem().string()));
+        std::ranges::find(kStems, boost::to_lower_copy(entry->path().stem().string()));
     pictures.push_back({stem - kStems.begin(), entry->last_write_time(gone), entry->path()});
   }
   if (pictures.empty()) return {};
-  const auto best =
-      std::min_element(pictures.begin(), pictures.end(), [](const Found& a, const Found& b) {
-        return std::tuple(a.rank, b.made, a.path) < std::tuple(b.rank, a.made, b.path);
-      });
+  const auto best = std::ranges::min_element(pictures, [](const Found& a, const Found& b) {
+    return std::tuple(a.rank, b.made, a.path) < std::tuple(b.rank, a.made, b.path);
+  });
   return FoundPicture{best->path, false};
 }
 

@@ -61,7 +61,7 @@ SphereColours::SphereColours(std::size_t count) : levels_(levels_for(count)) {
 std::optional<std::size_t> SphereColours::sphere_of(const Colour& colour,
                                                     const ColourHabit& habit) const {
   const std::array<std::uint8_t, 3> shown = {colour.red, colour.green, colour.blue};
-  const double most = *std::max_element(shown.begin(), shown.end());
+  const double most = *std::ranges::max_element(shown);
   if (!habit.tells_spheres || most == 0) return {};
   const double near = levels_ == 2 ? kNearAllOrNothing : kNearLevel;
   std::size_t code = 0;
@@ -72,7 +72,7 @@ std::optional<std::size_t> SphereColours::sphere_of(const Colour& colour,
     if (std::abs(at - nearest) > near && levels_ <= 128) return {};
     code = code * levels_ + static_cast<std::size_t>(nearest);
   }
-  const auto found = std::lower_bound(codes_.begin(), codes_.end(), code);
+  const auto found = std::ranges::lower_bound(codes_, code);
   if (found == codes_.end() || *found != code) return {};
   return static_cast<std::size_t>(found - codes_.begin());
 }

@@ -1,4 +1,3 @@
-
 #include <dlfcn.h>
 #include <link.h>
 #include <unistd.h>
@@ -78,7 +77,7 @@ class Line {
 
  private:
   void add(std::string_view more) {
-    std::copy(more.begin(), more.end(), text_.data() + size_);
+    std::ranges::copy(more, text_.data() + size_);
     size_ += more.size();
   }
   std::array<char, kMostFramesLine> text_;

@@ -1,12 +1,11 @@
 #include "tools/external/protocol/protocol.h"
 
-#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 
+#include "scene/fields.h"
 #include "scene/number.h"
 #include "scene/validate.h"
 
@@ -60,19 +59,14 @@ std::optional<scene::ValidRoots> read_roots(Words& words) {
 void read_convention(Words& words, properties::DeclaredConventions& declared) {
   constexpr const char* kOtherwise = "declares no such convention";
   const std::string_view which = words.word();
-  if (which == "rows") {
-    declared.rows = choose<scene::Rows>(words, scene::kRowsNames, kOtherwise);
-  } else if (which == "samples") {
-    declared.samples = choose<scene::Samples>(words, scene::kSamplesNames, kOtherwise);
-  } else if (which == "origin") {
-    declared.origin = choose<scene::Origin>(words, scene::kOriginNames, kOtherwise);
-  } else if (which == "root") {
-    declared.root = choose<scene::Root>(words, scene::kRootNames, kOtherwise);
-  } else if (which == "tangent") {
-    declared.tangent = choose<scene::Tangent>(words, scene::kTangentNames, kOtherwise);
-  } else {
-    words.fail(kOtherwise);
-  }
+  bool is_known = false;
+  scene::for_each_choice(declared, [&](std::string_view name, auto& choice) {
+    using Enum = typename std::decay_t<decltype(choice)>::value_type;
+    if (name != which) return;
+    choice = choose<Enum>(words, names_of(Enum{}), kOtherwise);
+    is_known = true;
+  });
+  if (!is_known) words.fail(kOtherwise);
 }
 
 /// What a line of that kind states.
@@ -255,10 +249,9 @@ std::vector<SphereHits> Reply::hits(std::size_t rays, std::size_t spheres) const
   }
   const auto by_ray = [](const auto& a, const auto& b) { return a.ray < b.ray; };
   for (SphereHits& of_sphere : hits) {
-    std::stable_sort(of_sphere.begin(), of_sphere.end(), by_ray);
-    const auto twice =
-        std::adjacent_find(of_sphere.begin(), of_sphere.end(),
-                           [](const auto& a, const auto& b) { return a.ray == b.ray; });
+    std::ranges::stable_sort(of_sphere, by_ray);
+    const auto twice = std::ranges::adjacent_find(
+        of_sphere, [](const auto& a, const auto& b) { return a.ray == b.ray; });
     if (twice != of_sphere.end()) {
       throw ProtocolError(
           fmt::format("its reply has two hits of ray {} with one sphere", twice->ray));

@@ -51,8 +51,8 @@ class ProtocolError : public std::runtime_error {
 inline std::string shown(std::string_view line) {
   constexpr std::size_t kShown = 60;
   std::string text(line.substr(0, kShown));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::ranges::replace_if(
+      text, [](char c) { return c < ' ' || c > '~'; }, '?');
   return line.size() > kShown ? text + "..." : text;
 }
 
@@ -87,7 +87,7 @@ class Words {
   }
   /// Which of these names the next word is.
   std::size_t place_in(std::span<const std::string_view> names, const char* otherwise) {
-    const auto found = std::find(names.begin(), names.end(), word());
+    const auto found = std::ranges::find(names, word());
     if (found == names.end()) fail(otherwise);
     return static_cast<std::size_t>(found - names.begin());
   }

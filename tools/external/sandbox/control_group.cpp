@@ -8,7 +8,6 @@
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -39,13 +38,13 @@ std::string text_of(const fs::path& path) {
 
 bool has_word(const std::string& text, const std::string& word) {
   const std::vector<std::string> words = words_of(text);
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return std::ranges::find(words, word) != words.end();
 }
 
 /// The number after a name; 0 if the name is missing.
 std::uint64_t value_of(const std::string& text, const std::string& name) {
   const std::vector<std::string> words = words_of(text);
-  const auto at = std::find(words.begin(), words.end(), name);
+  const auto at = std::ranges::find(words, name);
   std::uint64_t value = 0;
   if (at != words.end() && at + 1 != words.end()) {
     std::from_chars((at + 1)->data(), (at + 1)->data() + (at + 1)->size(), value);

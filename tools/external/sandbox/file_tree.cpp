@@ -14,7 +14,6 @@
 #include <map>
 #include <optional>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -131,6 +130,12 @@ bool remove_tree(const std::filesystem::path& folder) {
     depth += below.empty() ? -1 : 1;
   }
   return rmdir(folder.c_str()) == 0 || errno == ENOENT;
+}
+
+void copy_with_time(const std::filesystem::path& from, const std::filesystem::path& to) {
+  std::filesystem::create_directories(to.parent_path());
+  std::filesystem::copy_file(from, to);
+  std::filesystem::last_write_time(to, std::filesystem::last_write_time(from));
 }
 
 void empty_folder(const std::filesystem::path& folder) {

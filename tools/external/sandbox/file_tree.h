@@ -27,6 +27,9 @@ std::string file_bytes(const std::filesystem::path& file,
 /// followed. True if nothing is left.
 bool remove_tree(const std::filesystem::path& folder);
 
+/// Copies a file with its time, into folders that are made.
+void copy_with_time(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Removes everything in a folder.
 void empty_folder(const std::filesystem::path& folder);
 

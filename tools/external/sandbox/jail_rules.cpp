@@ -239,10 +239,10 @@ class Ruleset {
 
   /// For a folder with hidden parts, allows everything else in it one by one.
   void allow_reads(const fs::path& path, const std::vector<fs::path>& hidden) const {
-    if (std::find(hidden.begin(), hidden.end(), path) != hidden.end()) return;
+    if (std::ranges::find(hidden, path) != hidden.end()) return;
     const std::string below = path.string() + "/";
-    if (std::none_of(hidden.begin(), hidden.end(),
-                     [&](const fs::path& one) { return one.string().starts_with(below); })) {
+    if (std::ranges::none_of(
+            hidden, [&](const fs::path& one) { return one.string().starts_with(below); })) {
       allow(path, kReads);
       return;
     }

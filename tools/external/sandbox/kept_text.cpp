@@ -43,7 +43,7 @@ std::string_view cut_to(std::string_view text, std::size_t most) {
 }
 
 void KeptText::append(std::string_view more) {
-  lines_ += static_cast<std::size_t>(std::count(more.begin(), more.end(), '\n'));
+  lines_ += static_cast<std::size_t>(std::ranges::count(more, '\n'));
   const std::size_t room = std::min(kKept - begin_.size(), more.size());
   begin_ += more.substr(0, room);
   end_ += more.substr(room);

@@ -9,22 +9,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <atomic>
-#include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <initializer_list>
-#include <system_error>
 #include <thread>
 
 #include "scene/interruption.h"
 #include "tools/external/sandbox/descriptor.h"
-#include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/process_tree.h"
 #include "tools/report/version.h"
 
@@ -128,7 +121,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   // Folders come before what they contain. bubblewrap would list the folders around those that it
   // binds, which run folders must not show: if their parent is visible, an empty one replaces it.
   std::vector<fs::path> readable = confined.readable;
-  std::sort(readable.begin(), readable.end());
+  std::ranges::sort(readable);
   const fs::path of_run = folder.parent_path();
   bool is_emptied = false;
   for (const fs::path& path : readable) {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "scene/invalid_input.h"
+#include "scene/text.h"
 #include "tools/external/sandbox/control_group.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/private_folder.h"
@@ -57,13 +58,13 @@ bool is_plain(char c) {
 void check_temporary_folder() {
   const auto [name, path] = temporary_folder();
   auto fail = [&n = name, shown = path](const std::string& why) mutable {
-    std::replace_if(
-        shown.begin(), shown.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    std::ranges::replace_if(
+        shown, [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
     throw std::invalid_argument(fmt::format(
         "{} {}: {}; name another folder for temporary files, such as /tmp", n, shown, why));
   };
   if (!path.starts_with('/')) fail("candidates run elsewhere, so that it has to begin with /");
-  const auto odd = std::find_if_not(path.begin(), path.end(), is_plain);
+  const auto odd = std::ranges::find_if_not(path, is_plain);
   if (odd != path.end()) {
     fail(fmt::format("its name has {}, which build tools may take for its end",
                      std::isprint(static_cast<unsigned char>(*odd)) != 0 ? fmt::format("'{}'", *odd)
@@ -172,10 +173,9 @@ LayersHere chosen_layers(Sandbox sandbox) {
   if (sandbox == Sandbox::kNone) return {};
   const LayersHere& here = layers_here();
   if (sandbox == Sandbox::kAvailable || here.missing.empty()) return here;
-  std::string missing;
-  for (const auto& [name, why] : here.missing) {
-    missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", name, why);
-  }
+  const std::string missing = scene::joined(here.missing, "; ", [](const auto& layer) {
+    return fmt::format("{} ({})", layer.name, layer.why);
+  });
   throw scene::InvalidInput(
       "sandbox", "require",
       fmt::format(
@@ -222,7 +222,7 @@ std::vector<fs::path> hidden_paths() {
   for (const fs::path& path : named) {
     std::error_code error;
     const fs::path real = fs::canonical(path, error);
-    if (!error && std::find(found.begin(), found.end(), real) == found.end()) found.push_back(real);
+    if (!error && std::ranges::find(found, real) == found.end()) found.push_back(real);
   }
   return found;
 }

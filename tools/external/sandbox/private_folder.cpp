@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
-#include <string>
 #include <string_view>
 #include <system_error>
 

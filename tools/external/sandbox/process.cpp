@@ -112,8 +112,8 @@ std::string limit_text(const KeptText& said, const Limits& limits) {
       {file_limit_text(limits), {"File too large"}}};
   const std::string text = said.text();
   for (const auto& [limit, signs] : rows) {
-    if (std::any_of(signs.begin(), signs.end(),
-                    [&](std::string_view sign) { return text.find(sign) != std::string::npos; })) {
+    if (std::ranges::any_of(
+            signs, [&](std::string_view sign) { return text.find(sign) != std::string::npos; })) {
       return "; " + limit;
     }
   }

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "tools/external/sandbox/control_group.h"
-#include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {
 namespace {

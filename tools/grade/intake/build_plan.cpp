@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -36,7 +35,7 @@ std::vector<std::string> starting(const HandedInFiles& files, std::vector<std::s
   if (names.size() == 1) return names;
   std::vector<std::string> found;
   for (const std::string& name : names) {
-    const bool has_sign = std::any_of(signs.begin(), signs.end(), [&](const std::string& sign) {
+    const bool has_sign = std::ranges::any_of(signs, [&](const std::string& sign) {
       return files.at(name).text.find(sign) != std::string::npos;
     });
     if (has_sign) found.push_back(name);
@@ -270,8 +269,7 @@ BuildPlan build_plan(const HandedInFiles& files) {
   const std::string foreign = foreign_program(files);
   if (!foreign.empty()) {
     plan.why_none = foreign + ", and there is nothing to build it of";
-  } else if (std::any_of(files.begin(), files.end(),
-                         [](const auto& file) { return is_source(file.first); })) {
+  } else if (std::ranges::any_of(files, [](const auto& file) { return is_source(file.first); })) {
     plan.why_none = "none of its sources is a program's main one";
   } else {
     plan.why_none =

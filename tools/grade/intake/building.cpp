@@ -9,13 +9,10 @@
 #include <system_error>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/rubric.h"
-#include "tools/grade/store/store.h"
 #include "tools/report/digest.h"
 #include "tools/report/words.h"
 
@@ -52,7 +49,7 @@ std::vector<std::string> made_programs(const fs::path& folder,
     const std::string path = fs::relative(entry.path(), folder).string();
     const int rank = likelihood_rank(name);
     found.emplace(rank == kHardlyARenderer || is_aside(path),
-                  std::find(likely.begin(), likely.end(), name) - likely.begin(), rank,
+                  std::ranges::find(likely, name) - likely.begin(), rank,
                   -entry.last_write_time().time_since_epoch(), path);
   }
   std::vector<std::string> programs;

@@ -4,22 +4,19 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cctype>
-#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "scene/invalid_input.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"
 #include "tools/report/digest.h"
 #include "tools/report/json.h"
@@ -42,7 +39,7 @@ constexpr std::array<std::string_view, 6> kLeftEndings = {".o",   ".obj", ".gch"
                                                           ".pch", ".pyc", ".pdb"};
 
 bool is_left_behind(const fs::path& path, bool is_folder) {
-  const std::string name = lower_case(path.filename().string());
+  const std::string name = boost::to_lower_copy(path.filename().string());
   if (is_folder) return is_one_of(kLeftFolders, name) || fs::exists(path / "pyvenv.cfg");
   return name.starts_with("._") || is_one_of(kLeftFiles, name) ||
          is_one_of(kLeftEndings, fs::path(name).extension().string());
@@ -57,8 +54,7 @@ fs::path resolved(const fs::path& path) {
 
 /// Domain: both resolved.
 bool is_in(const fs::path& path, const fs::path& folder) {
-  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first ==
-         folder.end();
+  return std::ranges::mismatch(folder, path).in1 == folder.end();
 }
 
 }  // namespace
@@ -100,7 +96,7 @@ HandedInPaths paths_of(const fs::path& path, const SubmissionLimits& limits) {
           fmt::format("it has more than {} MiB (submission_mib)", limits.submission_mib));
     }
   }
-  std::sort(folders.begin(), folders.end());
+  std::ranges::sort(folders);
   return found;
 }
 
@@ -265,8 +261,7 @@ bool is_taken(const std::string& path) {
 /// Nearer to the top first, so that a folder comes before what lies in it.
 bool is_nearer(const std::string& a, const std::string& b) {
   const auto key = [](const std::string& path) {
-    return std::tuple<std::ptrdiff_t, const std::string&>(std::count(path.begin(), path.end(), '/'),
-                                                          path);
+    return std::tuple<std::ptrdiff_t, const std::string&>(std::ranges::count(path, '/'), path);
   };
   return key(a) < key(b);
 }
@@ -322,9 +317,9 @@ std::string kind_of(std::string_view text, std::uintmax_t bytes) {
     if (text.starts_with(one.bytes)) return std::string(one.kind);
   }
   if (is_portable_picture(text)) return std::string(kPicture);
-  const bool has_picture = std::any_of(
-      std::begin(kEmbedded), std::end(kEmbedded),
-      [&](std::string_view begin) { return text.find(begin) != std::string_view::npos; });
+  const bool has_picture = std::ranges::any_of(kEmbedded, [&](std::string_view begin) {
+    return text.find(begin) != std::string_view::npos;
+  });
   if (has_picture) return "text with a picture in it";
   if (has_long_line(text)) return "text with very long lines";
   return bytes >= kLargeFile ? "large file" : "";
@@ -332,8 +327,7 @@ std::string kind_of(std::string_view text, std::uintmax_t bytes) {
 
 /// Whether a file begins as a picture does.
 bool is_picture(std::string_view text) {
-  return is_portable_picture(text) ||
-         std::any_of(std::begin(kBeginnings), std::end(kBeginnings), [&](const Beginning& one) {
+  return is_portable_picture(text) || std::ranges::any_of(kBeginnings, [&](const Beginning& one) {
            return one.kind == kPicture && text.starts_with(one.bytes);
          });
 }
@@ -357,9 +351,9 @@ std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
       continue;
     names.push_back(name);
   }
-  std::sort(start.folders.begin(), start.folders.end(), is_nearer);
+  std::ranges::sort(start.folders, is_nearer);
   start.folders.resize(std::min(start.folders.size(), kMostInRunFolder));
-  std::sort(names.begin(), names.end(), is_nearer);
+  std::ranges::sort(names, is_nearer);
   const std::set<std::string> made(start.folders.begin(), start.folders.end());
   std::size_t copied = 0;
   for (const std::string& name : names) {

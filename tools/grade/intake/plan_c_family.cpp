@@ -3,10 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <set>
 #include <sstream>
 
+#include "scene/text.h"
 #include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
@@ -80,17 +81,15 @@ std::string removal_words(const HandedInFiles& files) {
 std::string top_file(const HandedInFiles& files, const std::vector<std::string>& names,
                      const Vendored& vendored) {
   std::vector<std::string> found;
-  const auto depth = [](const std::string& name) {
-    return std::count(name.begin(), name.end(), '/');
-  };
+  const auto depth = [](const std::string& name) { return std::ranges::count(name, '/'); };
   for (const auto& [name, file] : files) {
     const bool is_named = is_one_of(names, base_of(name));
     const bool is_generated = file.text.find("CMAKE generated file") != std::string::npos;
     if (is_named && !is_generated && !vendored.has(name) && !is_aside(name)) found.push_back(name);
   }
   if (found.empty()) return "";
-  std::stable_sort(found.begin(), found.end(),
-                   [&](const std::string& a, const std::string& b) { return depth(a) < depth(b); });
+  std::ranges::stable_sort(
+      found, [&](const std::string& a, const std::string& b) { return depth(a) < depth(b); });
   const std::string folder = folder_of(found.front());
   for (const std::string& other : found) {
     if (depth(other) == depth(found.front()) && folder_of(other) != folder) return "";
@@ -127,8 +126,8 @@ std::string libraries_of(const HandedInFiles& files, const std::vector<std::stri
     if (!is_c_family(name)) continue;
     for (const IncludeLine& one : includes_of(file.text)) headers.insert(one.name);
   }
-  const bool is_mixed = std::any_of(sources.begin(), sources.end(), is_cpp) &&
-                        !std::all_of(sources.begin(), sources.end(), is_cpp);
+  const bool is_mixed =
+      std::ranges::any_of(sources, is_cpp) && !std::ranges::all_of(sources, is_cpp);
   if (is_mixed) libraries += " -lstdc++";
   if (headers.contains("omp.h")) libraries += " -fopenmp";
   if (headers.contains("execution"))
@@ -140,17 +139,15 @@ std::string libraries_of(const HandedInFiles& files, const std::vector<std::stri
 
 std::string names_shown(const std::vector<std::string>& names) {
   if (names.size() > 3) return fmt::format("{} and {} more", names.front(), names.size() - 1);
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-  return text;
+  return scene::joined(names, " ");
 }
 
 /// Compiles and links with the first standard that works; otherwise shows the newest one's errors.
 BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
                       const std::vector<std::string>& sources) {
   constexpr const char* kProgram = "raycheck-built";
-  const bool has_cpp = std::any_of(sources.begin(), sources.end(), is_cpp);
-  const bool all_cpp = std::all_of(sources.begin(), sources.end(), is_cpp);
+  const bool has_cpp = std::ranges::any_of(sources, is_cpp);
+  const bool all_cpp = std::ranges::all_of(sources, is_cpp);
   const std::string compiler = all_cpp ? "g++" : "gcc";
   const std::string first = has_cpp ? "c++20" : "gnu17";
   const std::string rest = fmt::format("-O2 -w -fmax-errors=20 {} -o {} {} {}", c.flags(), kProgram,
@@ -173,7 +170,7 @@ BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
 std::vector<std::string> reached_from(const std::string& main, const HandedInFiles& files,
                                       const std::vector<std::string>& others) {
   const auto stem = [](const std::string& name) {
-    const std::string base = lower_case(base_of(name));
+    const std::string base = boost::to_lower_copy(base_of(name));
     return base.substr(0, base.rfind('.'));
   };
   std::set<std::string> stems, seen = {main};

@@ -9,12 +9,11 @@
 #include <fstream>
 #include <limits>
 #include <set>
-#include <string_view>
 #include <system_error>
 #include <tuple>
 
+#include "scene/text.h"
 #include "tools/grade/intake/building.h"
-#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/report/digest.h"
@@ -57,8 +56,8 @@ struct CopiedFiles {
 /// Copies a submission to a folder; adds a Python module for each Jupyter notebook.
 CopiedFiles copied(const Submission& submission, const Rubric& rubric, const fs::path& folder) {
   const fs::path top = innermost(submission.path, [&](const std::string& name) {
-    return std::any_of(rubric.forms.begin(), rubric.forms.end(),
-                       [&](const Form& form) { return means_folder(form, name); });
+    return std::ranges::any_of(rubric.forms,
+                               [&](const Form& form) { return means_folder(form, name); });
   });
   HandedInPaths handed_in = paths_of(top, rubric.limits);
   HandedInPaths in_copy{{}, std::move(handed_in.folders)};
@@ -104,8 +103,7 @@ std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric
       if (fits(form, name)) return {&form, name};
     }
   }
-  std::string asked;
-  for (const Form& form : rubric.forms) asked += (asked.empty() ? "" : ", ") + form.has;
+  const std::string asked = scene::joined(rubric.forms, ", ", &Form::has);
   refuse(asked.empty() ? "the rubric has no [[form]] of submissions"
                        : fmt::format("it has none of the required files: {}", asked));
 }
@@ -255,7 +253,7 @@ class Preparing {
     const auto is_handed_in = [&](const std::string& word) {
       return word.find(path) != std::string::npos;
     };
-    std::replace_if(program.arguments.begin(), program.arguments.end(), is_handed_in, "false");
+    std::ranges::replace_if(program.arguments, is_handed_in, "false");
     std::erase_if(program.readable, is_handed_in);
     program.start = nullptr;
     return program;

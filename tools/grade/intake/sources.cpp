@@ -2,8 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <cctype>
 #include <filesystem>
@@ -11,10 +11,9 @@
 #include <optional>
 #include <set>
 #include <sstream>
-#include <string_view>
-#include <tuple>
 #include <utility>
 
+#include "scene/text.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -29,7 +28,7 @@ std::vector<std::string> folders_of(const std::string& path) {
   std::vector<std::string> parts;
   for (std::size_t at = 0, slash = 0; (slash = path.find('/', at)) != std::string::npos;
        at = slash + 1) {
-    parts.push_back(lower_case(path.substr(at, slash - at)));
+    parts.push_back(boost::to_lower_copy(path.substr(at, slash - at)));
   }
   return parts;
 }
@@ -37,21 +36,12 @@ std::vector<std::string> folders_of(const std::string& path) {
 }  // namespace
 
 std::string shell_words(const std::vector<std::string>& names) {
-  std::string words;
-  for (const std::string& name : names) words += (words.empty() ? "" : " ") + single_quoted(name);
-  return words;
+  return scene::joined(names, " ", single_quoted);
 }
 
 std::string candidate_word(const std::string& name) {
   const char quote = name.find('"') == std::string::npos ? '"' : '\'';
   return name.find_first_of(" \t\"'") == std::string::npos ? name : quote + name + quote;
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
 }
 
 std::string folder_of(const std::string& path) {
@@ -66,7 +56,7 @@ std::string ending_of(const std::string& path) {
   const std::size_t dot = base.rfind('.');
   if (dot == std::string::npos) return "";
   const std::string ending = base.substr(dot);
-  return ending == ".C" ? ending : lower_case(ending);
+  return ending == ".C" ? ending : boost::to_lower_copy(ending);
 }
 
 bool is_cpp(const std::string& path) { return is_one_of(kCpp, ending_of(path)); }
@@ -157,8 +147,8 @@ std::vector<IncludeLine> includes_of(std::string_view given) {
 }
 
 bool Vendored::has(const std::string& path) const {
-  return std::any_of(folders.begin(), folders.end(),
-                     [&](const std::string& folder) { return path.starts_with(folder + "/"); });
+  return std::ranges::any_of(
+      folders, [&](const std::string& folder) { return path.starts_with(folder + "/"); });
 }
 
 Vendored vendored_in(const HandedInFiles& files) {
@@ -172,7 +162,7 @@ Vendored vendored_in(const HandedInFiles& files) {
     const std::string around = folder_of(folder);
     vendored.include.push_back(around.empty() ? "." : around);
     // A whole package: "eigen-3.4.0" has tests and examples, too.
-    const std::string called = lower_case(base_of(around));
+    const std::string called = boost::to_lower_copy(base_of(around));
     const bool is_package = !around.empty() && called.starts_with(is_eigen ? "eigen" : "glm");
     vendored.folders.push_back(is_package ? around : folder);
     if (is_eigen && !is_package) {
@@ -195,7 +185,7 @@ bool is_aside(const std::string& path) {
 }
 
 int likelihood_rank(const std::string& path) {
-  std::string stem = lower_case(base_of(path));
+  std::string stem = boost::to_lower_copy(base_of(path));
   stem.resize(std::min(stem.rfind('.'), stem.size()));
   for (const char* const other : {"test", "old", "backup", "copy", "example", "demo", "convert",
                                   "compare", "setup", "plot"}) {
@@ -213,10 +203,10 @@ int likelihood_rank(const std::string& path) {
 
 void sort_by_likelihood(std::vector<std::string>& names) {
   const auto key = [](const std::string& name) {
-    return std::tuple(likelihood_rank(name), std::count(name.begin(), name.end(), '/'), name);
+    return std::tuple(likelihood_rank(name), std::ranges::count(name, '/'), name);
   };
-  std::sort(names.begin(), names.end(),
-            [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
+  std::ranges::sort(names,
+                    [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
 }
 
 namespace {
@@ -232,8 +222,8 @@ class Headers {
           const std::vector<std::string>& include)
       : files_(files), include_(include) {
     for (const auto& [name, file] : files) {
-      by_lower_case_.try_emplace(lower_case(name), name);
-      if (!vendored.has(name)) by_base_[lower_case(base_of(name))].push_back(name);
+      by_lower_case_.try_emplace(boost::to_lower_copy(name), name);
+      if (!vendored.has(name)) by_base_[boost::to_lower_copy(base_of(name))].push_back(name);
     }
   }
 
@@ -245,12 +235,12 @@ class Headers {
   std::optional<std::string> meant(const std::string& from, const std::string& name) const {
     std::optional<std::string> found;
     any_place(from, name, [&](const std::string& at) {
-      const auto known = by_lower_case_.find(lower_case(at));
+      const auto known = by_lower_case_.find(boost::to_lower_copy(at));
       if (known != by_lower_case_.end()) found = known->second;
       return found.has_value();
     });
     if (found) return found;
-    const auto named = by_base_.find(lower_case(base_of(name)));
+    const auto named = by_base_.find(boost::to_lower_copy(base_of(name)));
     if (named != by_base_.end() && named->second.size() == 1) return named->second.front();
     return {};
   }
@@ -259,9 +249,8 @@ class Headers {
   template <class Test>
   bool any_place(const std::string& from, const std::string& name, const Test& test) const {
     if (test(normal(fs::path(folder_of(from)) / name))) return true;
-    return std::any_of(include_.begin(), include_.end(), [&](const std::string& folder) {
-      return test(normal(fs::path(folder) / name));
-    });
+    return std::ranges::any_of(
+        include_, [&](const std::string& folder) { return test(normal(fs::path(folder) / name)); });
   }
 
   const HandedInFiles& files_;
@@ -323,7 +312,7 @@ std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Ven
     for (const IncludeLine& one : includes_of(content.text)) {
       if (headers.are_found(file, one.name)) continue;
       std::string name = one.name;
-      std::replace(name.begin(), name.end(), '\\', '/');
+      std::ranges::replace(name, '\\', '/');
       const std::string library = library_header(name);
       if (!library.empty()) {
         repairs.push_back({file, one.line, one.name, library});

@@ -18,11 +18,8 @@ std::string candidate_word(const std::string& name);
 
 template <class Names>
 bool is_one_of(const Names& names, std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+  return std::ranges::find(names, name) != std::end(names);
 }
-
-/// In lower case, ASCII only.
-std::string lower_case(std::string text);
 
 /// The folder of a path, "" at the top; its last component; its extension, ".cpp", in lower case
 /// except ".C".

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
+#include "scene/text.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/result.h"
 #include "tools/report/words.h"
@@ -31,8 +33,7 @@ std::string distribution(const ClassGrade& graded) {
   for (const SubmissionGrade* grade : submissions_that(graded, true)) {
     ++counts[static_cast<std::size_t>(std::clamp(share_of(*grade), 0.0, 1.0) * kBins)];
   }
-  const std::size_t most =
-      std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
+  const std::size_t most = std::max<std::size_t>(1, *std::ranges::max_element(counts));
   std::string html = "<h2>Scores</h2>\n<table>\n";
   for (int bin = kBins; bin >= 0; --bin) {
     const std::size_t count = counts[static_cast<std::size_t>(bin)];
@@ -56,8 +57,7 @@ std::string about(const Item& item) {
 
 std::string failing_items(const ClassGrade& graded) {
   std::vector<ItemStatistics> rows = item_statistics(graded);
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return a.failing > b.failing; });
+  std::ranges::stable_sort(rows, std::greater{}, &ItemStatistics::failing);
   std::string html =
       "<h2>Items that fail most</h2>\n<div class=\"wide\"><table>\n<tr><th>item</th><th "
       "class=\"number\">fail</th><th class=\"number\">left out</th><th class=\"number\">asked"
@@ -96,11 +96,8 @@ std::string figures_link(const ClassGrade& graded, const SubmissionGrade& grade)
 }
 
 std::string links(const Submissions& members) {
-  std::string html;
-  for (const SubmissionGrade* member : members) {
-    html += (html.empty() ? "" : ", ") + link(*member);
-  }
-  return "<p>" + html + "</p>\n";
+  const auto link_of = [](const SubmissionGrade* member) { return link(*member); };
+  return "<p>" + scene::joined(members, ", ", link_of) + "</p>\n";
 }
 
 /// The smallest case of a mistake, to look at and to download.

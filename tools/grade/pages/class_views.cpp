@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <optional>
 #include <vector>
 
 #include "tools/grade/pages/views.h"

@@ -9,7 +9,7 @@
 
 #include "scene/interruption.h"
 #include "tools/grade/pages/views.h"
-#include "tools/implementations/built_in.h"
+#include "tools/implementations/implementation.h"
 #include "tools/report/words.h"
 #include "tools/view/page/page.h"
 #include "tools/view/scene_view.h"
@@ -30,7 +30,7 @@ struct NotAsked : std::runtime_error {
 /// The hits of the one ray with spheres of the case.
 properties::SphereHits hits_of(const FailingCase& failing, const scene::Sphere& sphere) {
   const auto& spheres = failing.the_case.scene.spheres;
-  const auto known = std::find(spheres.begin(), spheres.end(), sphere);
+  const auto known = std::ranges::find(spheres, sphere);
   if (known == spheres.end()) throw NotAsked();
   const auto& hits = *failing.answers->hits;
   const auto hit = hits.find(static_cast<std::size_t>(known - spheres.begin()));
@@ -116,7 +116,7 @@ std::string sentence_of(const Item& item, const WrongAnswer& answer) {
 bool goes_wrong(const SceneView& shown) {
   if (shown.panels.empty()) return false;
   const std::vector<std::string>& wrong = shown.panels.front().wrong;
-  return std::find(wrong.begin(), wrong.end(), kYours) != wrong.end();
+  return std::ranges::find(wrong, kYours) != wrong.end();
 }
 
 void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document) {

@@ -2,7 +2,6 @@
 
 #include "tools/grade/pages/views.h"
 #include "tools/report/json.h"
-#include "tools/report/words.h"
 
 namespace raycheck::tools {
 

@@ -4,9 +4,9 @@
 #include <cctype>
 #include <cstdint>
 #include <set>
-#include <utility>
 #include <vector>
 
+#include "scene/text.h"
 #include "tools/grade/pages/views.h"
 #include "tools/report/picture_file.h"
 #include "tools/report/spelling.h"
@@ -170,9 +170,7 @@ std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::stri
       pixels.push_back(colour_of(image[canvas.at(x, y)]));
     }
   }
-  const std::set<std::size_t> spheres = spheres_of(image);
-  std::string shown;
-  for (const std::size_t sphere : spheres) shown += (shown.empty() ? "" : ", ") + name_of(sphere);
+  const std::string shown = scene::joined(spheres_of(image), ", ", name_of);
   return image_html(canvas.width, canvas.height, pixels,
                     fmt::format("{}, {} by {} pixels: {}", whose, canvas.width, canvas.height,
                                 shown.empty() ? "no sphere, black" : shown),

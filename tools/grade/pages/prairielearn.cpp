@@ -1,10 +1,7 @@
-#include <fmt/core.h>
-
 #include <algorithm>
 
 #include "tools/grade/pages/views.h"
 #include "tools/report/json.h"
-#include "tools/report/words.h"
 
 namespace raycheck::tools {
 

@@ -1,8 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string_view>
-#include <utility>
+#include <functional>
 
 #include "properties/cases/case_text.h"
 #include "properties/laws/law.h"
@@ -99,8 +98,7 @@ std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistak
 
 std::string mistake_text(const SubmissionGrade& grade) {
   std::vector<MistakeStatistics> all = mistake_statistics({&grade, 1});
-  std::stable_sort(all.begin(), all.end(),
-                   [](const auto& a, const auto& b) { return a.items > b.items; });
+  std::ranges::stable_sort(all, std::greater{}, &MistakeStatistics::items);
   // The most frequent one is named, and all others that cost points.
   std::string text;
   for (const MistakeStatistics& one : all) {
@@ -234,8 +232,8 @@ std::string times_text(const GradingTimes& times) {
 
 std::string line_text(const std::string& name) {
   std::string text = plain_text(name);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t'; }, '?');
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\t'; }, '?');
   return text;
 }
 

@@ -2,7 +2,6 @@
 
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
-#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -75,7 +74,6 @@ Json answers_json(const RayAnswers& answers) {
 }
 
 Json failing_json(const FailingCase& failing) {
-  const auto pixel_json = [](const scene::Pixel& pixel) { return Json{pixel.i, pixel.j}; };
   return {{"law", failing.law},
           {"origin", origin_json(failing.origin)},
           {"step", or_null(failing.step)},

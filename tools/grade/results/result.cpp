@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <utility>
 
@@ -71,9 +70,7 @@ std::pair<std::size_t, std::int64_t> size_of(const FailingCase& failing) {
 /// Counts a student's item that a mistake explains.
 void add(const std::string& sentence, const ItemGrade& item, const SubmissionGrade& grade,
          std::vector<MistakeStatistics>& all) {
-  auto known = std::find_if(all.begin(), all.end(), [&](const MistakeStatistics& other) {
-    return other.sentence == sentence;
-  });
+  auto known = std::ranges::find(all, sentence, &MistakeStatistics::sentence);
   if (known == all.end()) known = all.insert(all.end(), MistakeStatistics{sentence, {}});
   if (known->students.empty() || known->students.back() != &grade) {
     known->students.push_back(&grade);
@@ -100,7 +97,7 @@ Submissions submissions_that(const ClassGrade& graded, bool are_judged) {
 
 std::optional<double> median(std::vector<double> values) {
   if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
+  std::ranges::sort(values);
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
@@ -131,16 +128,15 @@ std::vector<MistakeStatistics> mistake_statistics(std::span<const SubmissionGrad
       }
     }
   }
-  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.students.size() > b.students.size();
-  });
+  std::ranges::stable_sort(
+      all, [](const auto& a, const auto& b) { return a.students.size() > b.students.size(); });
   return all;
 }
 
 namespace {
 
 bool is_visible(const Rubric& rubric, const std::string& item) {
-  return std::any_of(rubric.items.begin(), rubric.items.end(), [&](const Item& one) {
+  return std::ranges::any_of(rubric.items, [&](const Item& one) {
     return one.name == item && one.visibility == Visibility::kVisible;
   });
 }

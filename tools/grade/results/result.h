@@ -96,7 +96,6 @@ struct ExplainingMistake {
   std::string sentence() const { return boost::join(sentences, "; and "); }
 };
 
-/// The outcome of an item.
 enum class ItemState {
   kHolds,
   kFails,
@@ -211,7 +210,6 @@ struct GradingTimes {
   std::uint64_t stored_builds = 0;  ///< Submissions whose build was in the store.
 };
 
-/// A class, graded.
 struct ClassGrade {
   Rubric rubric;
   std::string out;                           ///< Where the results are; empty: nowhere.
@@ -230,7 +228,6 @@ Submissions submissions_that(const ClassGrade& graded, bool are_judged);
 /// The middle value, or the mean of the two in the middle; empty if there is none.
 std::optional<double> median(std::vector<double> values);
 
-/// How a class did on an item.
 struct ItemStatistics {
   const Item* item = nullptr;
   std::size_t asked = 0;  ///< Of the submissions that could be judged.

@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <limits>
-#include <map>
 #include <set>
 
 #include "scene/files/file_text.h"
@@ -278,7 +276,7 @@ class RubricReader {
     const auto& names = properties::kVariationNames;
     std::vector<properties::Variation> found;
     for (const Field& each : fields_.list(field)) {
-      const auto name = std::find(names.begin(), names.end(), fields_.text(each));
+      const auto name = std::ranges::find(names, fields_.text(each));
       if (name == names.end()) {
         fields_.fail(each, fmt::format("must be one of {}", fmt::join(names, ", ")));
       }

@@ -59,7 +59,6 @@ struct RubricScene {
   scene::Scene scene;
 };
 
-/// The most pixels of a picture.
 inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
 /// The most rays of a scene that functions are asked about, spread evenly.
 inline constexpr std::uint64_t kMostGradedRays = 512;

@@ -1,4 +1,3 @@
-#include <fmt/core.h>
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 
@@ -34,7 +33,7 @@ std::vector<std::string> shipped_rubrics() {
   for (const auto& entry : fs::directory_iterator(shipped_folder(), none)) {
     if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
   }
-  std::sort(names.begin(), names.end());
+  std::ranges::sort(names);
   return names;
 }
 

@@ -4,18 +4,14 @@
 #include <unistd.h>
 
 #include <exception>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "scene/invalid_input.h"
 #include "tools/external/sandbox/file_tree.h"
-#include "tools/grade/rubric/rubric.h"
 #include "tools/report/digest.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
@@ -36,11 +32,8 @@ std::map<std::string, std::string> copy_files(const fs::path& from, const fs::pa
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
     if (!fs::is_regular_file(entry.symlink_status())) continue;
     const std::string name = entry.path().lexically_relative(from).string();
-    const fs::path copy = to / name;
-    fs::create_directories(copy.parent_path());
-    fs::copy_file(entry.path(), copy);
-    fs::last_write_time(copy, entry.last_write_time());
-    digests[name] = file_digest(copy);
+    copy_with_time(entry.path(), to / name);
+    digests[name] = file_digest(to / name);
   }
   return digests;
 }
@@ -308,12 +301,7 @@ void OwnFiles::write(const fs::path& name, const std::string& text) {
   OutputFile("out", out_ / name).write(text);
 }
 
-void OwnFiles::make_folder(const fs::path& name) const {
-  std::error_code error;
-  fs::create_directories(out_ / name, error);
-  if (!error) return;
-  throw scene::InvalidInput("out", out_.string(), error.message());
-}
+void OwnFiles::make_folder(const fs::path& name) const { tools::make_folder("out", out_ / name); }
 
 void OwnFiles::replace(const fs::path& folder, const std::map<std::string, std::string>& files) {
   make_folder(folder);

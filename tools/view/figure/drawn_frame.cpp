@@ -1,7 +1,6 @@
 #include "tools/view/figure/drawn_frame.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 namespace raycheck::tools {

@@ -22,7 +22,6 @@ constexpr double kMostMet = 1 << 22;
 /// Doubles near a centre are |C| 2^-52 apart: a sphere smaller than this times |C| cannot be drawn.
 constexpr double kLeastDrawn = 0x1p-40;
 
-/// What is gathered of a figure.
 struct Figure {
   Json camera = nullptr, rays = nullptr, spheres;
   DrawnPlaces places;              ///< The camera's.

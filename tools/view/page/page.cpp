@@ -1,16 +1,12 @@
 #include "tools/view/page/page.h"
 
 #include <fmt/core.h>
-#include <openssl/evp.h>
 #include <zlib.h>
 
-#include <array>
 #include <stdexcept>
-#include <string_view>
-#include <utility>
 
+#include "tools/report/digest.h"
 #include "tools/report/spelling.h"
-#include "tools/view/document.h"
 #include "tools/view/page/assets.h"
 
 namespace raycheck::tools {
@@ -44,12 +40,7 @@ std::string deflated(std::string_view text, std::string_view before = {}) {
 
 /// How a content security policy names a script or a style of the page (CSP level 3, 2.3.1).
 std::string hash_source(std::string_view text) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
-  unsigned size = 0;
-  if (EVP_Digest(text.data(), text.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1) {
-    throw std::runtime_error("OpenSSL: SHA-256 failed");
-  }
-  return fmt::format("'sha256-{}'", base64({reinterpret_cast<const char*>(bytes.data()), size}));
+  return fmt::format("'sha256-{}'", base64(sha256(text)));
 }
 
 /// The same in every page, and deflating it is slow.

@@ -36,7 +36,6 @@ constexpr int kGridSteps = 8;  ///< Doubles on each side of s.
 /// Lengths from 2^-1074 to 2^1024 in one scene need some 2,100 bits, and as many again cancel.
 constexpr int kMostMicroscopeBits = 6144;
 
-/// The position of a method's answer.
 struct MicroscopeMark {
   std::string method;
   std::size_t number = 0;  ///< Determines shape and colour: its index among all methods.
@@ -179,8 +178,7 @@ class Plane {
 std::size_t number_of(const MethodReport& method) {
   const auto all = all_intersect_methods();
   return static_cast<std::size_t>(
-      std::find_if(all.begin(), all.end(),
-                   [&](const auto* one) { return one->name == method.name; }) -
+      std::ranges::find_if(all, [&](const auto* one) { return one->name == method.name; }) -
       all.begin());
 }
 
@@ -196,9 +194,9 @@ void add_marks(const ExplainReport& report, const Plane& plane, Microscope& scop
     mark.y = 0;
     scope.marks.push_back(mark);
     for (const MethodStep& step : method.steps) {
-      const bool is_point = step.symbol == "Q" && step.value.size() == 3 &&
-                            std::all_of(step.value.begin(), step.value.end(),
-                                        [](double x) { return std::isfinite(x); });
+      const bool is_point =
+          step.symbol == "Q" && step.value.size() == 3 &&
+          std::ranges::all_of(step.value, [](double x) { return std::isfinite(x); });
       if (!is_point) continue;
       const auto [x, y] = plane.place_of(step.value);
       mark.is_point = true;
@@ -225,9 +223,8 @@ std::vector<Zoom> zooms_of(const Plane& plane, const Microscope& scope) {
   }
   double before = -1;
   for (double half = kFirstHalfWidth; half <= kLargestHalfWidth; half *= kZoomFactor) {
-    const bool shows_more = std::any_of(distances.begin(), distances.end(), [&](double distance) {
-      return distance > before && distance <= half * 0.9;
-    });
+    const bool shows_more = std::ranges::any_of(
+        distances, [&](double distance) { return distance > before && distance <= half * 0.9; });
     if (!shows_more) continue;
     zooms.push_back({half, plane.circle(half)});
     before = half * 0.9;
@@ -238,7 +235,7 @@ std::vector<Zoom> zooms_of(const Plane& plane, const Microscope& scope) {
 /// The narrowest zoom that shows a mark, else the widest. A window is at least half as high as it
 /// is wide.
 std::size_t window_of(const MicroscopeMark& mark, const std::vector<Zoom>& zooms) {
-  const auto found = std::find_if(zooms.begin(), zooms.end(), [&](const Zoom& zoom) {
+  const auto found = std::ranges::find_if(zooms, [&](const Zoom& zoom) {
     return std::abs(mark.x) <= zoom.half_width && std::abs(mark.y) <= zoom.half_width / 2;
   });
   const auto index = static_cast<std::size_t>(found - zooms.begin());
@@ -274,13 +271,12 @@ std::vector<std::string> sentences_of(const Microscope& microscope, const Explai
   }
   std::vector<std::pair<std::string, std::string>> absent;  // verdict, names
   for (const MethodReport& method : report.methods) {
-    const bool is_drawn =
-        std::any_of(microscope.marks.begin(), microscope.marks.end(),
-                    [&](const MicroscopeMark& mark) { return mark.method == method.name; });
+    const bool is_drawn = std::ranges::any_of(
+        microscope.marks, [&](const MicroscopeMark& mark) { return mark.method == method.name; });
     if (!method.intersects || is_drawn) continue;
     const std::string verdict = method_verdict(method, report);
-    const auto same = std::find_if(absent.begin(), absent.end(),
-                                   [&](const auto& other) { return other.first == verdict; });
+    const auto same =
+        std::ranges::find_if(absent, [&](const auto& other) { return other.first == verdict; });
     if (same == absent.end()) {
       absent.emplace_back(verdict, method.name);
     } else {
@@ -293,7 +289,6 @@ std::vector<std::string> sentences_of(const Microscope& microscope, const Explai
   return sentences;
 }
 
-/// A number with six correct digits.
 std::string six_digits(double value) { return fmt::format("{:.6g}", value); }
 
 Json zoom_json(const Zoom& zoom) {

@@ -6,9 +6,7 @@
 #include <cmath>
 
 #include "scene/number.h"
-#include "tools/explain/explain.h"
 #include "tools/report/typeset.h"
-#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -29,10 +27,9 @@ void keep_methods(const SceneViewOptions& options, ExplainReport& report) {
   if (options.renderer) pairs = {kDefaultMethods};  // pictures have no steps: correct ones
   if (pairs.empty()) return;
   std::erase_if(report.methods, [&](const MethodReport& method) {
-    return !method.is_other &&
-           std::none_of(pairs.begin(), pairs.end(), [&](const MethodPair& pair) {
-             return method.name == (method.intersects ? pair.intersect->name : pair.rays->name);
-           });
+    return !method.is_other && std::ranges::none_of(pairs, [&](const MethodPair& pair) {
+      return method.name == (method.intersects ? pair.intersect->name : pair.rays->name);
+    });
   });
 }
 
@@ -121,7 +118,7 @@ Json answers_json(const Step& step, const ExplainReport& report) {
     for (const MethodStep& mine : method.steps) {
       if (mine.symbol != step.symbol) continue;
       const Json answer = answer_json(method, mine, step);
-      const auto same = std::find_if(answers.begin(), answers.end(), [&](const Json& other) {
+      const auto same = std::ranges::find_if(answers, [&](const Json& other) {
         return other["said"] == answer["said"] && other["off"] == answer["off"] &&
                other["wrong"] == answer["wrong"];
       });
@@ -157,10 +154,10 @@ std::string cancellation_text(const Step& step, const ExplainReport& report) {
 /// too.
 bool is_typeset(const Step& step) {
   constexpr std::size_t kLongestTypeset = 160;
-  return !step.closed_form.empty() && std::all_of(step.closed_form.begin(), step.closed_form.end(),
-                                                  [](const reference::ClosedForm& form) {
-                                                    return form.text().size() <= kLongestTypeset;
-                                                  });
+  return !step.closed_form.empty() &&
+         std::ranges::all_of(step.closed_form, [](const reference::ClosedForm& form) {
+           return form.text().size() <= kLongestTypeset;
+         });
 }
 
 Json step_json(const Step& step, const ExplainReport& report) {

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <map>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "properties/laws/law.h"
 #include "properties/trial.h"
 #include "reference/visibility/visibility.h"
-#include "tools/image/image_paint.h"
 #include "tools/report/picture_file.h"
 #include "tools/report/spelling.h"
 #include "tools/run/for_each.h"
@@ -59,7 +57,7 @@ Json picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen
                 const std::string& name) {
   constexpr std::size_t kMostEntries = 24;
   std::vector<Colour> pixels(seen.size());
-  std::transform(seen.begin(), seen.end(), pixels.begin(), pixel_colour);
+  std::ranges::transform(seen, pixels.begin(), pixel_colour);
   std::map<std::int32_t, std::uint64_t> counts;
   for (const std::int32_t sphere : seen) ++counts[sphere];
   Json legend = Json::array();
@@ -87,7 +85,7 @@ std::int32_t pixel_of(const std::optional<std::size_t>& pixel) {
 
 void paint_chunk(const properties::Case& chunk, const properties::Candidate& candidate,
                  std::span<Colour> pixels, ErrorCounts& errors) {
-  std::fill(pixels.begin(), pixels.end(), kErrorSteps.front().colour);
+  std::ranges::fill(pixels, kErrorSteps.front().colour);
   std::vector<bool> is_wrong(pixels.size());
   const auto mark = [&](std::size_t k, properties::Standing standing) {
     if (is_wrong[k]) return;
@@ -109,8 +107,7 @@ void paint_chunk(const properties::Case& chunk, const properties::Candidate& can
       }
     }
   }
-  errors.pixels.front() +=
-      static_cast<std::uint64_t>(std::count(is_wrong.begin(), is_wrong.end(), false));
+  errors.pixels.front() += static_cast<std::uint64_t>(std::ranges::count(is_wrong, false));
 }
 
 /// What every pixel shows of a picture that a candidate draws as a whole, row j after row j: a
@@ -123,7 +120,7 @@ std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
     const properties::ImageAnswer answer =
         candidate.image(scene, candidate.declared.over(scene.conventions));
     if (answer.size() == count) {
-      std::transform(answer.begin(), answer.end(), picture.begin(), pixel_of);
+      std::ranges::transform(answer, picture.begin(), pixel_of);
     }
   } catch (const properties::NoAnswer&) {  // the findings say how it failed
   }
@@ -144,7 +141,6 @@ Painter drawn_error_painter(const scene::Scene& scene, properties::Candidate can
   };
 }
 
-/// A candidate's answers for rows of pixels.
 void answer(const scene::Scene& scene, const properties::Candidate& candidate, std::int64_t j,
             std::span<std::int32_t> rows) {
   const properties::Case some = {scene, pixels_of_rows(scene, j, 0, rows.size())};
@@ -155,7 +151,7 @@ void answer(const scene::Scene& scene, const properties::Candidate& candidate, s
       rows[k] = nearest[k] ? static_cast<std::int32_t>(*nearest[k]) : kNoSphere;
     }
   } catch (const properties::NoAnswer&) {
-    std::fill(rows.begin(), rows.end(), kFailedPixel);
+    std::ranges::fill(rows, kFailedPixel);
   }
 }
 
@@ -226,7 +222,7 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
     const auto first = static_cast<std::size_t>(j * camera.width);
     band.sphere.resize(static_cast<std::size_t>((band.j_end - j) * camera.width));
     visibility.nearest(band.j_begin, band.j_end, {band.sphere, {}, {}, {}, {}});
-    std::copy(band.sphere.begin(), band.sphere.end(), seen.begin() + j * camera.width);
+    std::ranges::copy(band.sphere, seen.begin() + j * camera.width);
     for (Shown& one : shown) {
       if (!one.candidate.image) {
         answer(scene, one.candidate, j, std::span(one.answered).subspan(first, band.sphere.size()));
