@@ -1,6 +1,7 @@
 #include "properties/mistakes/causes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "properties/mistakes/picture_causes.h"
 #include "properties/mistakes/undeclared.h"
 #include "scene/interruption.h"
+#include "scene/precision.h"
 
 namespace raycheck::properties {
 namespace {
@@ -19,11 +21,19 @@ bool is_too_large(const scene::Scene& scene) {
   return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
 }
 
+/// Squares of distances overflow: a separate defect, which no other cause has to explain.
+bool overflows(const scene::Scene& scene, scene::Precision precision) {
+  return std::any_of(scene.spheres.begin(), scene.spheres.end(), [&](const auto& sphere) {
+    const scene::Vector3 T = sphere.centre - scene.camera->eye;
+    return !std::isfinite(scene::rounded_to(precision, T.x * T.x + T.y * T.y + T.z * T.z));
+  });
+}
+
 /// The candidate's pictures of the scenes that are not too large.
 std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate& candidate) {
   std::vector<ShownPicture> pictures;
   for (const Case& one : cases) {
-    if (is_too_large(one.scene)) continue;
+    if (is_too_large(one.scene) || overflows(one.scene, candidate.precision)) continue;
     if (auto picture = shown_picture(one.scene, candidate)) {
       pictures.push_back(std::move(*picture));
     }

@@ -177,24 +177,19 @@ void step_by_count(double& first, double& last, std::int64_t pixels, const Conve
   }
 }
 
-/// alpha(i) = left + i/w (right - left), or with i + 1.
-ChangeCamera columns_by_width(bool is_next) {
-  return [is_next](Camera& camera, const Conventions& conventions) {
-    step_by_count(camera.left, camera.right, camera.width, conventions, is_next);
-  };
-}
-ChangeCamera rows_by_height(bool is_next) {
-  return [is_next](Camera& camera, const Conventions& conventions) {
-    const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
-    step_by_count(bottom_first ? camera.bottom : camera.top,
-                  bottom_first ? camera.top : camera.bottom, camera.height, conventions, is_next);
-  };
-}
-ChangeCamera both(const ChangeCamera& one, const ChangeCamera& other) {
-  return [one, other](Camera& camera, const Conventions& conventions) {
-    one(camera, conventions);
-    other(camera, conventions);
-  };
+/// alpha(i) = left + i/(w-1) (right - left), or with i/w, or with (i+1)/w; beta(j) likewise.
+enum class By { kSteps, kCount, kNextByCount };
+Mistake by_count(std::string sentence, By columns, By rows) {
+  return camera_mistake(std::move(sentence), [=](Camera& its, const Conventions& conventions) {
+    double *first = &its.top, *last = &its.bottom;
+    if (conventions.rows == scene::Rows::kBottomFirst) std::swap(first, last);
+    if (columns != By::kSteps) {
+      step_by_count(its.left, its.right, its.width, conventions, columns == By::kNextByCount);
+    }
+    if (rows != By::kSteps) {
+      step_by_count(*first, *last, its.height, conventions, rows == By::kNextByCount);
+    }
+  });
 }
 
 std::vector<Mistake> view_mistakes() {
@@ -268,20 +263,18 @@ std::vector<Mistake> step_mistakes() {
                      })),
       camera_mistake("columns are divided by the height", with_steps(columns_by_rows)),
       camera_mistake("rows are divided by the width", with_steps(rows_by_columns)),
-      camera_mistake("alpha = left + i/w (right - left)", columns_by_width(false)),
-      camera_mistake("beta = bottom + j/h (top - bottom)", rows_by_height(false)),
-      camera_mistake("i/w and j/h place the pixels",
-                     both(columns_by_width(false), rows_by_height(false))),
-      camera_mistake("alpha = left + (i+1)/w (right - left)", columns_by_width(true)),
-      camera_mistake("beta = bottom + (j+1)/h (top - bottom), which is top - j/h (top - bottom) "
-                     "counted from the top",
-                     rows_by_height(true)),
-      camera_mistake("(i+1)/w and (j+1)/h place the pixels",
-                     both(columns_by_width(true), rows_by_height(true))),
-      camera_mistake("i/w and j/h place the pixels, j counted from the other end",
-                     both(columns_by_width(false), rows_by_height(true))),
-      camera_mistake("(i+1)/w and (j+1)/h place the pixels, j counted from the other end",
-                     both(columns_by_width(true), rows_by_height(false))),
+      by_count("alpha = left + i/w (right - left)", By::kCount, By::kSteps),
+      by_count("beta = bottom + j/h (top - bottom)", By::kSteps, By::kCount),
+      by_count("i/w and j/h place the pixels", By::kCount, By::kCount),
+      by_count("alpha = left + (i+1)/w (right - left)", By::kNextByCount, By::kSteps),
+      by_count("beta = bottom + (j+1)/h (top - bottom), which is top - j/h (top - bottom) counted "
+               "from the top",
+               By::kSteps, By::kNextByCount),
+      by_count("(i+1)/w and (j+1)/h place the pixels", By::kNextByCount, By::kNextByCount),
+      by_count("i/w and j/h place the pixels, j counted from the other end", By::kCount,
+               By::kNextByCount),
+      by_count("(i+1)/w and (j+1)/h place the pixels, j counted from the other end",
+               By::kNextByCount, By::kCount),
   };
 }
 

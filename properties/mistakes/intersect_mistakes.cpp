@@ -77,25 +77,98 @@ Hit without_sign(const Ray& ray, const Roots& roots, const Conventions& conventi
   return hit_at(ray, std::abs(roots.smaller));
 }
 
-/// -v - d and -v + d
-Roots roots_of_turned(const Ray& ray, const Sphere& sphere) {
-  const auto [v, half_chord_sq, smaller, larger] = fast::kCross.roots(ray, sphere);
-  return {-v, half_chord_sq, -larger, -smaller};
+/// What a slip in the formula makes of v and d^2, lengths, the right roots and |D|.
+using Slip = Roots (*)(const Roots& right, double size, const Ray& ray, const Sphere& sphere);
+
+/// v - d and v + d, in multiples of the direction.
+Roots roots_of(double v, double half_chord_sq, double size) {
+  const double d = std::sqrt(half_chord_sq);
+  return {v, half_chord_sq, (v - d) / size, (v + d) / size};
 }
 
-/// v - d^2 and v + d^2
-Roots roots_without_root(const Ray& ray, const Sphere& sphere) {
-  const auto [v, half_chord_sq, smaller, larger] = fast::kCross.roots(ray, sphere);
-  const double size = norm(ray.direction);
-  return {v, half_chord_sq, (v - half_chord_sq) / size, (v + half_chord_sq) / size};
-}
+struct RootSlip {
+  const char* sentence;
+  Slip slip;
+  bool is_told_by_pictures = false;
+};
+constexpr RootSlip kRootSlips[] = {
+    {"T = L - C: v has the wrong sign",
+     [](const Roots& right, double, auto&, auto&) -> Roots {
+       return {-right.axial_distance, right.half_chord_sq, -right.larger, -right.smaller};
+     },
+     true},
+    {"the square root is left out: s = v - d^2",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       const double v = right.axial_distance, square = right.half_chord_sq;
+       return {v, square, (v - square) / size, (v + square) / size};
+     },
+     true},
+    {"b lacks its factor of 2: b^2 - 4ac with b = D . (L - C)",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       const double v = right.axial_distance;
+       return roots_of(v, 4 * right.half_chord_sq - 3 * v * v, 2 * size);
+     },
+     true},
+    {"the radius is not squared where |T|^2 - v^2 is compared with it: d^2 is right",
+     [](const Roots& right, double, auto&, const Sphere& sphere) -> Roots {
+       const double r = sphere.radius, test = r - (r * r - right.half_chord_sq);
+       return {right.axial_distance, test, right.smaller, right.larger};
+     },
+     true},
+    {"the square root is left out: s = (-b - (b^2 - 4ac))/2a",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       const double v = right.axial_distance, square = right.half_chord_sq;
+       return {v, square, (v - 2 * square) / size, (v + 2 * square) / size};
+     }},
+    {"-2b stands for -b: s = (-2b - sqrt(b^2 - 4ac))/2a",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       const double more = right.axial_distance / size;
+       return {right.axial_distance, right.half_chord_sq, right.smaller + more,
+               right.larger + more};
+     }},
+    {"-b is not divided by 2a: s = -b - sqrt(b^2 - 4ac)/2a",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       const double v = right.axial_distance, more = 2 * v * size - v / size;
+       return {v, right.half_chord_sq, right.smaller + more, right.larger + more};
+     }},
+    {"s is d, half the chord, whatever v is",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       const double s = std::sqrt(right.half_chord_sq) / size;
+       return {right.axial_distance, right.half_chord_sq, s, s};
+     }},
+    {"|T| is taken for |T|^2: d^2 = v^2 - |T| + r^2",
+     [](const Roots& right, double size, const Ray& ray, const Sphere& sphere) -> Roots {
+       const double v = right.axial_distance, r = sphere.radius;
+       return roots_of(v, v * v - norm(sphere.centre - ray.origin) + r * r, size);
+     }},
+    {"d^2 < 0 counts as |d^2|: spheres that are missed are hit",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       return right.half_chord_sq < 0 ? roots_of(right.axial_distance, -right.half_chord_sq, size)
+                                      : right;
+     }},
+    {"v is taken without its sign: s = |v| + d, where the centre of a sphere around the origin "
+     "lies behind it",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       return right.larger >= 0
+                  ? roots_of(std::abs(right.axial_distance), right.half_chord_sq, size)
+                  : right;
+     }},
+    {"v is taken without its sign: s = |v| - d or |v| + d, and spheres behind the origin are hit",
+     [](const Roots& right, double size, auto&, auto&) -> Roots {
+       return roots_of(std::abs(right.axial_distance), right.half_chord_sq, size);
+     }},
+};
 
-/// v - d and v + d, d^2 = b^2 - 4ac, of a b that lacks its factor of 2.
-Roots roots_of_halved(const Ray& ray, const Sphere& sphere) {
-  const auto [v, half_chord_sq, smaller, larger] = fast::kCross.roots(ray, sphere);
-  const double taken_sq = 4 * half_chord_sq - 3 * v * v;
-  const double d = std::sqrt(taken_sq), size = 2 * norm(ray.direction);
-  return {v, taken_sq, (v - d) / size, (v + d) / size};
+std::vector<Mistake> root_slips() {
+  std::vector<Mistake> all;
+  for (const auto& [sentence, slip, is_told] : kRootSlips) {
+    all.push_back(of_hits(sentence, {.roots = [slip = slip](const Ray& ray, const Sphere& sphere) {
+                            return slip(fast::kCross.roots(ray, sphere), norm(ray.direction), ray,
+                                        sphere);
+                          }}));
+    all.back().is_told_by_pictures = is_told;
+  }
+  return all;
 }
 
 /// No number in place of the roots of a negative d^2, or those of d^2 = 0.
@@ -139,83 +212,107 @@ RankSphere by_parameter(double sign) {
 }  // namespace
 
 std::vector<Mistake> intersect_mistakes() {
-  return {
-      of_hits("T = L - C: v has the wrong sign", {.roots = roots_of_turned}),
-      of_hits("the square root is left out: s = v - d^2", {.roots = roots_without_root}),
-      of_hits("no ray ever hits a sphere",
-              {.choose = [](const Ray&, const Roots&, const Conventions&) { return Hit(); }}),
-      always_at(0, "every ray is said to hit every sphere"),
-      always_at(1, "every ray is said to hit every sphere, at s = 1"),
-      of_hits("b lacks its factor of 2: b^2 - 4ac with b = D . (L - C)",
-              {.roots = roots_of_halved}),
-      of_hits("d^2 < 0 is not tested: where spheres are missed s is no number",
-              {.choose = untested(false)}),
-      of_hits("d^2 < 0 counts as d^2 = 0: spheres that are missed are hit",
-              {.choose = untested(true)}),
-      of_hits("s >= 0 is not tested: spheres behind the origin are hit",
-              {.choose = wherever_behind}),
-      of_answers("v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
-                 ahead_or_behind),
-      of_answers("v + d counts though it is negative: spheres behind the origin are hit",
-                 larger_wherever_behind, "negative far roots"),
-      of_answers("spheres are solid: from inside s is 0, and v + d counts though it is negative",
-                 of_solid(true), "negative far roots"),
-      of_answers("the near root is given though it is negative: from inside spheres are hit behind "
-                 "the origin",
-                 near_wherever_ahead),
-      of_answers("spheres are solid: from inside s is 0", of_solid(false)),
-      of_answers("T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
-                 "their origin",
-                 [](const Ray& ray, const Roots& roots, const Conventions& c) {
-                   return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
-                 }),
-      of_answers("s is |v - d|, which from inside a sphere is no root", without_sign),
-      of_hits("the far root is taken for the near one",
-              {.choose =
-                   [](const Ray& ray, const Roots& roots, const Conventions& c) {
-                     return meets(roots, c) && roots.larger >= 0 ? Hit(hit_at(ray, roots.larger))
-                                                                 : Hit();
-                   }}),
-      of_hits("v < 0 counts as a miss, so that spheres around the origin are not seen where their "
-              "centres lie behind it",
-              {.choose =
-                   [](const Ray& ray, const Roots& roots, const Conventions& c) {
-                     return roots.axial_distance < 0 ? Hit() : usual_choice(ray, roots, c);
-                   }}),
-      of_value(
-          "Q = s D: the origin is not added",
-          [](const Ray& ray, const HitAnswer& hit) {
-            return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
-          },
-          returns_points),
-      of_value("s is half of the right one", times(0.5)),
-      of_value("s is twice the right one", times(2)),
-      of_value(
-          "s is a length whatever the length of the direction",
-          [](const Ray& ray, const HitAnswer& hit) {
-            return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
-          },
-          returns_multiples),
-      of_value(
-          "s is a length, and Q = L + s D though D is no unit vector",
-          [](const Ray& ray, const HitAnswer& hit) {
-            return hit_at(ray, hit.parameter * norm(ray.direction));
-          },
-          returns_points),
-      of_hits("the first sphere in the file wins", {.rank = by_index(1)}),
-      of_hits("the last sphere in the file wins", {.rank = by_index(-1)}),
-      of_hits("the sphere with the largest discriminant wins", {.rank = by_discriminant(-1)}),
-      of_hits("the sphere with the smallest discriminant wins", {.rank = by_discriminant(1)}),
-      of_hits("the sphere whose centre is nearest wins",
-              {.rank = [](auto, const Ray& ray, const Sphere& sphere, auto&,
-                          double) { return norm(sphere.centre - ray.origin); }}),
-      of_hits("the smallest s wins, though it is negative",
-              {.choose = wherever_behind, .rank = by_parameter(1)}),
-      of_hits("s >= 0 is not tested, and the least |s| wins, though s is negative",
-              {.choose = wherever_behind,
-               .rank = [](auto, auto&, auto&, auto&, double s) { return std::abs(s); }}),
-      of_hits("the farthest sphere wins", {.rank = by_parameter(-1)}),
-  };
+  return all_of(
+      {root_slips(),
+       {
+           of_hits("no ray ever hits a sphere",
+                   {.choose = [](const Ray&, const Roots&, const Conventions&) { return Hit(); }}),
+           always_at(0, "every ray is said to hit every sphere"),
+           always_at(1, "every ray is said to hit every sphere, at s = 1"),
+           of_hits("d^2 < 0 is not tested: where spheres are missed s is no number",
+                   {.choose = untested(false)}),
+           of_hits("d^2 < 0 counts as d^2 = 0: spheres that are missed are hit",
+                   {.choose = untested(true)}),
+           of_hits("s >= 0 is not tested: spheres behind the origin are hit",
+                   {.choose = wherever_behind}),
+           of_answers(
+               "v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
+               ahead_or_behind),
+           of_answers("v + d counts though it is negative: spheres behind the origin are hit",
+                      larger_wherever_behind, "negative far roots"),
+           of_answers(
+               "spheres are solid: from inside s is 0, and v + d counts though it is negative",
+               of_solid(true), "negative far roots"),
+           of_answers(
+               "the near root is given though it is negative: from inside spheres are hit behind "
+               "the origin",
+               near_wherever_ahead),
+           of_answers("spheres are solid: from inside s is 0", of_solid(false)),
+           of_answers(
+               "T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
+               "their origin",
+               [](const Ray& ray, const Roots& roots, const Conventions& c) {
+                 return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
+               }),
+           of_answers("s is |v - d|, which from inside a sphere is no root", without_sign),
+           of_answers(
+               "the root with the smaller |s| is taken, and where it is negative it is a miss",
+               [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
+                 if (!meets(roots, c)) return {};
+                 const bool is_first = std::abs(roots.smaller) <= std::abs(roots.larger);
+                 const double s = is_first ? roots.smaller : roots.larger;
+                 return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
+               }),
+           of_answers("at d^2 = 0 s is -b/2*a, whatever its sign",
+                      [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
+                        if (roots.half_chord_sq != 0) return usual_choice(ray, roots, c);
+                        return hit_at(ray, roots.axial_distance * std::pow(norm(ray.direction), 3));
+                      }),
+           of_answers("s is read as an integer: its fraction is dropped, and 0 is a miss",
+                      [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
+                        const Hit hit = usual_choice(ray, roots, c);
+                        return hit && hit->parameter >= 1
+                                   ? Hit(hit_at(ray, std::trunc(hit->parameter)))
+                                   : Hit();
+                      }),
+           of_hits("the far root is taken for the near one",
+                   {.choose =
+                        [](const Ray& ray, const Roots& roots, const Conventions& c) {
+                          return meets(roots, c) && roots.larger >= 0
+                                     ? Hit(hit_at(ray, roots.larger))
+                                     : Hit();
+                        }}),
+           of_hits(
+               "v < 0 counts as a miss, so that spheres around the origin are not seen where their "
+               "centres lie behind it",
+               {.choose =
+                    [](const Ray& ray, const Roots& roots, const Conventions& c) {
+                      return roots.axial_distance < 0 ? Hit() : usual_choice(ray, roots, c);
+                    }}),
+           of_value(
+               "Q = s D: the origin is not added",
+               [](const Ray& ray, const HitAnswer& hit) {
+                 return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
+               },
+               returns_points),
+           of_value("s is half of the right one", times(0.5)),
+           of_value("s is twice the right one", times(2)),
+           of_value(
+               "s is a length whatever the length of the direction",
+               [](const Ray& ray, const HitAnswer& hit) {
+                 return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
+               },
+               returns_multiples),
+           of_value(
+               "s is a length, and Q = L + s D though D is no unit vector",
+               [](const Ray& ray, const HitAnswer& hit) {
+                 return hit_at(ray, hit.parameter * norm(ray.direction));
+               },
+               returns_points),
+           of_hits("the first sphere in the file wins", {.rank = by_index(1)}),
+           of_hits("the last sphere in the file wins", {.rank = by_index(-1)}),
+           of_hits("the sphere with the largest discriminant wins", {.rank = by_discriminant(-1)}),
+           of_hits("the sphere with the smallest discriminant wins", {.rank = by_discriminant(1)}),
+           of_hits("the sphere whose centre is nearest wins",
+                   {.rank = [](auto, const Ray& ray, const Sphere& sphere, auto&,
+                               double) { return norm(sphere.centre - ray.origin); }}),
+           of_hits("the smallest s wins, though it is negative",
+                   {.choose = wherever_behind, .rank = by_parameter(1)}),
+           of_hits("s >= 0 is not tested, and the least |s| wins, though s is negative",
+                   {.choose = wherever_behind,
+                    .rank = [](auto, auto&, auto&, auto&, double s) { return std::abs(s); }}),
+           of_hits("the farthest sphere wins", {.rank = by_parameter(-1)}),
+       }});
 }
 
 }  // namespace raycheck::properties

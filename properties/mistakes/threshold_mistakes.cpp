@@ -89,6 +89,14 @@ const ThresholdFamily kFamilies[] = {
        return v >= 0 ? Hit(hit_at(ray, v / norm(ray.direction))) : Hit();
      },
      nullptr, false},
+    {"a d^2 below about ", " (perhaps more) is taken for that: the epsilon is too large",
+     "least chords", kSizes,
+     [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
+       if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
+       const double v = roots.axial_distance, d = std::sqrt(least), size = norm(ray.direction);
+       return usual_choice(ray, {v, least, (v - d) / size, (v + d) / size}, c);
+     },
+     nullptr, false},
     {"lines that are less than about ",
      " radii (perhaps more) inside a sphere miss it: the tolerance is too large", "shallow chords",
      kSizes,
