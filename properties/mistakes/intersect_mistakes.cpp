@@ -113,8 +113,7 @@ constexpr RootSlip kRootSlips[] = {
      [](const Roots& right, double, auto&, const Sphere& sphere) -> Roots {
        const double r = sphere.radius, test = r - (r * r - right.half_chord_sq);
        return {right.axial_distance, test, right.smaller, right.larger};
-     },
-     true},
+     }},
     {"the square root is left out: s = (-b - (b^2 - 4ac))/2a",
      [](const Roots& right, double size, auto&, auto&) -> Roots {
        const double v = right.axial_distance, square = right.half_chord_sq;

@@ -158,7 +158,7 @@ TEST_F(GradeCommand, fails_with_2_and_grades_nothing) {
   const std::string asked = std::string("grade ") + kLecture7 + " " + mine;
   expect_refused(asked + " " + again + out, again + ": " + mine + " has the same name, mine");
   expect_refused(asked + out + " --secret-file '" + grading.write("empty", "") + "'", "is empty");
-  expect_refused(asked + " --out '" + taken + "'", "out " + taken + ": ");
+  expect_refused(asked + " --out '" + taken + "'", taken + "/mine: cannot be made: ");
   EXPECT_FALSE(fs::exists(grading.path("out")));
   EXPECT_EQ(contents(taken), "a file");
 }
