@@ -1,5 +1,8 @@
 #include "scene/precision.h"
 
+#include <cmath>
+#include <limits>
+
 namespace raycheck::scene {
 
 // Not inline: if two numbers are rounded side by side, GCC 12 at -O3 vectorises them and drops the

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 #include <system_error>
 
 #include "properties/cases/case_text.h"

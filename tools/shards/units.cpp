@@ -1,6 +1,7 @@
 #include "tools/shards/units.h"
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>

@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "properties/cases/random.h"
 #include "scene/invalid_input.h"
