@@ -20,9 +20,11 @@ int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(r
 
 PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
                          const scene::Conventions& conventions) {
-  const bool is_single =
-      arithmetic == Arithmetic::kSingle || arithmetic == Arithmetic::kSingleDifference;
-  const bool is_expanded = arithmetic == Arithmetic::kExpanded;
+  const bool is_expanded =
+      arithmetic == Arithmetic::kExpanded || arithmetic == Arithmetic::kSingleExpanded;
+  const bool is_single = arithmetic == Arithmetic::kSingle ||
+                         arithmetic == Arithmetic::kSingleDifference ||
+                         arithmetic == Arithmetic::kSingleExpanded;
   const bool cancels = is_expanded || arithmetic == Arithmetic::kDifference ||
                        arithmetic == Arithmetic::kSingleDifference;
   const double u = is_single ? 0x1p-24 : 0x1p-53;

@@ -18,6 +18,7 @@ enum class Arithmetic {
   kExpanded,          ///< In doubles, with |T|^2 = |C|^2 - 2 L . C + |L|^2.
   kSingle,            ///< In floats, r^2 - |T x D|^2 or another form that does not cancel.
   kSingleDifference,  ///< In floats, as a difference that cancels.
+  kSingleExpanded,    ///< In floats, with |T|^2 expanded.
   kProduct            ///< In doubles, r^2 - |T x D|^2: no mistake.
 };
 /// Those that are mistakes, and that pictures show.

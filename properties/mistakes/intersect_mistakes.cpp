@@ -170,6 +170,25 @@ std::vector<Mistake> root_slips() {
   return all;
 }
 
+/// Where the textbook's b^2 - 4ac is 0.
+Mistake at_one_root() {
+  Mistake mistake =
+      of_hits("at b^2 - 4ac = 0 s is -b/2*a, whatever its sign",
+              {.roots =
+                   [](const Ray& ray, const Sphere& sphere) {
+                     Roots roots = fast::kCross.roots(ray, sphere);
+                     if (fast::kQuadratic.roots(ray, sphere).half_chord_sq == 0)
+                       roots.half_chord_sq = 0;
+                     return roots;
+                   },
+               .choose = [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
+                 if (roots.half_chord_sq != 0) return usual_choice(ray, roots, c);
+                 return hit_at(ray, roots.axial_distance * std::pow(norm(ray.direction), 3));
+               }});
+  mistake.is_told_by_pictures = false;
+  return mistake;
+}
+
 /// No number in place of the roots of a negative d^2, or those of d^2 = 0.
 ChooseHit untested(bool is_number) {
   return [is_number](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
@@ -252,11 +271,7 @@ std::vector<Mistake> intersect_mistakes() {
                  const double s = is_first ? roots.smaller : roots.larger;
                  return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
                }),
-           of_answers("at d^2 = 0 s is -b/2*a, whatever its sign",
-                      [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
-                        if (roots.half_chord_sq != 0) return usual_choice(ray, roots, c);
-                        return hit_at(ray, roots.axial_distance * std::pow(norm(ray.direction), 3));
-                      }),
+           at_one_root(),
            of_answers("s is read as an integer: its fraction is dropped, and 0 is a miss",
                       [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
                         const Hit hit = usual_choice(ray, roots, c);

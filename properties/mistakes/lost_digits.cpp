@@ -14,7 +14,10 @@ namespace {
 /// Who promises floats is not told that it computes in them, but what is lost there.
 std::string sentence_of(const Examination& examination, Arithmetic arithmetic, double radii) {
   if (!examination.is_single()) return imprecision_sentence(arithmetic, radii);
-  return "in floats " + imprecision_sentence(Arithmetic::kDifference, radii);
+  const bool is_expanded =
+      arithmetic == Arithmetic::kExpanded || arithmetic == Arithmetic::kSingleExpanded;
+  return "in floats " +
+         imprecision_sentence(is_expanded ? Arithmetic::kExpanded : Arithmetic::kDifference, radii);
 }
 
 /// Relative errors of s above so many roundings of the candidate's format are looked at.
@@ -99,14 +102,13 @@ std::optional<AnswerCause> cancelling_difference(Examination& examination) {
   };
   const auto stable = within(is_single ? Arithmetic::kSingle : Arithmetic::kProduct);
   for (const Arithmetic difference :
-       is_single ? std::vector{Arithmetic::kSingleDifference}
+       is_single ? std::vector{Arithmetic::kSingleDifference, Arithmetic::kSingleExpanded}
                  : std::vector{Arithmetic::kDifference, Arithmetic::kExpanded}) {
     const auto cancels = within(difference);
     const auto found = small_errors(examination, cancels, cancels,
                                     [&](const auto&... of) { return !stable(of...); });
     if (!found) continue;
-    const Arithmetic said = is_single ? Arithmetic::kDifference : difference;
-    AnswerCause cause = small_cause(sentence_of(examination, said, found->radii), *found);
+    AnswerCause cause = small_cause(sentence_of(examination, difference, found->radii), *found);
     cause.roundings = difference;
     return cause;
   }

@@ -580,6 +580,21 @@ TEST(AnswerExplanation, OfLostDigitsSaysWhatWasLostAndWhere) {
   expect([](auto& L, auto& C, auto&, double v,
             double r) { return r * r - (dot(C, C) - 2 * dot(L, C) + dot(L, L) - v * v); },
          "|C - L|^2 loses its digits far from the world's origin");
+  Candidate in_floats = fast_candidate(fast::kDirectRays, fast::kCross);
+  in_floats.precision = scene::Precision::kSingle;
+  answer_by(in_floats, hits_by({.roots = roots_of([](auto& L, auto& C, auto&, double v, double r) {
+                                  const auto f = [](double x) { return static_cast<float>(x); };
+                                  return double{f(r * r) - (f(dot(C, C)) - f(2 * dot(L, C)) +
+                                                            f(dot(L, L)) - f(v * v))};
+                                })}));
+  std::vector<Case> far;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    far.push_back(find_case_source("far-world")->make(3, seed));
+  }
+  const Sentences of_floats = sentences_for(in_floats, far);
+  ASSERT_EQ(of_floats.size(), 1u) << testing::PrintToString(of_floats);
+  EXPECT_TRUE(of_floats.front().starts_with("in floats |C - L|^2 loses its digits"))
+      << of_floats.front();
 }
 
 /// Cases in which other roots count are left out; of the rest nothing is said where it is less.
