@@ -247,14 +247,18 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
   return found;
 }
 
+std::string sentence_of(const std::vector<Explanation>& alternatives) {
+  if (alternatives.size() == 1) return alternatives.front().sentence;
+  std::vector<Fault> faults;
+  for (const Explanation& one : alternatives) faults.push_back(one.mistakes);
+  return sentence_of(faults);
+}
+
 std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes) {
   std::vector<Explanation> all;
   for (const AnswerCause& cause : causes) {
     all.push_back(cause.alternatives.front());
-    if (cause.alternatives.size() == 1) continue;
-    std::vector<Fault> faults;
-    for (const Explanation& one : cause.alternatives) faults.push_back(one.mistakes);
-    all.back().sentence = sentence_of(faults);
+    all.back().sentence = sentence_of(cause.alternatives);
   }
   return all;
 }

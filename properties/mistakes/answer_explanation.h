@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "properties/candidate.h"
@@ -40,7 +41,9 @@ struct AnswerCause {
 /// Domain: valid scenes, pixels inside their images; otherwise throws std::invalid_argument.
 std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate);
 
-/// A sentence for each cause: its alternatives joined, "A, or: B".
+/// The sentence of one, or of several that explain the same.
+std::string sentence_of(const std::vector<Explanation>& alternatives);
+/// A sentence for each cause: that of its alternatives.
 std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes);
 
 }  // namespace raycheck::properties

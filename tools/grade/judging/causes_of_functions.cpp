@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/algorithm/string/join.hpp>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -143,10 +142,8 @@ std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate
         said.front().sentence = roundings->alternatives.front().sentence;
       }
       if (said.empty()) continue;
-      std::vector<std::string> sentences;
-      for (const Explanation& one : said) sentences.push_back(one.sentence);
       trial.grade.mistakes.push_back(
-          {{boost::join(sentences, ", or: ")}, said.front().errors, said.front().explained});
+          {{properties::sentence_of(said)}, said.front().errors, said.front().explained});
       const properties::Fault& fault = said.front().mistakes;
       if (cause.roundings) {
         item_causes[k].others.push_back(OtherCause::kRoundings);
