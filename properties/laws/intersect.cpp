@@ -349,17 +349,22 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
                reference::condition_of_point(eye_ray, the_sphere, at);
       };
       const auto describe = [&](Discrepancy& d) { describe_origins(d, both, the_sphere, at); };
+      const auto plain = [&] {
+        const double from_both = plain_condition(candidate, eye_ray, the_sphere, at) +
+                                 plain_condition(candidate, pixel_ray, the_sphere, at);
+        return std::isinf(from_both) ? 0 : from_both;
+      };
       trial.measure(verdict,
                     {Quantity::kInvariance, place, reference::in_units_of_u(off / scale),
                      2 * trial.bound(Quantity::kParameter)},
-                    condition, describe);
+                    condition, describe, {}, plain);
       const Enclosure3 apart =
           reference::enclose_exactly(eye.hit.point) - reference::enclose_exactly(pixel_hit->point);
       const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
       trial.measure(verdict,
                     {Quantity::kInvariance, place, reference::in_units_of_u(norm(apart) / size),
                      2 * trial.bound(Quantity::kHitPoint)},
-                    condition, describe);
+                    condition, describe, {}, plain);
     }
   }
   if (verdict.compared() == 0) {

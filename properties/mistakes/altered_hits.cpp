@@ -1,5 +1,6 @@
 #include "properties/mistakes/altered_hits.h"
 
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -15,6 +16,18 @@ HitFormulas completed(HitFormulas formulas) {
   if (!formulas.roots) formulas.roots = fast::kCross.roots;
   if (!formulas.choose) formulas.choose = usual_choice;
   return formulas;
+}
+
+bool is_between(double s, const scene::ValidRoots& valid) {
+  return (valid.includes_min() ? s >= valid.t_min : s > valid.t_min) &&
+         (valid.includes_max() ? s <= valid.t_max : s < valid.t_max);
+}
+
+/// Of formulas that are complete.
+Hit chosen(const HitFormulas& formulas, const Ray& ray, const Sphere& sphere,
+           const fast::Roots& roots, Conventions conventions) {
+  conventions.valid = in_multiples(conventions.valid, ray, sphere);
+  return formulas.choose(ray, roots, conventions);
 }
 
 }  // namespace
@@ -67,11 +80,31 @@ bool meets(const fast::Roots& roots, const Conventions& conventions) {
                                                       : roots.half_chord_sq >= 0;
 }
 
+bool smaller_counts(const fast::Roots& roots, const scene::ValidRoots& valid) {
+  return valid.culling != scene::Culling::kFrontFaces && is_between(roots.smaller, valid);
+}
+
+bool larger_counts(const fast::Roots& roots, const scene::ValidRoots& valid) {
+  return valid.culling != scene::Culling::kBackFaces && is_between(roots.larger, valid);
+}
+
+scene::ValidRoots in_multiples(scene::ValidRoots valid, const Ray& ray, const Sphere& sphere) {
+  if (valid.unit == scene::TUnit::kAbsolute) return valid;
+  const auto& [x, y, z] = ray.direction;
+  const double length =
+      (valid.unit == scene::TUnit::kRadius ? sphere.radius : 1) / std::hypot(x, y, z);
+  valid.unit = scene::TUnit::kAbsolute;
+  if (valid.t_min != 0) valid.t_min *= length;
+  valid.t_max *= length;
+  return valid;
+}
+
 Hit usual_choice(const Ray& ray, const fast::Roots& roots, const Conventions& conventions) {
   if (!meets(roots, conventions)) return {};
-  if (roots.smaller >= 0) return hit_at(ray, roots.smaller);
-  if (conventions.root == scene::Root::kSmaller || !(roots.larger >= 0)) return {};
-  return hit_at(ray, roots.larger);
+  if (smaller_counts(roots, conventions.valid)) return hit_at(ray, roots.smaller);
+  const bool is_tried = conventions.root == scene::Root::kNearest;
+  return is_tried && larger_counts(roots, conventions.valid) ? Hit(hit_at(ray, roots.larger))
+                                                             : Hit();
 }
 
 std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other) {
@@ -90,7 +123,7 @@ AskSphere hits_by(HitFormulas formulas) {
                                                      const Conventions& conventions) {
     std::vector<Hit> hits;
     for (const Ray& ray : rays) {
-      hits.push_back(formulas.choose(ray, formulas.roots(ray, sphere), conventions));
+      hits.push_back(chosen(formulas, ray, sphere, formulas.roots(ray, sphere), conventions));
     }
     return hits;
   };
@@ -104,7 +137,7 @@ NearestSpheres nearest_by(HitFormulas given) {
       double least = 0;
       for (std::size_t index = 0; index < spheres.size(); ++index) {
         const fast::Roots roots = formulas.roots(rays[k], spheres[index]);
-        const Hit hit = formulas.choose(rays[k], roots, conventions);
+        const Hit hit = chosen(formulas, rays[k], spheres[index], roots, conventions);
         if (!hit) continue;
         const double its =
             formulas.rank ? formulas.rank(index, rays[k], spheres[index], roots, hit->parameter)

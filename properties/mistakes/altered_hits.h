@@ -35,6 +35,15 @@ using ChooseHit =
 /// Whether a ray's line meets the sphere under the tangent convention.
 bool meets(const fast::Roots& roots, const scene::Conventions& conventions);
 
+/// Whether a root counts: between the declared ends, which are in multiples of the direction here,
+/// and where a face is met that is not culled.
+bool smaller_counts(const fast::Roots& roots, const scene::ValidRoots& valid);
+bool larger_counts(const fast::Roots& roots, const scene::ValidRoots& valid);
+
+/// The declared ends in multiples of a ray's direction.
+scene::ValidRoots in_multiples(scene::ValidRoots valid, const scene::Ray& ray,
+                               const scene::Sphere& sphere);
+
 /// The choice of a correct method.
 Hit usual_choice(const scene::Ray& ray, const fast::Roots& roots,
                  const scene::Conventions& conventions);
@@ -44,7 +53,8 @@ using RankSphere = std::function<double(std::size_t index, const scene::Ray&, co
                                         const fast::Roots&, double s)>;
 
 /// Wrong formulas for hits and the nearest sphere; an empty one is a correct method's, with the
-/// roots of `cross`. With a `rank` of its own only the nearest sphere is wrong.
+/// roots of `cross`. With a `rank` of its own only the nearest sphere is wrong. The conventions
+/// that `choose` is told have their ends in multiples of the direction.
 struct HitFormulas {
   MakeRoots roots = {};
   ChooseHit choose = {};

@@ -142,20 +142,25 @@ std::vector<bool> dropped(Step step, const Comparison& comparison) {
   return found;
 }
 
-/// Whether another root counts than if every root >= 0 did.
-bool ends_matter(const AskedCase& asked) {
-  const scene::Conventions& conventions = asked.the_case.scene.conventions;
+/// Whether doubles choose another root than the declared ends do.
+bool ends_are_close(const AskedCase& asked) {
+  scene::Conventions conventions = asked.the_case.scene.conventions;
   if (conventions.valid.is_usual()) return false;
   Case given{asked.the_case.scene, {}};
   given.scene.camera.reset();
   given.scene.rays = asked.rays;
   if (!scene::defects(given.scene).empty()) return true;
-  scene::Conventions usual = conventions;
-  usual.valid = {};
-  Truth own(given, conventions), others(given, usual);
+  Truth truth(given, conventions);
+  const scene::ValidRoots valid = conventions.valid;
   for (std::size_t ray = 0; ray < asked.rays.size(); ++ray) {
     for (std::size_t sphere = 0; sphere < given.scene.spheres.size(); ++sphere) {
-      if (!(own.intersection(ray, sphere) == others.intersection(ray, sphere))) return true;
+      const fast::Roots roots = fast::kCross.roots(asked.rays[ray], given.scene.spheres[sphere]);
+      conventions.valid = in_multiples(valid, asked.rays[ray], given.scene.spheres[sphere]);
+      const Hit chosen = usual_choice(asked.rays[ray], roots, conventions);
+      const auto& exact = truth.intersection(ray, sphere);
+      if (chosen.has_value() != counts_as_hit(exact.hit_class, conventions.tangent)) return true;
+      const bool is_smaller = exact.root == reference::WhichRoot::kSmaller;
+      if (chosen && chosen->parameter != (is_smaller ? roots.smaller : roots.larger)) return true;
     }
   }
   return false;
@@ -176,9 +181,9 @@ std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candi
 
 }  // namespace
 
-bool ends_matter(const Case& the_case, const Candidate& candidate) {
+bool is_left_out(const Case& the_case, const Candidate& candidate) {
   const auto asked = asked_case(the_case, candidate, right_candidate());
-  return asked && ends_matter(*asked);
+  return asked && ends_are_close(*asked);
 }
 
 Examination::Examination(std::span<const Case> cases, const Candidate& candidate,
@@ -187,7 +192,7 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
   for (const Case& the_case : cases) {
     auto asked = asked_case(the_case, candidate, right_);
     if (!asked) continue;
-    if (ends_matter(*asked)) {
+    if (ends_are_close(*asked)) {
       ++left_out_;
     } else {
       asked_.push_back(*std::move(asked));

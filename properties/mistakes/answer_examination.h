@@ -37,9 +37,9 @@ struct Comparison {
   std::vector<StepAnswers> also_right;
 };
 
-/// Whether t_min, t_max or culling decides a case as the candidate is asked about it: classic
-/// mistakes are made where every root >= 0 counts, and say nothing of it.
-bool ends_matter(const Case& the_case, const Candidate& candidate);
+/// Whether a case is left out as the candidate is asked about it: roots are so near to t_min or
+/// t_max that mistakes, which are made in doubles, would not count the right ones.
+bool is_left_out(const Case& the_case, const Candidate& candidate);
 
 /// What becomes of answers that are no numbers where numbers are right.
 enum class NotNumbers { kWrong, kLeftOut };
@@ -54,7 +54,7 @@ class Examination {
 
   const Candidate& candidate() const { return candidate_; }
   bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
-  /// Whether at most half of the cases are left out since the ends of valid roots matter there.
+  /// Whether at most half of the cases are left out for that.
   bool is_of_most() const { return left_out_ <= asked_.size(); }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
   /// Whether a few roundings of the input make such an error of s, which says nothing of a formula.

@@ -41,7 +41,7 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
   return pictures;
 }
 
-/// Counted beside the wrong answers that are searched are those that are not: where ends matter,
+/// Counted beside the wrong answers that are searched are those of cases that are left out,
 /// and where a law holds answers to more than kAnswerTolerances. A cause of the lesser half is
 /// none.
 std::vector<Explanation> answer_explanations(const Law& law, const std::vector<Case>& cases,
@@ -50,7 +50,7 @@ std::vector<Explanation> answer_explanations(const Law& law, const std::vector<C
   if (found.empty()) return found;
   std::vector<Case> not_searched;
   std::copy_if(cases.begin(), cases.end(), std::back_inserter(not_searched),
-               [&](const Case& one) { return ends_matter(one, candidate); });
+               [&](const Case& one) { return is_left_out(one, candidate); });
   const std::uint64_t others = count_defects(law, not_searched, candidate);
   for (Explanation& one : found) {
     if (one.explained == 0) continue;

@@ -43,8 +43,9 @@ bool returns_multiples(const Candidate& candidate) {
   return candidate.returns == Returns::kHit || candidate.returns == Returns::kParameter;
 }
 
-Hit wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
-  return meets(roots, conventions) ? Hit(hit_at(ray, roots.smaller)) : Hit();
+Hit wherever_behind(const Ray& ray, const Roots& roots, Conventions conventions) {
+  conventions.valid.t_min = -std::numeric_limits<double>::infinity();
+  return usual_choice(ray, roots, conventions);
 }
 
 /// v < 0 is a miss, and all else the smaller root, whatever its sign.
@@ -53,21 +54,22 @@ Hit ahead_or_behind(const Ray& ray, const Roots& roots, const Conventions& conve
 }
 
 Hit larger_wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
-  if (!meets(roots, conventions)) return {};
-  return hit_at(ray, roots.smaller >= 0 ? roots.smaller : roots.larger);
+  const bool is_near = !meets(roots, conventions) || smaller_counts(roots, conventions.valid);
+  return is_near ? usual_choice(ray, roots, conventions) : Hit(hit_at(ray, roots.larger));
 }
 
 Hit near_wherever_ahead(const Ray& ray, const Roots& roots, const Conventions& conventions) {
-  return roots.larger < 0 ? Hit() : wherever_behind(ray, roots, conventions);
+  return larger_counts(roots, conventions.valid) ? wherever_behind(ray, roots, conventions) : Hit();
 }
 
 /// 0 from inside; where both roots are negative none, or the larger.
 ChooseHit of_solid(bool counts_behind) {
   return [counts_behind](const Ray& ray, const Roots& roots, const Conventions& conventions) {
-    if (!meets(roots, conventions) || (roots.larger < 0 && !counts_behind)) return Hit();
-    return Hit(hit_at(ray, roots.larger < 0    ? roots.larger
-                           : roots.smaller < 0 ? 0
-                                               : roots.smaller));
+    const double least = conventions.valid.t_min;
+    if (!meets(roots, conventions) || !(roots.smaller < least))
+      return usual_choice(ray, roots, conventions);
+    if (roots.larger < least && !counts_behind) return Hit();
+    return Hit(hit_at(ray, roots.larger < least ? roots.larger : 0));
   };
 }
 
@@ -109,7 +111,7 @@ constexpr RootSlip kRootSlips[] = {
        return roots_of(v, 4 * right.half_chord_sq - 3 * v * v, 2 * size);
      },
      true},
-    {"the radius is not squared where |T|^2 - v^2 is compared with it: d^2 is right",
+    {"the test for a miss compares |T|^2 - v^2 with r in place of r^2",
      [](const Roots& right, double, auto&, const Sphere& sphere) -> Roots {
        const double r = sphere.radius, test = r - (r * r - right.half_chord_sq);
        return {right.axial_distance, test, right.smaller, right.larger};
@@ -189,6 +191,15 @@ Mistake at_one_root() {
   return mistake;
 }
 
+bool declares_t_max(const Candidate& candidate) {
+  return candidate.declared.valid && std::isfinite(candidate.declared.valid->t_max);
+}
+Mistake of_segments(std::string sentence, ChooseHit choose) {
+  Mistake mistake = of_answers(std::move(sentence), std::move(choose));
+  mistake.is_offered = declares_t_max;
+  return mistake;
+}
+
 /// No number in place of the roots of a negative d^2, or those of d^2 = 0.
 ChooseHit untested(bool is_number) {
   return [is_number](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
@@ -201,7 +212,7 @@ ChooseHit untested(bool is_number) {
 
 /// s is this many times the right one, and Q follows from it.
 ChangeHit times(double factor) {
-  return [factor](const Ray& ray, const HitAnswer& hit) {
+  return [factor](const Ray& ray, const Sphere&, const HitAnswer& hit) {
     return hit_at(ray, factor * hit.parameter);
   };
 }
@@ -282,7 +293,7 @@ std::vector<Mistake> intersect_mistakes() {
            of_hits("the far root is taken for the near one",
                    {.choose =
                         [](const Ray& ray, const Roots& roots, const Conventions& c) {
-                          return meets(roots, c) && roots.larger >= 0
+                          return meets(roots, c) && larger_counts(roots, c.valid)
                                      ? Hit(hit_at(ray, roots.larger))
                                      : Hit();
                         }}),
@@ -295,21 +306,39 @@ std::vector<Mistake> intersect_mistakes() {
                     }}),
            of_value(
                "Q = s D: the origin is not added",
-               [](const Ray& ray, const HitAnswer& hit) {
+               [](const Ray& ray, const Sphere&, const HitAnswer& hit) {
                  return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
                },
                returns_points),
            of_value("s is half of the right one", times(0.5)),
            of_value("s is twice the right one", times(2)),
+           of_value("from a point on the sphere s is half of the right one",
+                    [](const Ray& ray, const Sphere& sphere, const HitAnswer& hit) {
+                      const auto [x, y, z] = ray.origin - sphere.centre;
+                      const bool is_on = x * x + y * y + z * z == sphere.radius * sphere.radius;
+                      return is_on ? hit_at(ray, 0.5 * hit.parameter) : hit;
+                    }),
+           of_segments("t_max is tested the wrong way round: only what lies beyond counts",
+                       [](const Ray& ray, const Roots& roots, const Conventions& c) {
+                         return meets(roots, c) && roots.smaller > c.valid.t_max
+                                    ? Hit(hit_at(ray, roots.smaller))
+                                    : Hit();
+                       }),
+           of_segments("segments that start or end inside a sphere miss it",
+                       [](const Ray& ray, const Roots& roots, const Conventions& c) {
+                         return smaller_counts(roots, c.valid) && larger_counts(roots, c.valid)
+                                    ? usual_choice(ray, roots, c)
+                                    : Hit();
+                       }),
            of_value(
                "s is a length whatever the length of the direction",
-               [](const Ray& ray, const HitAnswer& hit) {
+               [](const Ray& ray, const Sphere&, const HitAnswer& hit) {
                  return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
                },
                returns_multiples),
            of_value(
                "s is a length, and Q = L + s D though D is no unit vector",
-               [](const Ray& ray, const HitAnswer& hit) {
+               [](const Ray& ray, const Sphere&, const HitAnswer& hit) {
                  return hit_at(ray, hit.parameter * norm(ray.direction));
                },
                returns_points),

@@ -125,7 +125,7 @@ void change_hits(const ChangeHit& change, Candidate& candidate) {
                                                const Conventions& conventions) {
               std::vector<Hit> hits = ask(rays, sphere, conventions);
               for (std::size_t k = 0; k < hits.size(); ++k) {
-                if (hits[k]) hits[k] = change(rays[k], *hits[k]);
+                if (hits[k]) hits[k] = change(rays[k], sphere, *hits[k]);
               }
               return hits;
             });
@@ -144,7 +144,21 @@ void use_hits(std::span<const Mistake* const> mistakes, Candidate& candidate) {
 
 }  // namespace
 
-Candidate right_candidate() { return fast_candidate(fast::kDirectRays, fast::kCross); }
+Candidate right_candidate() {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross), by_ends;
+  answer_by(by_ends, hits_by({}));
+  const auto choose = [](auto usual, auto& other) {
+    return [usual, other](Candidate::Rays rays, Candidate::Spheres spheres,
+                          const Conventions& conventions) {
+      return conventions.valid.is_usual() ? usual(rays, spheres, conventions)
+                                          : other(rays, spheres, conventions);
+    };
+  };
+  candidate.intersect = choose(candidate.intersect, by_ends.intersect);
+  candidate.nearest = choose(candidate.nearest, by_ends.nearest);
+  candidate.declared.valid.reset();
+  return candidate;
+}
 
 std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
   std::vector<Candidate> others;

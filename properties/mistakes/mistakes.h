@@ -25,7 +25,7 @@ using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene
 /// Another sphere than the one given.
 using ChangeSphere = std::function<void(scene::Sphere&)>;
 /// Another hit than the right one.
-using ChangeHit = std::function<HitAnswer(const scene::Ray&, HitAnswer)>;
+using ChangeHit = std::function<HitAnswer(const scene::Ray&, const scene::Sphere&, HitAnswer)>;
 
 /// The formulas from a camera to its rays; an empty one is the right one.
 struct CameraFormulas {

@@ -274,9 +274,9 @@ std::vector<Mistake> float_mistakes() {
   for (const auto& [what, s, Q] : {std::tuple{"s is rounded to a float", true, false},
                                    std::tuple{"Q is rounded to floats", false, true},
                                    std::tuple{"s and Q are rounded to floats", true, true}}) {
-    add({.sentence = what, .step = Step::kIntersect, .hit = [s = s, Q = Q](auto& ray, auto hit) {
-           return of_floats(ray, hit, s, Q);
-         }});
+    add({.sentence = what,
+         .step = Step::kIntersect,
+         .hit = [s = s, Q = Q](auto& ray, auto&, auto hit) { return of_floats(ray, hit, s, Q); }});
     if (Q) all.back().is_offered = [](const Candidate& c) { return gives_point(c.returns); };
   }
   add({.sentence = "P is rounded to floats",

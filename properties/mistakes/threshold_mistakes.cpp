@@ -22,8 +22,8 @@ using scene::Sphere;
 using scene::Vector3;
 
 /// The sizes that are told apart, the one that drops the fewest first.
-constexpr std::array<const char*, 10> kSizes = {"1e-9", "1e-8",  "1e-7", "1e-6", "1e-5",
-                                                "1e-4", "0.001", "0.01", "0.1",  "1"};
+constexpr std::array<const char*, 11> kSizes = {"1e-10", "1e-9",  "1e-8", "1e-7", "1e-6", "1e-5",
+                                                "1e-4",  "0.001", "0.01", "0.1",  "1"};
 constexpr std::array<const char*, 8> kLargeSizes = {"1e9", "1e8", "1e7",  "1e6",
                                                     "1e5", "1e4", "1000", "100"};
 
@@ -52,6 +52,26 @@ Roots roots_of_inner(double least, const Ray& ray, const Sphere& sphere) {
   const double depth = d_sq / (r + std::sqrt(std::fmax(0, r * r - d_sq)));
   if (depth < least * r) roots.half_chord_sq = -1;
   return roots;
+}
+
+/// Both roots at a distance along the ray, where the sphere is met.
+Roots both_at(double distance, double size) {
+  return {distance, 1, distance / size, distance / size};
+}
+
+/// Both roots where steps as long as the distance to the sphere come nearer to it than `least`.
+Roots marched_roots(double least, const Ray& ray, const Sphere& sphere) {
+  constexpr int kMostSteps = 200;
+  const double size = norm(ray.direction);
+  const double farthest = norm(sphere.centre - ray.origin) + sphere.radius;
+  double reached = 0;
+  for (int step = 0; step < kMostSteps && reached <= farthest; ++step) {
+    const auto to_centre = sphere.centre - hit_at(ray, reached / size).point;
+    const double left = norm(to_centre) - sphere.radius;
+    if (left < least) return both_at(reached, size);
+    reached += left;
+  }
+  return {0, -1, 0, 0};
 }
 
 const ThresholdFamily kFamilies[] = {
@@ -86,9 +106,23 @@ const ThresholdFamily kFamilies[] = {
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double v = roots.axial_distance;
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
-       return v >= 0 ? Hit(hit_at(ray, v / norm(ray.direction))) : Hit();
+       return usual_choice(ray, both_at(v, norm(ray.direction)), c);
      },
      nullptr, false},
+    {"where b^2 - 4ac is within about ",
+     " (perhaps more) of 0 both roots are taken to be -b/2a: the epsilon is too large",
+     "merged discriminants", kSizes,
+     [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
+       const double size = norm(ray.direction);
+       const bool is_merged = std::abs(4 * size * size * roots.half_chord_sq) <= least;
+       return usual_choice(ray, is_merged ? both_at(roots.axial_distance, size) : roots, c);
+     },
+     nullptr, false},
+    {"spheres are marched to, and s stops where one is nearer than about ", "", "marched", kSizes,
+     [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
+       return usual_choice(ray, roots, c);
+     },
+     marched_roots, false},
     {"a d^2 below about ", " (perhaps more) is taken for that: the epsilon is too large",
      "least chords", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
@@ -112,6 +146,22 @@ const ThresholdFamily kFamilies[] = {
      },
      nullptr, false},
 };
+
+/// Shadow rays start there.
+Mistake point_outside(const char* distance) {
+  return {.sentence = std::string("Q lies ") + distance +
+                      " outside of the sphere: it is moved along the normal",
+          .step = Step::kIntersect,
+          .hit =
+              [by = std::atof(distance)](const Ray&, const Sphere& sphere, HitAnswer hit) {
+                const Vector3 N = hit.point - sphere.centre;
+                const double share = by / norm(N);
+                hit.point = {hit.point.x + share * N.x, hit.point.y + share * N.y,
+                             hit.point.z + share * N.z};
+                return hit;
+              },
+          .is_offered = [](const Candidate& candidate) { return gives_point(candidate.returns); }};
+}
 
 /// Axes and directions of which the vectors with a |v|^2 below `least` stay as they are, or are 0.
 Mistake short_vectors(const char* least, bool are_zero) {
@@ -145,6 +195,7 @@ std::vector<Mistake> threshold_mistakes() {
   for (const bool are_zero : {false, true}) {
     for (const char* size : kSizes) all.push_back(short_vectors(size, are_zero));
   }
+  for (const char* size : kSizes) all.push_back(point_outside(size));
   for (const auto& [before, after, family, sizes, choose, roots, is_told, of_steps] : kFamilies) {
     for (const char* size : sizes) {
       HitFormulas hits = {.choose = std::bind_front(choose, std::atof(size))};
