@@ -391,11 +391,13 @@ NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
   scene::require_valid(sphere);
   if (!around.valid.is_usual()) {
     NearbyAnswer found = refuted_nearby(ray, sphere, around, answer);
+    Neighbourhood usual = around;
+    usual.valid = {};
+    const auto reversed = answer ? std::nullopt : reversed_behind(ray, sphere, around);
+    if (reversed) return right_nearby(*reversed, sphere, usual, answer);
     if (found.found == Nearby::kRefuted || ends_matter_nearby(ray, {&sphere, 1}, around)) {
       return found;
     }
-    Neighbourhood usual = around;
-    usual.valid = {};
     return right_nearby(ray, sphere, usual, answer);
   }
   if (is_far_from_right(ray, sphere, around, answer)) return {Nearby::kRefuted, {}};

@@ -50,6 +50,10 @@ class Box {
     return {Everywhere::Meets::kNowhere, {}, {}, {}};
   }
 
+  bool is_behind(const scene::Sphere& sphere) const {
+    return (ray_.axial_distance(sphere) + sqrt(ray_.half_chord_sq(sphere))).certain_sign() == -1;
+  }
+
   /// Whether what counts may differ from what every root >= 0 would make count: neither are all
   /// roots behind, where rays are met, nor do all lie in front and well inside the interval, the
   /// smaller not culled.
@@ -59,7 +63,7 @@ class Box {
     const Enclosure v = ray_.axial_distance(sphere), half_chord = sqrt(half_chord_sq);
     const Enclosure first = v - half_chord, last = v + half_chord;
     const scene::ValidRoots& valid = around_.valid;
-    if (last.certain_sign() == -1) return std::isinf(valid.t_min);
+    if (is_behind(sphere)) return std::isinf(valid.t_min);
     const auto above = [&](const Enclosure& distance, double t) {
       return std::isinf(t) ? (t < 0 ? 1 : -1)
                            : (distance - end_at(t, sphere) * length_of_unit()).certain_sign();
@@ -159,6 +163,16 @@ bool ends_matter_nearby(const ExactRay& ray, std::span<const scene::Sphere> sphe
   const Box box(ray, around);
   return std::any_of(spheres.begin(), spheres.end(),
                      [&](const scene::Sphere& sphere) { return box.ends_matter(sphere); });
+}
+
+std::optional<ExactRay> reversed_behind(const ExactRay& ray, const scene::Sphere& sphere,
+                                        const Neighbourhood& around) {
+  const scene::ValidRoots& valid = around.valid;
+  const bool all_count =
+      std::isinf(valid.t_min) && valid.t_max >= 0 && valid.culling == scene::Culling::kNone;
+  if (!all_count || ray.source().camera || !Box(ray, around).is_behind(sphere)) return {};
+  const auto& [origin, direction] = ray.source().given;
+  return ExactRay(scene::Ray{origin, {-direction.x, -direction.y, -direction.z}});
 }
 
 bool is_outside(const scene::ValidRoots& valid, const ExactRay& ray, const scene::Sphere& sphere,

@@ -29,6 +29,11 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> 
 bool ends_matter_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                         const Neighbourhood& around);
 
+/// The ray that meets ahead of its origin what a given ray's line meets behind it, where all of
+/// that counts: inputs close by miss the sphere with both or with none.
+std::optional<ExactRay> reversed_behind(const ExactRay& ray, const scene::Sphere& sphere,
+                                        const Neighbourhood& around);
+
 /// Whether an answered s lies outside t_min and t_max, by comparing doubles: s with t, exactly with
 /// the product t r where t counts radii, or exactly |direction| s where it is a scene length.
 /// Domain: s is finite.

@@ -136,6 +136,18 @@ TEST(RefutedNearby, LeavesTangentsFarFromAnyEndToTheSearchForWitnesses) {
   EXPECT_EQ(missed({1e-3, kNoEnd, Ends::kOpen, {}, Culling::kFrontFaces}), Nearby::kUndecided);
 }
 
+/// Of lines tangents behind the origin are as those ahead, and what is missed by far is not
+/// excused.
+TEST(RefutedNearby, TakesLinesBehindTheirOriginForTheirReverse) {
+  const auto missed = [](const scene::Sphere& sphere, const scene::ValidRoots& valid) {
+    return right_nearby(kRayAlongX, sphere, {.relative_change = kNearby, .valid = valid}, {}).found;
+  };
+  const scene::ValidRoots line{-kInfinity, kNoEnd, {}, {}, {}};
+  EXPECT_EQ(missed({{-3, 1, 0}, 1}, line), Nearby::kWitness);
+  EXPECT_EQ(missed({{-3, 0.5, 0}, 1}, line), Nearby::kRefuted);
+  EXPECT_EQ(missed({{-3, 1, 0}, 1}, {-kInfinity, -3, {}, {}, {}}), Nearby::kUndecided);
+}
+
 TEST(RefutedNearby, LeavesUndecidedWhatLiesAtAnEnd) {
   for (const double t : {nudged(2, -2), 2.0, nudged(2, 2)}) {
     EXPECT_EQ(nearby({}, {t, kNoEnd, {}, {}, {}}), Nearby::kUndecided) << t;
