@@ -167,6 +167,12 @@ std::vector<BoundChange> bound_changes() {
        [](Camera& its) { centre(its, its.top * half_width(its) / half_height(its), its.top); }},
       {"the image plane is taken to be centred: half its height is top, and so is half its width",
        [](Camera& its) { centre(its, its.top, its.top); }},
+      {"the height of the image plane is its width over w h, not over w/h: all rows are nearly "
+       "alike",
+       [](Camera& its) {
+         const auto pixels = static_cast<double>(its.width) * static_cast<double>(its.height);
+         centre(its, half_width(its), half_width(its) / pixels);
+       }},
       {"the bounds of rows are those of columns",
        [](Camera& its) { its.bottom = its.left, its.top = its.right; }},
       {"the height is corrected for an aspect ratio that the bounds hold already",
