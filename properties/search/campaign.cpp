@@ -191,7 +191,7 @@ Finding CampaignResult::finding() const {
     return Finding::kBroken;
   }
   if (verdict.compared() == 0 && !too_few_right()) {
-    return counts.not_judged > 0 ? Finding::kNotJudged : Finding::kLeftOut;
+    return counts.not_judged > counts.left_out ? Finding::kNotJudged : Finding::kLeftOut;
   }
   if (verdict.count(Standing::kUndecided) > 0) return Finding::kUndecided;
   return too_few_right() ? Finding::kTooFewJudged : Finding::kHolds;

@@ -93,18 +93,42 @@ std::string counts_text(const CampaignResult& result) {
 
 std::string campaign_text(const CampaignReport& campaign, bool colours) {
   const CampaignResult& result = campaign.result;
-  std::string text = fmt::format("{:<16} {:<26} {}", campaign.law->name, campaign.candidate,
-                                 finding_text(campaign, colours));
-  if (campaign.finding == Finding::kLeftOut) {
-    return text + fmt::format(": {}\n", result.counts.reason);
-  }
-  text += fmt::format(" on {} ({})\n", name(result.level), counts_text(result));
+  std::string text =
+      fmt::format("{:<16} {:<26} {} on {} ({})\n", campaign.law->name, campaign.candidate,
+                  finding_text(campaign, colours), name(result.level), counts_text(result));
   if (campaign.finding != Finding::kTooFewJudged) return text;
   return text + fmt::format("    {}\n", too_few_text(result));
 }
 
 void add_law(const CampaignReport& campaign, std::string& laws) {
   laws += (laws.empty() ? "" : ", ") + std::string(campaign.law->name);
+}
+
+/// A line for each reason: "  frame, look-at, up: the candidate gives no frame".
+std::string left_out_text(const PropertiesReport& report) {
+  struct LeftOut {
+    std::string_view candidate, reason;
+    std::string laws;
+  };
+  std::vector<LeftOut> all;
+  for (const CampaignReport& campaign : report.campaigns) {
+    if (campaign.finding != Finding::kLeftOut) continue;
+    const std::string_view reason = campaign.result.counts.reason;
+    auto known = std::ranges::find_if(all, [&](const LeftOut& one) {
+      return one.candidate == campaign.candidate && one.reason == reason;
+    });
+    if (known == all.end()) known = all.insert(known, {campaign.candidate, reason, ""});
+    add_law(campaign, known->laws);
+  }
+  const bool is_one = std::ranges::all_of(report.campaigns, [&](const CampaignReport& campaign) {
+    return campaign.candidate == report.campaigns.front().candidate;
+  });
+  std::string text;
+  for (const auto& [candidate, reason, laws] : all) {
+    text += fmt::format("{}  {}{}: {}\n", text.empty() ? "left out:\n" : "",
+                        is_one ? "" : fmt::format("{}: ", candidate), laws, reason);
+  }
+  return text;
 }
 
 /// Why laws are broken: the cause of each, the one that explains most answers first, and the laws
@@ -357,6 +381,7 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
                         bounds.candidate, bounds.methods);
   }
   for (const CampaignReport& campaign : report.campaigns) {
+    if (campaign.finding == Finding::kLeftOut) continue;
     text += campaign_text(campaign, options.colours);
     if (campaign.worst) {
       text += fmt::format("    {}: {} by random cases, {} by climbing\n",
@@ -371,6 +396,7 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
       text += indented("\n" + failure_text(campaign, other, options.colours), "    ");
     }
   }
+  text += left_out_text(report);
   if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";
   text += fmt::format("{}, {} broken", count_text(report.campaigns.size(), "campaign"),
                       report.failures());
