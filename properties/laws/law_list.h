@@ -24,6 +24,10 @@ extern const std::span<const Law> kRefusalLaws;        // refusal.cpp
 double plain_condition(const Candidate& candidate, const reference::ExactRay& ray,
                        const scene::Sphere& sphere, const reference::Intersection& at);
 
+/// What the lecture's P - E, with P computed as E + n W + ..., adds to the condition number of D: 0
+/// where the candidate promises more than ordinary cases, and beyond kOrdinaryDistance.
+double plain_condition(const Candidate& candidate, const reference::ExactRay& ray);
+
 /// The coordinates as a list, for reports.
 template <class Triple>
 std::vector<double> numbers(const Triple& value) {

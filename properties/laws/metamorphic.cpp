@@ -146,7 +146,8 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
           d.symbol = info(Quantity::kDirection).symbol;
           d.got = numbers(got);
           d.exact = numbers(expected);
-        });
+        },
+        {}, [&] { return plain_condition(trial.candidate(), trial.exact_ray(k)); });
   }
 }
 

@@ -4,18 +4,17 @@
 #include "reference/ray_error.h"
 
 namespace raycheck::properties {
-namespace {
 
-scene::UnitVector3 direction_of(const scene::Ray& ray) {
-  return {ray.direction.x, ray.direction.y, ray.direction.z};
-}
-
-/// What the lecture's P - E, with P computed as E + n W + ..., adds to the condition number of D: 0
-/// where the candidate promises more than ordinary cases, and beyond kOrdinaryDistance.
 double plain_condition(const Candidate& candidate, const reference::ExactRay& ray) {
   if (candidate.level != Level::kOrdinary) return 0;
   const double condition = reference::stage_conditions(ray).direction;
   return condition <= kOrdinaryDistance ? condition : 0;
+}
+
+namespace {
+
+scene::UnitVector3 direction_of(const scene::Ray& ray) {
+  return {ray.direction.x, ray.direction.y, ray.direction.z};
 }
 
 void judge_unit_direction(Trial& trial, Verdict& verdict) {
