@@ -52,11 +52,11 @@ std::vector<Source> sources() {
     source.name = one.name;
     source.sentence = one.sentence;
     source.has_camera = one.has_camera;
-    if (!one.dial) continue;
-    source.dial = one.dial->meaning;
-    source.highest = one.dial->highest;
-    source.ordinary = one.dial->ordinary;
-    source.demanding = one.dial->demanding;
+    if (!one.severities) continue;
+    source.dial = one.severities->meaning;
+    source.highest = one.severities->highest;
+    source.ordinary = one.severities->ordinary;
+    source.demanding = one.severities->demanding;
   }
   return all;
 }
@@ -67,7 +67,7 @@ Case make_case(const std::string& name, std::uint64_t seed, std::uint64_t k, int
     throw std::invalid_argument(
         fmt::format("source {}: unknown name; raycheck::sources() has all names", name));
   }
-  const int highest = source->dial ? source->dial->highest : 0;
+  const int highest = source->severities ? source->severities->highest : 0;
   if (severity < 0 || severity > highest) {
     throw std::invalid_argument(
         fmt::format("severity = {}: those of {} are 0..{}", severity, name, highest));
@@ -87,7 +87,7 @@ std::optional<Case> case_of_bytes(const std::uint8_t* bytes, std::size_t count) 
   Bytes from(bytes, count);
   const auto sources = properties::case_sources();
   const properties::CaseSource& source = sources[from.one() % sources.size()];
-  const int severity = source.dial ? from.one() % (source.dial->highest + 1) : 0;
+  const int severity = source.severities ? from.one() % (source.severities->highest + 1) : 0;
   properties::Case made = raycheck::made(source, from.value<std::uint64_t>(), 0, severity);
   std::vector<double*> numbers;
   scene::for_each_number(made.scene, [&](double& number) { numbers.push_back(&number); });

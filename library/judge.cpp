@@ -115,8 +115,8 @@ std::vector<Check> checks(const Candidate& candidate) {
   for (const properties::Law& law : properties::laws()) {
     for (const properties::CaseSource& source : properties::case_sources()) {
       if (speaks_of_cameras(law) && !source.has_camera) continue;
-      if (!source.dial && source.level > inside.level) continue;
-      if (!has_case(law, {&source, source.dial ? std::optional(0) : std::nullopt}, inside)) {
+      if (!source.severities && source.level > inside.level) continue;
+      if (!has_case(law, {&source, source.severities ? std::optional(0) : std::nullopt}, inside)) {
         continue;
       }
       all.push_back({std::string(law.name), std::string(source.name)});

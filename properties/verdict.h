@@ -282,10 +282,10 @@ struct FailureSite {
   /// The single question as a scene; empty if there is none, or several.
   std::optional<scene::Scene> scene;
   std::optional<CodeLine> line = {};  ///< In the candidate's source, if known.
-  bool is_silent = false;             ///< It gave no reply in time.
+  bool timed_out = false;             ///< It gave no reply in time.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(blame, count, scene, line, is_silent);
+    archive(blame, count, scene, line, timed_out);
   }
 };
 

@@ -29,8 +29,8 @@ ExactRay::Direction direction_of(const ExactRay::Source& source) {
           line.g.z().inf(), line.g.z().sup(), line.a.inf(),     line.a.sup()};
 }
 
-void raise(Rungs by, Rung rung) {
-  if (by.highest != nullptr) *by.highest = std::max(*by.highest, rung);
+void raise(Filtering by, FilterStage stage) {
+  if (by.highest != nullptr) *by.highest = std::max(*by.highest, stage);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ ExactRay::Direction ExactRay::direction_in_double_doubles() const {
   return direction_.get([this] { return direction_of(source_); });
 }
 
-/// The first rung; while it lives doubles round upward, and the ray's line is in intervals.
+/// The first stage; while it lives doubles round upward, and the ray's line is in intervals.
 struct ExactRay::Filter {
   explicit Filter(const ExactRay& ray)
       : line{lift_vector(IntervalLift{}, base_of(ray.source_)),
@@ -68,10 +68,10 @@ struct ExactRay::Filter {
 /// The ladder: `sign` of the ray and two spheres under intervals, double-doubles, balls, the exact
 /// field, until one is certain; the last always is.
 template <class F>
-int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Rungs by,
+int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Filtering by,
                      F sign) const {
-  const auto take = [by](Rung rung, int answer) {
-    raise(by, rung);
+  const auto take = [by](FilterStage stage, int answer) {
+    raise(by, stage);
     return answer;
   };
   const auto sign_under = [&](const auto& lift, const auto& line) {
@@ -82,21 +82,21 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Ru
     {
       const Filter filter(*this);
       if (const auto answer = sign_under(IntervalLift{}, filter.line)) {
-        return take(Rung::kIntervals, *answer);
+        return take(FilterStage::kIntervals, *answer);
       }
     }
     const std::optional<int> certain = by_double_doubles(
         [&] { return sign_under(DoubleDoubleLift{}, line_in_double_doubles(*this)); });
     if (certain) {
-      return take(Rung::kDoubleDoubles, *certain);
+      return take(FilterStage::kDoubleDoubles, *certain);
     }
     const EnclosureLift lift{kMiddleBits};
     if (const auto answer = sign_under(lift, line_of(lift, source_))) {
-      return take(Rung::kBalls, *answer);
+      return take(FilterStage::kBalls, *answer);
     }
   }
   const ExactLift lift;
-  return take(Rung::kField, *sign_under(lift, line_of(lift, source_)));
+  return take(FilterStage::kField, *sign_under(lift, line_of(lift, source_)));
 }
 
 /// All coefficients at once.
@@ -108,11 +108,12 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Ru
   return classify(sign, root);
 }
 
-Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, Rungs by) const {
+Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root,
+                                 Filtering by) const {
   scene::require_valid(sphere);
   if (by.engine == Engine::kFiltered) {  // intervals nearly always decide
     if (const auto certain = intersect_by_intervals(sphere, root)) {
-      raise(by, Rung::kIntervals);
+      raise(by, FilterStage::kIntervals);
       return *certain;
     }
   }
@@ -126,7 +127,7 @@ Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, 
 }
 
 Intersection ExactRay::intersect(const scene::Sphere& sphere, const scene::Conventions& conventions,
-                                 Rungs by) const {
+                                 Filtering by) const {
   const scene::ValidRoots& valid = conventions.valid;
   if (valid.is_usual()) return intersect(sphere, conventions.root, by);
   scene::require_valid(sphere);
@@ -144,7 +145,7 @@ Intersection ExactRay::intersect(const scene::Sphere& sphere, const scene::Conve
 }
 
 RootCounts ExactRay::counts(const scene::Sphere& sphere, const Intersection& at,
-                            const scene::ValidRoots& valid, Rungs by) const {
+                            const scene::ValidRoots& valid, Filtering by) const {
   const auto culled =
       at.root == WhichRoot::kSmaller ? scene::Culling::kFrontFaces : scene::Culling::kBackFaces;
   if (valid.culling == culled) return RootCounts::kCulled;
@@ -175,7 +176,7 @@ Number exactly(double value) {
 }  // namespace
 
 int ExactRay::compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
-                                scene::TUnit unit, Rungs by) const {
+                                scene::TUnit unit, Filtering by) const {
   scene::require_valid(sphere);
   // s = (b + sign sqrt(disc)) / a; of a unit direction over sqrt(a), as is the length of s g.
   return decide(sphere, sphere, by, [&]<class Pair>(const Pair& pair, const Pair&) {
@@ -193,7 +194,8 @@ int ExactRay::compare_parameter(const scene::Sphere& sphere, const Intersection&
 }
 
 int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
-                      const scene::Sphere& second, const Intersection& at_second, Rungs by) const {
+                      const scene::Sphere& second, const Intersection& at_second,
+                      Filtering by) const {
   scene::require_valid(first);
   scene::require_valid(second);
   // Most ties are of equal spheres, and these no arithmetic but the exact field's decides.
@@ -208,7 +210,7 @@ int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
 
 void ExactRay::keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
                             const Intersection& at, std::optional<NearestSphere>& best,
-                            Rungs by) const {
+                            Filtering by) const {
   const int order =
       best ? compare(spheres[index], at, spheres[best->index], best->intersection, by) : -1;
   if (order < 0) best = NearestSphere{index, at, {}};
@@ -217,7 +219,7 @@ void ExactRay::keep_nearest(std::span<const scene::Sphere> spheres, std::size_t 
 
 std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> spheres,
                                                const scene::Conventions& conventions,
-                                               Rungs by) const {
+                                               Filtering by) const {
   constexpr std::size_t kBetweenPolls = 256;
   std::optional<NearestSphere> best;
   const bool is_usual = conventions.valid.is_usual();

@@ -34,17 +34,17 @@ constexpr bool counts_as_hit(HitClass hit_class, scene::Tangent tangent) {
          (hit_class == HitClass::kTangent && tangent != scene::Tangent::kMiss);
 }
 
-/// Which arithmetic decides: the rungs one after the other, or the exact field alone, which tests
-/// use to check the other rungs.
+/// Which arithmetic decides: the stages one after the other, or the exact field alone, which tests
+/// use to check the other stages.
 enum class Engine { kFiltered, kFieldOnly };
 
-/// The rungs of Engine::kFiltered, the cheapest first; a decision takes the first that is certain.
-enum class Rung { kIntervals, kDoubleDoubles, kBalls, kField };
+/// The stages of Engine::kFiltered, the cheapest first; a decision takes the first that is certain.
+enum class FilterStage { kIntervals, kDoubleDoubles, kBalls, kField };
 
-/// What decides; `highest`, if given, is raised to the highest rung that a decision needed.
-struct Rungs {
+/// What decides; `highest`, if given, is raised to the highest stage that a decision needed.
+struct Filtering {
   Engine engine = Engine::kFiltered;
-  Rung* highest = nullptr;
+  FilterStage* highest = nullptr;
 };
 
 /// The sphere that a ray meets first.
@@ -118,29 +118,30 @@ class ExactRay {
 
   /// Hit, miss or tangent, and at which root, under a `root` convention.
   Intersection intersect(const scene::Sphere& sphere, scene::Root root = scene::Root::kNearest,
-                         Rungs by = {}) const;
+                         Filtering by = {}) const;
   /// The same under all conventions about roots: which are valid, and which of these is taken.
   Intersection intersect(const scene::Sphere& sphere, const scene::Conventions& conventions,
-                         Rungs by = {}) const;
+                         Filtering by = {}) const;
   /// Whether a root of a hit or a tangent counts.
   RootCounts counts(const scene::Sphere& sphere, const Intersection& at,
-                    const scene::ValidRoots& valid, Rungs by = {}) const;
+                    const scene::ValidRoots& valid, Filtering by = {}) const;
   /// The sign of s - t for a hit or a tangent; if t is in radii of the sphere, of s - t r; if it is
   /// a scene length, of |direction| s - t.
   /// Domain: t is finite.
   int compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
-                        scene::TUnit unit, Rungs by = {}) const;
+                        scene::TUnit unit, Filtering by = {}) const;
   /// The sign of s(first) - s(second), both of which must be hits.
   int compare(const scene::Sphere& first, const Intersection& at_first, const scene::Sphere& second,
-              const Intersection& at_second, Rungs by = {}) const;
+              const Intersection& at_second, Filtering by = {}) const;
   /// Makes sphere `index`, which is hit, the nearest when it is nearer than `best`, or one of its
   /// ties.
   void keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
                     const Intersection& at, std::optional<NearestSphere>& best,
-                    Rungs by = {}) const;
+                    Filtering by = {}) const;
   /// The sphere met first, ties included; empty when none is.
   std::optional<NearestSphere> nearest(std::span<const scene::Sphere> spheres,
-                                       const scene::Conventions& conventions, Rungs by = {}) const;
+                                       const scene::Conventions& conventions,
+                                       Filtering by = {}) const;
 
   /// Enclosures of relative width 2^-relative_bits per coordinate; exact where the value is 0.
   Enclosure3 pixel_point(int relative_bits = kValueBits) const;
@@ -172,7 +173,7 @@ class ExactRay {
   std::optional<Intersection> intersect_by_intervals(const scene::Sphere& sphere,
                                                      scene::Root root) const;
   template <class F>
-  int decide(const scene::Sphere& first, const scene::Sphere& second, Rungs by, F sign) const;
+  int decide(const scene::Sphere& first, const scene::Sphere& second, Filtering by, F sign) const;
 
   Source source_;
   std::array<double, 8> bounds_;  ///< Lower and upper bounds of g and |g|^2: the filter's line.

@@ -2,7 +2,7 @@
 # cmake -DPROGRAM=path -DLABEL=unit [-DLONG=...] -DTO=file -P suites.cmake. The file is for TEST_INCLUDE_FILES. LONG, a regular
 # expression of names, are of label `long`; so are suites that begin with Long, those that begin with Nightly of label
 # `nightly`, and of label `hostile`, too, those of attacks
-# and bad luck, which are called Hostile... (or LongHostile, Attacks, DullSubmission).
+# and bad luck, which are called Hostile... (or LongHostile, Attacks, DegenerateSubmission).
 cmake_minimum_required(VERSION 3.25)
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed COMMAND_ERROR_IS_FATAL ANY)
 # A suite begins its line and ends with a dot; a comment may follow.
@@ -14,7 +14,7 @@ foreach(suite IN LISTS suites)
   set(labels ${LABEL})
   if(suite MATCHES "^Nightly")
     list(APPEND labels nightly)
-  elseif(suite MATCHES "(^|/)(Long)?Hostile|^(Attacks|DullSubmission)$")
+  elseif(suite MATCHES "(^|/)(Long)?Hostile|^(Attacks|DegenerateSubmission)$")
     list(APPEND labels hostile long)
   elseif(suite MATCHES "(^|/)Long" OR (LONG AND suite MATCHES "^(${LONG})(/|$)"))
     list(APPEND labels long)
@@ -22,7 +22,7 @@ foreach(suite IN LISTS suites)
   # Of these, which take long and share nothing, the parameters are dealt to four processes.
   set(shards 0)
   set(last 0)
-  if(suite MATCHES "^(Dull|Files|Machines)/")
+  if(suite MATCHES "^(Degenerate|Files|Machines)/")
     set(shards 4)
     set(last 3)
   endif()

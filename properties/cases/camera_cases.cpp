@@ -146,15 +146,15 @@ constexpr CaseSource kCameraSourceTable[] = {
     {"far-camera", "ordinary cameras and spheres in view, all 10^k from the world's origin", true,
      // The lecture's P - E loses directions beyond what ordinary code may from @2 on; code that
      // never forms it breaks nothing.
-     Dial{"log10 of the distance from the world's origin", 10, 15, 1, 15}, far_camera},
+     SeverityRange{"log10 of the distance from the world's origin", 10, 15, 1, 15}, far_camera},
     {"camera-scale", "cameras and spheres in view, every length times 2^k or 2^-k", true,
      // right.cpp breaks `scaling` from @391 on, the laws of the camera from @510 on; see scale.
-     Dial{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, camera_scale},
+     SeverityRange{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, camera_scale},
     {"up", "up vectors at an angle of 10^-k to the view", true,
      // A plain up x W is off the right angle to W by 10^k u, as no change of the inputs makes it:
      // at
      // @3 one s in 15,000 of right.cpp exceeds its bound. direct/cross holds to the end.
-     Dial{"-log10 of the angle between up and the view", 10, 15, 2, 15}, up}};
+     SeverityRange{"-log10 of the angle between up and the view", 10, 15, 2, 15}, up}};
 
 }  // namespace
 

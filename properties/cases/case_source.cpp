@@ -10,14 +10,14 @@
 namespace raycheck::properties {
 namespace {
 
-int any_severity(const Dial& dial, std::uint64_t seed) {
+int any_severity(const SeverityRange& range, std::uint64_t seed) {
   Random random(~seed);  // not the random numbers that make the case
-  return static_cast<int>(random.integer(0, dial.highest));
+  return static_cast<int>(random.integer(0, range.highest));
 }
 
 }  // namespace
 
-int Dial::highest_of(Level level) const {
+int SeverityRange::highest_of(Level level) const {
   switch (level) {
     case Level::kOrdinary:
       return ordinary;
@@ -29,7 +29,7 @@ int Dial::highest_of(Level level) const {
   return highest;
 }
 
-Level Dial::level_of(int severity) const {
+Level SeverityRange::level_of(int severity) const {
   return severity <= ordinary    ? Level::kOrdinary
          : severity <= demanding ? Level::kDemanding
                                  : Level::kExtreme;
@@ -66,7 +66,7 @@ const CaseSource* find_case_source(std::string_view name) {
 Case ChosenSource::make(std::uint64_t seed) const { return source->make(severity_of(seed), seed); }
 
 int ChosenSource::severity_of(std::uint64_t seed) const {
-  return severity ? *severity : source->dial ? any_severity(*source->dial, seed) : 0;
+  return severity ? *severity : source->severities ? any_severity(*source->severities, seed) : 0;
 }
 
 std::string ChosenSource::name() const {
@@ -82,8 +82,8 @@ std::uint64_t ChosenSource::hash() const {
 }
 
 Level ChosenSource::level() const {
-  if (!source->dial) return source->level;
-  return source->dial->level_of(severity.value_or(source->dial->highest));
+  if (!source->severities) return source->level;
+  return source->severities->level_of(severity.value_or(source->severities->highest));
 }
 
 const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t number) {
@@ -107,16 +107,17 @@ ChosenSource chosen_source(std::string_view name) {
     throw std::invalid_argument("no source of cases is called '" + source_name + "'");
   }
   if (at == name.size()) return {source};
-  if (!source->dial) {
+  if (!source->severities) {
     throw std::invalid_argument("'" + source_name + "' has no severities to choose from");
   }
   const std::string_view digits = name.substr(at + 1);
   const char* const end = digits.data() + digits.size();
   int severity = -1;
   const auto [last, error] = std::from_chars(digits.data(), end, severity);
-  if (error != std::errc{} || last != end || severity < 0 || severity > source->dial->highest) {
+  if (error != std::errc{} || last != end || severity < 0 ||
+      severity > source->severities->highest) {
     throw std::invalid_argument("severities of '" + source_name + "' are 0 to " +
-                                std::to_string(source->dial->highest) + ", not '" +
+                                std::to_string(source->severities->highest) + ", not '" +
                                 std::string(digits) + "'");
   }
   return {source, severity};

@@ -13,7 +13,7 @@ namespace raycheck::properties {
 
 /// What makes the cases of a family harder: the one thing that severity sets, in powers of `base`.
 /// Severity 0 is ordinary.
-struct Dial {
+struct SeverityRange {
   std::string_view meaning;  ///< What severity counts: "log10 of the distance over the radius".
   int base;                  ///< 10 or 2
   int highest;               ///< Severities are 0..highest.
@@ -31,7 +31,7 @@ struct CaseSource {
   std::string_view name;
   std::string_view sentence;
   bool has_camera;
-  std::optional<Dial> dial;
+  std::optional<SeverityRange> severities;
   /// Domain: a severity of the dial; a source without one ignores it.
   Case (*make)(int severity, std::uint64_t seed);
   Level level = Level::kOrdinary;  ///< Of a source without a dial.

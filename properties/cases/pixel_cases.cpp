@@ -142,13 +142,14 @@ constexpr CaseSource kPixelSourceTable[] = {
     {"field-of-view", "bounds of 10^k or 10^-k times near", true,
      // The lecture's directions break from @2 on, the sums of `incremental` at @0; others hold to
      // the end.
-     Dial{"log10 of the bounds over near, up or down", 10, 15, 3, 15}, field_of_view},
+     SeverityRange{"log10 of the bounds over near, up or down", 10, 15, 3, 15}, field_of_view},
     {"image-size", "images 2^k pixels across, 2^31 - 1 at most", true,
      // The lecture's directions break from @6 on; others hold to the end.
-     Dial{"log2 of the pixels across", 2, kMostPixelsLog2, 14, kMostPixelsLog2}, image_size},
+     SeverityRange{"log2 of the pixels across", 2, kMostPixelsLog2, 14, kMostPixelsLog2},
+     image_size},
     {"near-plane", "image planes 10^-k radii off the surface of a sphere", true,
      // All methods decide correctly, though the pixel's own rounding comes before that of surface.
-     Dial{"log10 of the radius over the pixel's distance from the surface", 10, 15, 6, 15},
+     SeverityRange{"log10 of the radius over the pixel's distance from the surface", 10, 15, 6, 15},
      near_plane}};
 
 }  // namespace

@@ -157,23 +157,23 @@ constexpr CaseSource kRaySourceTable[] = {
     {"distance", "spheres 10^k radii away", false,
      // The textbook's class is wrong from @7 on (lecture: @8), its s and Q from @2 on. The stable
      // methods hold to the end.
-     Dial{"log10 of the distance over the radius", 10, 15, 2, 15}, distance},
+     SeverityRange{"log10 of the distance over the radius", 10, 15, 2, 15}, distance},
     {"coincident", "equal spheres 10^-k radii apart along the ray; at the highest, coincident",
      // Which sphere is nearer needs excuses from @13 (textbook) and @14 (direct/cross) on.
-     false, Dial{"log10 of the radius over the separation", 10, kExactlyCoincident, 6, 12},
+     false, SeverityRange{"log10 of the radius over the separation", 10, kExactlyCoincident, 6, 12},
      coincident},
     {"far-world", "ordinary rays and spheres, all 10^k from the world's origin", false,
      // No method breaks a law; beyond @4 the inputs keep less than half of their digits.
-     Dial{"log10 of the distance from the world's origin", 10, 15, 4, 15}, far_world},
+     SeverityRange{"log10 of the distance from the world's origin", 10, 15, 4, 15}, far_world},
     {"scale", "ordinary rays and spheres, every length times 2^k or 2^-k", false,
      // right.cpp breaks `scaling`, which scales once more, from @391 on, its decisions from @510
      // on, where products of four lengths leave the range; at 2^100 there is room for ten factors.
      // The stable methods promise lengths to 2^+-200, of which ordinary scenes take the last
      // binades.
-     Dial{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, scale},
+     SeverityRange{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, scale},
     {"direction-length", "ordinary rays and spheres, the direction times 2^k or 2^-k", false,
      // As for scale.
-     Dial{"log2 of the direction's length, up or down", 2, kMostBinades, 100, 190},
+     SeverityRange{"log2 of the direction's length, up or down", 2, kMostBinades, 100, 190},
      direction_length}};
 
 }  // namespace

@@ -205,18 +205,18 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
 
 /// A batch failed, at this line if it is known: judges the question to blame, or the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
-                         const std::optional<CodeLine>& line = {}, bool is_silent = false) {
+                         const std::optional<CodeLine>& line = {}, bool timed_out = false) {
   FailureSearch* const search = trial.options().search;
   if (search == nullptr || !asks_apart(law)) {
     return judged_failure(law, trial, Wrong::kFailed, message,
-                          {Blame::kNone, 0, {}, line, is_silent});
+                          {Blame::kNone, 0, {}, line, timed_out});
   }
   const bool by_sphere = asks_by_sphere(law, trial);
   const std::uint64_t questions = count_asked(trial, by_sphere);
   const auto failed_once = [&](Blame blame, int& count) {
     if (!trial.failed_parts().is_new(message)) return LawJudgement{Verdict(law.name), true};
     ++count;
-    FailureSite failed{blame, questions, {}, line, is_silent};
+    FailureSite failed{blame, questions, {}, line, timed_out};
     if (blame == Blame::kQuestion) failed.scene = trial.asked_scene();
     return judged_failure(law, trial, Wrong::kFailed, message, failed);
   };

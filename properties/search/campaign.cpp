@@ -27,9 +27,9 @@ int share_of_all(int all, std::size_t shares, std::size_t k) {
 
 /// The severities that a source stands for.
 std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level, int cases) {
-  if (chosen.severity || !chosen.source->dial) return {chosen};
+  if (chosen.severity || !chosen.source->severities) return {chosen};
   std::vector<ChosenSource> severities;
-  const int last = chosen.source->dial->highest_of(level);
+  const int last = chosen.source->severities->highest_of(level);
   for (const int severity : some_severities(0, last, std::min(cases, kMostSeverities))) {
     severities.push_back({chosen.source, severity});
   }
@@ -60,7 +60,7 @@ void share_out(const Law& law, const CampaignOptions& options, Level level, Case
   for (std::size_t k = 0; k < options.sources.size(); ++k) add(k, options.sources[k]);
   const auto all = case_sources();
   for (std::size_t k = 0; options.sources.empty() && k < all.size(); ++k) {
-    if (all[k].dial || all[k].level <= level) add(k, {&all[k]});
+    if (all[k].severities || all[k].level <= level) add(k, {&all[k]});
   }
   for (std::size_t k = 0; k < sources.size(); ++k) {
     const auto& [place, source] = sources[k];
@@ -239,8 +239,8 @@ Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_
       has_answered_(asked_.size()),
       units_failed_(asked_.size()),
       answers_nothing_(asked_.size()),
-      units_silent_(asked_.size()),
-      is_silent_(asked_.size()) {
+      units_timed_out_(asked_.size()),
+      timed_out_(asked_.size()) {
   std::map<SeriesKey, std::pair<ChosenSource, std::vector<Tried>>> all;
   for (std::size_t candidate = 0; candidate < asked_.size(); ++candidate) {
     const auto& [laws, options] = asked_[candidate];
@@ -298,7 +298,7 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
   }
   const auto is_over = [&](std::size_t k) {
     const std::size_t candidate = series.tried[k].candidate;
-    if (!units_are_kept_ && (answers_nothing_[candidate] || is_silent_[candidate])) return true;
+    if (!units_are_kept_ && (answers_nothing_[candidate] || timed_out_[candidate])) return true;
     if (asked_[candidate].options.keep_going > 1) return false;
     return searches[k].part.is_broken() || (!units_are_kept_ && series.broken_in[k] < number);
   };
@@ -339,14 +339,14 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto& [candidate, law, cases] = series.tried[k];
     CampaignResult& result = results_[candidate][law];
-    const bool is_asked = !answers_nothing_[candidate] && !is_silent_[candidate];
+    const bool is_asked = !answers_nothing_[candidate] && !timed_out_[candidate];
     if (!is_asked || parts[k].counts.cases == 0) continue;
     const bool goes_on =
         in_series > 0 && !result.parts.empty() && result.parts.back().source == series.source;
     const bool is_over = goes_on && result.parts.back().is_broken();
     if (is_over && asked_[candidate].options.keep_going <= 1) continue;
     // Of parts that count alone: which others were tried is a matter of threads.
-    if (parts[k].was_silent) silent[candidate] = true;
+    if (parts[k].timed_out) silent[candidate] = true;
     if (parts[k].failed_at_once) {
       fails[candidate] = true;
     } else if (parts[k].verdict.compared() > 0) {
@@ -369,8 +369,8 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
       answers_nothing_[k] = true;
     }
     // Each request without a reply takes all the time that there is for one.
-    if (silent[k] && (!has_answered_[k] || ++units_silent_[k] == kUnitsToFail)) {
-      is_silent_[k] = true;
+    if (silent[k] && (!has_answered_[k] || ++units_timed_out_[k] == kUnitsToFail)) {
+      timed_out_[k] = true;
     }
   }
 }

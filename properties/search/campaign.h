@@ -78,7 +78,7 @@ struct CampaignPart {
   std::optional<std::uint64_t> undecided_seed;  ///< and the first of these.
 
   bool failed_at_once = false;  ///< The candidate failed before it answered anything.
-  bool was_silent = false;      ///< A case broke the law since it gave no reply in time.
+  bool timed_out = false;       ///< A case broke the law since it gave no reply in time.
 
   bool is_broken() const { return !breaks.empty(); }
   /// Whether its break shows what those known do not.
@@ -90,7 +90,7 @@ struct CampaignPart {
   /// Without its source.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(counts, verdict, breaks, undecided, undecided_seed, failed_at_once, was_silent);
+    archive(counts, verdict, breaks, undecided, undecided_seed, failed_at_once, timed_out);
   }
 };
 
@@ -226,8 +226,8 @@ class Campaigns {
   std::vector<bool> has_answered_;
   std::vector<std::size_t> units_failed_;
   std::vector<std::atomic<bool>> answers_nothing_;
-  std::vector<std::size_t> units_silent_;
-  std::vector<std::atomic<bool>> is_silent_;          ///< It is asked no more for that.
+  std::vector<std::size_t> units_timed_out_;
+  std::vector<std::atomic<bool>> timed_out_;          ///< It is asked no more for that.
   std::vector<std::vector<CampaignResult>> results_;  ///< By candidate and law.
 };
 

@@ -77,8 +77,8 @@ void LawSearch::replay(std::uint64_t seed, bool shrinks) {
 void LawSearch::ask_first() {
   // How long an answer takes is another matter, and so is what fails whatever it is asked.
   const auto worst = failure->verdict.worst(1);
-  const bool is_silent = !worst.empty() && worst.front().failed.is_silent;
-  if (!candidate_->restart || is_silent || fails_always(failure->verdict)) return;
+  const bool timed_out = !worst.empty() && worst.front().failed.timed_out;
+  if (!candidate_->restart || timed_out || fails_always(failure->verdict)) return;
   until_interrupted([&] {
     const auto is_right = [&](const Case& one, Verdict& verdict) {
       candidate_->restart();
@@ -155,7 +155,7 @@ bool LawSearch::take(const Case& the_case, bool judged, bool given, Verdict verd
   if (is_shrinking && fails_always(verdict)) return false;
   if (!is_shrinking) {
     const bool is_first = part.verdict.compared() == verdict.compared();
-    part.was_silent |= verdict.worst(1).front().failed.is_silent;
+    part.timed_out |= verdict.worst(1).front().failed.timed_out;
     if (is_first) part.failed_at_once = verdict.worst(1).front().wrong == Wrong::kFailed;
     std::vector<DefectKind> defects = verdict.defects(strict_);
     if (part.is_new(defects)) {

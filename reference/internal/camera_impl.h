@@ -9,7 +9,7 @@
 
 namespace raycheck::reference {
 
-/// The precision of the ladder's middle rung, between intervals and the exact field.
+/// The precision of the ladder's middle stage, between intervals and the exact field.
 inline constexpr int kMiddleBits = 256;
 
 struct ExactCamera::Impl {

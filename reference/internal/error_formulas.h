@@ -1,7 +1,7 @@
 #pragma once
 
 // The formulas of reference/error_measure.h and reference/ray_error.h over number types, and the
-// rung of double-doubles that comes before balls. Internal to reference/.
+// stage of double-doubles that comes before balls. Internal to reference/.
 
 #include <cmath>
 #include <limits>

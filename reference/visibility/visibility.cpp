@@ -274,7 +274,7 @@ DecidedBy Visibility::classes(std::size_t sphere, std::int64_t j_begin, std::int
 
 DecidedBy& DecidedBy::operator+=(const DecidedBy& other) {
   filter += other.filter;
-  for (std::size_t k = 0; k < rungs.size(); ++k) rungs[k] += other.rungs[k];
+  for (std::size_t k = 0; k < stages.size(); ++k) stages[k] += other.stages[k];
   return *this;
 }
 

@@ -28,11 +28,11 @@ struct SeenRows {
 /// How many pixels were decided by what.
 struct DecidedBy {
   std::uint64_t filter = 0;  ///< Doubles, within bounds on their errors.
-  /// By the highest rung that a pixel's decisions needed (index: Rung): of ExactRay, or the filter
-  /// once more in double-doubles.
-  std::array<std::uint64_t, 4> rungs{};
+  /// By the highest stage that a pixel's decisions needed (index: FilterStage): of ExactRay, or the
+  /// filter once more in double-doubles.
+  std::array<std::uint64_t, 4> stages{};
 
-  std::uint64_t fallback() const { return rungs[0] + rungs[1] + rungs[2] + rungs[3]; }
+  std::uint64_t fallback() const { return stages[0] + stages[1] + stages[2] + stages[3]; }
   DecidedBy& operator+=(const DecidedBy& other);
   bool operator==(const DecidedBy&) const = default;
 };

@@ -34,11 +34,11 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
         to[column] = hit ? HitClass::kHit : HitClass::kMiss;
         if ((undecided >> column & 1) == 0) continue;
         const ExactRay ray(impl.camera, {rows.first_column(tile) + column, j + row});
-        Rung highest = Rung::kIntervals;
+        FilterStage highest = FilterStage::kIntervals;
         to[column] =
             ray.intersect(impl.scene.spheres[index], impl.plan.conventions, {.highest = &highest})
                 .hit_class;
-        ++decided_by.rungs[static_cast<std::size_t>(highest)];
+        ++decided_by.stages[static_cast<std::size_t>(highest)];
       }
     }
   }

@@ -172,11 +172,11 @@ class NearestOfRows {
       for (std::uint64_t left = tile_.undecided[static_cast<std::size_t>(row)]; left != 0;
            left &= left - 1) {
         const int column = __builtin_ctzll(left);
-        const Rung rung =
+        const FilterStage stage =
             decide_exactly({at_.first_column(tile) + column, at_.first_row() + row},
                            at_.output_at(row, tile) + static_cast<std::size_t>(column),
                            tangents_[static_cast<std::size_t>(row)]);
-        ++decided_by.rungs[static_cast<std::size_t>(rung)];
+        ++decided_by.stages[static_cast<std::size_t>(stage)];
       }
     }
   }
@@ -269,7 +269,7 @@ class NearestOfRows {
         ++decided;
       }
     }
-    decided_by.rungs[static_cast<std::size_t>(Rung::kDoubleDoubles)] += decided;
+    decided_by.stages[static_cast<std::size_t>(FilterStage::kDoubleDoubles)] += decided;
     return decided > 0;
   }
 
@@ -289,21 +289,21 @@ class NearestOfRows {
   struct RowTangent {
     std::size_t sphere = 0;
     int columns = 0;
-    Rung rung = Rung::kIntervals;
+    FilterStage stage = FilterStage::kIntervals;
 
     bool is_whole_row(std::span<const std::size_t> candidates) const {
       return columns >= 3 && candidates.size() == 1 && candidates.front() == sphere;
     }
-    void add(std::size_t of, const Intersection& at, Rung by) {
+    void add(std::size_t of, const Intersection& at, FilterStage by) {
       if (at.hit_class != HitClass::kTangent) return;
       const bool is_same = of == sphere && columns > 0;
       columns = is_same ? columns + 1 : 1;
-      rung = is_same ? std::max(rung, by) : by;
+      stage = is_same ? std::max(stage, by) : by;
       sphere = of;
     }
   };
 
-  Rung decide_exactly(const scene::Pixel& pixel, std::size_t at, RowTangent& tangent) {
+  FilterStage decide_exactly(const scene::Pixel& pixel, std::size_t at, RowTangent& tangent) {
     candidates_.clear();
     for (const SphereInTile& entry : list_) {
       const auto index = static_cast<std::size_t>(entry.sphere->index);
@@ -328,13 +328,13 @@ class NearestOfRows {
       } else {
         put_all(kNoSphere, kNoParameter, nowhere);
       }
-      return tangent.rung;
+      return tangent.stage;
     }
     std::sort(candidates_.begin(), candidates_.end());  // among equals the first in the file
     spheres_.clear();
     for (const std::size_t index : candidates_) spheres_.push_back(impl_.scene.spheres[index]);
     const ExactRay ray(impl_.camera, pixel);
-    Rung highest = Rung::kIntervals;
+    FilterStage highest = FilterStage::kIntervals;
     const auto seen = ray.nearest(spheres_, conventions, {.highest = &highest});
     if (candidates_.size() == 1 && conventions.valid.is_usual() &&
         (seen || !counts_as_hit(HitClass::kTangent, conventions.tangent))) {

@@ -1,7 +1,7 @@
 #include "tests/caught/page.h"
 
 #include "tests/caught/places.h"
-#include "tests/dull/judged.h"
+#include "tests/degenerate/judged.h"
 
 namespace raycheck::caught {
 namespace {
@@ -36,7 +36,7 @@ const std::string kNever = "-";
 
 std::string cell_of(const FirstCaught& row, const CaseSource& source) {
   if (!row.severity) return kNever;
-  return source.dial ? std::to_string(*row.severity) : "yes";
+  return source.severities ? std::to_string(*row.severity) : "yes";
 }
 
 std::string cell_of(const Resolution& row) {
@@ -76,20 +76,20 @@ std::string reports_table() {
   return table;
 }
 
-std::string dull_table() {
-  using dull::Judgement;
-  const dull::DullRoom room;
+std::string degenerate_table() {
+  using degenerate::Judgement;
+  const degenerate::DegenerateRoom room;
   std::map<std::string, std::map<Judgement, int>> counts;
   for (const CaseSource& source : properties::case_sources()) {
     for (const auto& place : places_of(source)) {
-      for (const dull::Judged& judged : room.judge(place, dull::kDullCases)) {
-        ++counts[judged.dull->candidate.name][judged.judgement];
+      for (const degenerate::Judged& judged : room.judge(place, degenerate::kDegenerateCases)) {
+        ++counts[judged.degenerate->candidate.name][judged.judgement];
       }
     }
   }
   std::string table = head_of({"candidate", "what it says", "laws that break it", "broken",
                                "right there", "nothing asked", "excused"});
-  for (const dull::Dull& one : room.all()) {
+  for (const degenerate::Degenerate& one : room.all()) {
     std::vector<std::string> laws;
     for (const std::string_view law : one.broken_by) laws.push_back(code(law));
     std::vector<std::string> cells = {code(one.candidate.name), std::string(one.sentence),
@@ -105,7 +105,7 @@ std::string dull_table() {
 
 std::string excused_table() {
   std::string table = head_of({"source", "severities", "laws", "candidates", "why"});
-  for (const dull::WhyExcused& why : dull::why_excused()) {
+  for (const degenerate::WhyExcused& why : degenerate::why_excused()) {
     std::vector<std::string> laws, candidates;
     for (const std::string_view law : why.laws) laws.push_back(code(law));
     for (const std::string_view candidate : why.candidates) candidates.push_back(code(candidate));
@@ -218,7 +218,7 @@ std::string severity_tables(const std::vector<OfSource<Resolution>>& found) {
   for (const auto& [kind, law] : shown) {
     std::string table = head_of({"family", "severities", "k noticed at each"});
     for (const auto& [source, rows] : found) {
-      if (!source->dial) continue;
+      if (!source->severities) continue;
       for (const Resolution& row : rows) {
         if (row.kind->name != kind || row.law->name != law) continue;
         std::vector<std::string> cells, severities;

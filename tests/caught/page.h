@@ -21,7 +21,7 @@ std::string cell_of(const Resolution& row);
 std::string line_of(const KnownReport& report, const FoundReport& found);
 
 // The parts of docs/what-is-caught.md, each for a `{{NAME}}` of its template.
-std::string dull_table();                                                       // dull
+std::string degenerate_table();                                                 // degenerate
 std::string excused_table();                                                    // excused
 std::string mutant_tables(const std::vector<OfSource<FirstCaught>>& found);     // mutants
 std::string reports_table();                                                    // reports

@@ -13,9 +13,9 @@ inline constexpr int kFewSeverities = 18;
 /// A source at each severity that is looked at, the lowest first; at none where it has no dial.
 inline std::vector<properties::ChosenSource> places_of(const properties::CaseSource& source,
                                                        int most = properties::kMostSeverities) {
-  if (!source.dial) return {{&source, std::nullopt}};
+  if (!source.severities) return {{&source, std::nullopt}};
   std::vector<properties::ChosenSource> places;
-  for (const int severity : properties::some_severities(0, source.dial->highest, most)) {
+  for (const int severity : properties::some_severities(0, source.severities->highest, most)) {
     places.push_back({&source, severity});
   }
   return places;

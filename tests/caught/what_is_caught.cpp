@@ -36,7 +36,7 @@ std::string filled(std::string text, std::optional<int> cases) {
   std::optional<std::vector<caught::OfSource<caught::Resolution>>> kept;
   const auto errors = [&] { return kept ? *kept : *(kept = small_errors(cases)); };
   const std::map<std::string, std::function<std::string()>> parts = {
-      {"dull", caught::dull_table},
+      {"degenerate", caught::degenerate_table},
       {"excused", caught::excused_table},
       {"mutants",
        [&] {

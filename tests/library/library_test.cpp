@@ -1,6 +1,6 @@
 // What the library says is what the reference says, and its own ways of writing a number agree.
-// Candidates that are linked in, in doubles and in floats: what is right passes, what is dull or
-// wrong does not.
+// Candidates that are linked in, in doubles and in floats: what is right passes, what is degenerate
+// or wrong does not.
 
 #include <raycheck/cases.h>
 #include <raycheck/exact.h>
@@ -176,19 +176,19 @@ TEST(Judge, LetsAGoodTracerPassEveryLaw) {
   EXPECT_GT(told, tests.checks().size() * 2 / 3);
 }
 
-TEST(Judge, BreaksWhatIsDull) {
+TEST(Judge, BreaksWhatIsDegenerate) {
   Candidate misses("misses");
   misses.intersect = [](const auto&...) { return std::optional<Hit>(); };
   Candidate at_zero("at-zero");
   at_zero.intersect = [](const Ray& ray, const auto&...) {
     return std::optional<Hit>({0, ray.origin});
   };
-  for (const Candidate& dull : {misses, at_zero}) {
-    const Verdict verdict = judge(dull, "class");
+  for (const Candidate& degenerate : {misses, at_zero}) {
+    const Verdict verdict = judge(degenerate, "class");
     EXPECT_EQ(verdict.finding, Finding::broken) << verdict.text;
     EXPECT_FALSE(verdict.passes());
     for (const char* source : {"rays", "distance", "tangency", "surface"}) {
-      EXPECT_EQ(judge(dull, "class", source).finding, Finding::broken) << source;
+      EXPECT_EQ(judge(degenerate, "class", source).finding, Finding::broken) << source;
     }
   }
 }

@@ -146,9 +146,9 @@ TEST(Nearest, EqualSpheresTieWithoutTheField) {
   const Sphere sphere = {{5, 0.3, 1}, 1};
   const Intersection at = ray.intersect(sphere);
   ASSERT_EQ(at, kSmallerHit);
-  Rung highest = Rung::kIntervals;
+  FilterStage highest = FilterStage::kIntervals;
   EXPECT_EQ(ray.compare(sphere, at, sphere, at, {Engine::kFiltered, &highest}), 0);
-  EXPECT_EQ(highest, Rung::kIntervals);
+  EXPECT_EQ(highest, FilterStage::kIntervals);
   EXPECT_EQ(ray.compare(sphere, at, sphere, at, {Engine::kFieldOnly}), 0);
   EXPECT_EQ(ray.compare(sphere, at, sphere, {HitClass::kHit, WhichRoot::kLarger}), -1);
 }

@@ -61,8 +61,9 @@ std::vector<Shipped> families() {
   constexpr int kSeverities = 6;
   std::vector<Shipped> result;
   for (const properties::CaseSource& source : properties::case_sources()) {
-    if (!source.has_camera || !source.dial) continue;
-    for (const int severity : properties::some_severities(0, source.dial->highest, kSeverities)) {
+    if (!source.has_camera || !source.severities) continue;
+    for (const int severity :
+         properties::some_severities(0, source.severities->highest, kSeverities)) {
       const properties::ChosenSource chosen{&source, severity};
       scene::Scene scene = chosen.make(1).scene;
       if (scene.spheres.empty()) continue;

@@ -151,7 +151,7 @@ class Conversation {
   void allow(double share) { share_ = share; }
   /// Requests without a reply count no more, and kept answers do again.
   void forget_silence() {
-    silent_shares_ = 0;
+    shares_timed_out_ = 0;
     silences_ = 0;
     failed_request_.clear();
     is_asked_anew_ = false;
@@ -170,7 +170,7 @@ class Conversation {
                   std::size_t lines, const std::function<void(Request&)>& fill, const Read& read) {
     Request request(next_id(), function, conventions);
     fill(request);
-    if (silent_shares_ >= kMostSilences) {
+    if (shares_timed_out_ >= kMostSilences) {
       AnswerFailure{
           fmt::format("{}: not asked, after {} requests without a reply", function, silences_),
           FailureKind::kNotAsked}
@@ -185,7 +185,7 @@ class Conversation {
     } catch (const ProcessFailure& failure) {
       if (failure.kind() == FailureKind::kTimeUp) {
         ++silences_;
-        silent_shares_ += share_;
+        shares_timed_out_ += share_;
       }
       const auto line = line_in(process_ ? process_->unfinished() : "");
       AnswerFailure words{
@@ -276,7 +276,7 @@ class Conversation {
   double share_ = 1;
   bool is_asked_anew_ = false;
   int silences_ = 0;
-  double silent_shares_ = 0;  ///< Sum of their shares of the time for a reply.
+  double shares_timed_out_ = 0;  ///< Sum of their shares of the time for a reply.
   std::mt19937_64 ids_{std::random_device{}()};
 };
 

@@ -33,12 +33,12 @@ Json intersect_method_json(const fast::IntersectMethod* method) {
           {"not_kept_on", method->not_kept}};
 }
 
-Json dial_json(const properties::Dial& dial) {
-  return {{"meaning", dial.meaning},
-          {"base", dial.base},
-          {"highest", dial.highest},
-          {"highest_ordinary", dial.ordinary},
-          {"highest_demanding", dial.demanding}};
+Json dial_json(const properties::SeverityRange& range) {
+  return {{"meaning", range.meaning},
+          {"base", range.base},
+          {"highest", range.highest},
+          {"highest_ordinary", range.ordinary},
+          {"highest_demanding", range.demanding}};
 }
 
 }  // namespace
@@ -55,8 +55,8 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
   json["sources"] = list_json(catalogue.sources, [](const properties::CaseSource& source) {
     return Json{{"name", source.name},
                 {"sentence", source.sentence},
-                {"level", source.dial ? Json(nullptr) : Json(name(source.level))},
-                {"dial", or_null(source.dial, dial_json)}};
+                {"level", source.severities ? Json(nullptr) : Json(name(source.level))},
+                {"dial", or_null(source.severities, dial_json)}};
   });
   json["conventions"] = {{"rows", scene::kRowsNames},       {"samples", scene::kSamplesNames},
                          {"origin", scene::kOriginNames},   {"root", scene::kRootNames},

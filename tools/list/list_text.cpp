@@ -32,15 +32,16 @@ std::string promised_text(const Method& method) {
 
 /// What a dial measures, and which of its severities belong to which level.
 std::string levels_text(const properties::CaseSource& source) {
-  if (!source.dial) {
+  if (!source.severities) {
     if (source.level == properties::Level::kOrdinary) return {};
     return fmt::format("  {:<17} {}\n", "", name(source.level));
   }
-  const properties::Dial& dial = *source.dial;
-  std::string levels = fmt::format("ordinary to @{}", dial.ordinary);
-  if (dial.demanding > dial.ordinary) levels += fmt::format(", demanding to @{}", dial.demanding);
-  if (dial.highest > dial.demanding) levels += fmt::format(", extreme to @{}", dial.highest);
-  return fmt::format("  {:<17} {}: {}\n", "", levels, dial.meaning);
+  const properties::SeverityRange& range = *source.severities;
+  std::string levels = fmt::format("ordinary to @{}", range.ordinary);
+  if (range.demanding > range.ordinary)
+    levels += fmt::format(", demanding to @{}", range.demanding);
+  if (range.highest > range.demanding) levels += fmt::format(", extreme to @{}", range.highest);
+  return fmt::format("  {:<17} {}: {}\n", "", levels, range.meaning);
 }
 
 }  // namespace

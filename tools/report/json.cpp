@@ -204,10 +204,10 @@ Json standings_json(const properties::Verdict& verdict) {
 
 Json decided_by_json(const reference::DecidedBy& decided_by) {
   return {{"filter", decided_by.filter},
-          {"intervals", decided_by.rungs[0]},
-          {"double_doubles", decided_by.rungs[1]},
-          {"balls", decided_by.rungs[2]},
-          {"field", decided_by.rungs[3]}};
+          {"intervals", decided_by.stages[0]},
+          {"double_doubles", decided_by.stages[1]},
+          {"balls", decided_by.stages[2]},
+          {"field", decided_by.stages[3]}};
 }
 
 }  // namespace raycheck::tools

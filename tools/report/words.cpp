@@ -48,8 +48,8 @@ std::string witness_text(const Discrepancy& d) {
   return text;
 }
 
-constexpr std::array<std::string_view, 4> kRungNames = {"intervals", "double-doubles", "balls",
-                                                        "the field"};
+constexpr std::array<std::string_view, 4> kStageNames = {"intervals", "double-doubles", "balls",
+                                                         "the field"};
 
 }  // namespace
 
@@ -297,14 +297,14 @@ std::string broken_law_text(std::string_view sentence, std::string_view discrepa
 }
 
 std::string decided_by_text(const reference::DecidedBy& decided_by) {
-  std::string rungs;
-  for (std::size_t k = 0; k < kRungNames.size(); ++k) {
-    if (decided_by.rungs[k] == 0) continue;
-    rungs +=
-        fmt::format("{}{} by {}", rungs.empty() ? "" : ", ", decided_by.rungs[k], kRungNames[k]);
+  std::string stages;
+  for (std::size_t k = 0; k < kStageNames.size(); ++k) {
+    if (decided_by.stages[k] == 0) continue;
+    stages +=
+        fmt::format("{}{} by {}", stages.empty() ? "" : ", ", decided_by.stages[k], kStageNames[k]);
   }
   return fmt::format("{} by the filter, {} exactly{}", decided_by.filter, decided_by.fallback(),
-                     rungs.empty() ? "" : " (" + rungs + ")");
+                     stages.empty() ? "" : " (" + stages + ")");
 }
 
 std::string indented(std::string_view lines, std::string_view indent) {

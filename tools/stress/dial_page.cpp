@@ -109,8 +109,8 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
   ViewDocument document;
   document.title = std::string(family.family->name);
   DialView dial;
-  dial.sentence =
-      fmt::format("{}; severity is {}", family.family->sentence, family.family->dial->meaning);
+  dial.sentence = fmt::format("{}; severity is {}", family.family->sentence,
+                              family.family->severities->meaning);
   SceneViewOptions view;
   view.is_of_methods = is_of_methods;
   const StressCurve* first = nullptr;

@@ -22,13 +22,13 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
   std::vector<const CaseSource*> families;
   std::string known;
   for (const CaseSource& source : properties::case_sources()) {
-    if (!source.dial) continue;
+    if (!source.severities) continue;
     if (names.empty()) families.push_back(&source);
     known += (known.empty() ? "" : ", ") + std::string(source.name);
   }
   for (const std::string& name : names) {
     const CaseSource* const family = properties::find_case_source(name);
-    if (family == nullptr || !family->dial) {
+    if (family == nullptr || !family->severities) {
       throw scene::InvalidInput("family", name, "no such family; the families are " + known);
     }
     if (std::ranges::find(families, family) == families.end()) {
@@ -39,7 +39,7 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
 }
 
 std::pair<int, int> range_of(const CaseSource& family, const StressOptions& options) {
-  const int highest = family.dial->highest;
+  const int highest = family.severities->highest;
   if (!options.severities) return {0, highest};
   const auto [from, to] = *options.severities;
   return {from, std::min(to, highest)};
@@ -51,16 +51,16 @@ void require_severities(const std::vector<const CaseSource*>& families,
   if (!options.severities || families.empty()) return;
   const auto [from, to] = *options.severities;
   const auto by_highest = [](const CaseSource* a, const CaseSource* b) {
-    return a->dial->highest < b->dial->highest;
+    return a->severities->highest < b->severities->highest;
   };
   const auto [fewest, most] = std::ranges::minmax_element(families, by_highest);
-  const CaseSource* const beyond = from > (*fewest)->dial->highest ? *fewest
-                                   : to > (*most)->dial->highest   ? *most
-                                                                   : nullptr;
+  const CaseSource* const beyond = from > (*fewest)->severities->highest ? *fewest
+                                   : to > (*most)->severities->highest   ? *most
+                                                                         : nullptr;
   if (beyond == nullptr) return;
   throw scene::InvalidInput(
       "severity", fmt::format("{}..{}", from, to),
-      fmt::format("the severities of {} are 0..{}", beyond->name, beyond->dial->highest));
+      fmt::format("the severities of {} are 0..{}", beyond->name, beyond->severities->highest));
 }
 
 std::vector<int> severities_of(const CaseSource& family, const StressOptions& options) {

@@ -14,8 +14,8 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
   for (const FamilyReport& family : report.families) {
     Json entry;
     entry["name"] = family.family->name;
-    entry["severity"] = family.family->dial->meaning;
-    entry["base"] = family.family->dial->base;
+    entry["severity"] = family.family->severities->meaning;
+    entry["base"] = family.family->severities->base;
     entry["methods"] = Json::array();
     for (const StressCurve& curve : family.curves) {
       Json method;
@@ -27,7 +27,7 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
       method["stage"] = name(curve.stage);
       method["judged"] = curve.is_judged();
       method["first_failing"] = or_null(curve.first_failing());
-      method["slope"] = or_null(curve.slope(family.family->dial->base));
+      method["slope"] = or_null(curve.slope(family.family->severities->base));
       method["max_ratio"] = error_json(curve.worst_ratio());
       for (std::size_t k = 0; k < curve.results.size(); ++k) {
         method["severities"].push_back(

@@ -9,7 +9,7 @@ using properties::Stage;
 ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precision precision) {
   ChartFacet facet{.subject = std::string(family.family->name),
                    .stage = chart_stage(stage, precision),
-                   .meaning = std::string(family.family->dial->meaning),
+                   .meaning = std::string(family.family->severities->meaning),
                    .quantities = chart_quantities(stage),
                    .precision = precision};
   for (const StressCurve& curve : family.curves) {

@@ -112,7 +112,7 @@ Table summary_table(const StressReport& report) {
       const Tally& classes = all.tally(Quantity::kClass);
       const std::uint64_t other_defects =
           properties::defects(all) - classes.count(Outcome::kWrongDecision);
-      const std::optional<double> slope = curve.slope(family.family->dial->base);
+      const std::optional<double> slope = curve.slope(family.family->severities->base);
       table.add({std::string(family.family->name), curve.method.name, failing_text(curve),
                  slope ? fmt::format("{:.2f}", *slope) : "-", error_text(curve.worst_ratio()),
                  std::to_string(classes.count(properties::Wrong::kMissed)),
@@ -171,7 +171,7 @@ std::string rendered(const StressReport& report, Markup markup) {
   }
   for (const FamilyReport& family : report.families) {
     text += fmt::format("{}{}: severity is {}\n", item, family.family->name,
-                        family.family->dial->meaning);
+                        family.family->severities->meaning);
   }
   return text;
 }

@@ -32,7 +32,7 @@ std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
   if (!options.all_families) return options.sources;
   std::vector<ChosenSource> sources;
   for (const CaseSource& source : properties::case_sources()) {
-    if (source.dial) sources.push_back({&source});
+    if (source.severities) sources.push_back({&source});
   }
   return sources;
 }
@@ -42,11 +42,11 @@ JudgedSource judged_source(const ChosenSource& source) {
   if (source.severity) {
     judged.severities = {*source.severity};
     judged.last = *source.severity;
-  } else if (source.source->dial) {
-    judged.last = source.source->dial->highest;
+  } else if (source.source->severities) {
+    judged.last = source.source->severities->highest;
     judged.severities = properties::some_severities(0, judged.last, kMostStretches);
   }
-  if (source.source->dial) judged.meaning = source.source->dial->meaning;
+  if (source.source->severities) judged.meaning = source.source->severities->meaning;
   return judged;
 }
 

@@ -60,7 +60,7 @@ int count_ties(const CaseSource& source, std::uint64_t seeds) {
 
 TEST(CaseSource, KeepsMakingBothHitsAndMisses) {
   for (const CaseSource& source : case_sources()) {
-    const int highest = source.dial ? source.dial->highest : 0;
+    const int highest = source.severities ? source.severities->highest : 0;
     std::set<int> severities;
     for (int k = 0; k <= 16; ++k) severities.insert(highest * k / 16);
     for (const int severity : severities) {
@@ -100,10 +100,10 @@ TEST(CaseSource, UsesEveryConvention) {
 
 TEST(AnyCase, HasEverySeverityAboutAsOften) {
   const CaseSource& source = *find_case_source("distance");
-  std::vector<int> found(static_cast<std::size_t>(source.dial->highest) + 1);
+  std::vector<int> found(static_cast<std::size_t>(source.severities->highest) + 1);
   for (std::uint64_t seed = 0; seed < 1600; ++seed) {
     const Case the_case = ChosenSource{&source}.make(seed);
-    for (int severity = 0; severity <= source.dial->highest; ++severity) {
+    for (int severity = 0; severity <= source.severities->highest; ++severity) {
       if (source.make(severity, seed).scene == the_case.scene) {
         ++found[static_cast<std::size_t>(severity)];
       }
@@ -209,7 +209,7 @@ TEST(Shrink, LeadsToSmallIntegersAndFewBits) {
 
 TEST(Shrink, FindsTheSmallestImageByHalving) {
   const CaseSource& source = *find_case_source("image-size");
-  Case the_case = source.make(source.dial->highest, 1);
+  Case the_case = source.make(source.severities->highest, 1);
   ASSERT_EQ(the_case.scene.camera->width, scene::kMostPixelsAcross);
   const auto is_wide = [](const Case& c) { return c.scene.camera->width > 46340; };
   ShrinkBudget budget = {.tries = 10000};

@@ -17,10 +17,10 @@ using scene::Camera;
 using scene::Sphere;
 
 /// Keeps short products of doubles within a factor of 2^50 of each other exact.
-constexpr int kDialBits = 512;
+constexpr int kSeverityBits = 512;
 constexpr double kUnitRoundoff = 0x1p-53;
 
-Enclosure lift(double x) { return {x, kDialBits}; }
+Enclosure lift(double x) { return {x, kSeverityBits}; }
 template <class Triple>
 Enclosure3 lift(const Triple& v) {
   return {lift(v.x), lift(v.y), lift(v.z)};
@@ -38,7 +38,7 @@ constexpr double kBelow = 1 - 0x1p-40;
 constexpr double kAbove = 1 + 0x1p-40;
 
 /// A family whose severity k sets a value to base^k (or its inverse, or either) up to a factor.
-struct DialRow {
+struct SeverityRow {
   std::string_view family;
   enum class Sets { kPower, kInverse, kEither } sets;
   double least;  ///< Factor of the power that values are at least,
@@ -47,8 +47,8 @@ struct DialRow {
   std::vector<Measured> (*measure)(const Case&);
 };
 
-using Sets = DialRow::Sets;
-void PrintTo(const DialRow& row, std::ostream* out) { *out << row.family; }
+using Sets = SeverityRow::Sets;
+void PrintTo(const SeverityRow& row, std::ostream* out) { *out << row.family; }
 
 /// Severities to try: 0, `highest`, and others between, 16 steps at the most.
 std::vector<int> severities(int highest) {
@@ -64,7 +64,7 @@ Enclosure power(int base, int exponent) {
   return exponent < 0 ? Enclosure(1) / result : result;
 }
 
-bool is_around(const Measured& measured, const Enclosure& scale, const DialRow& row) {
+bool is_around(const Measured& measured, const Enclosure& scale, const SeverityRow& row) {
   const Enclosure noise = lift(measured.noise);
   const auto is_at_least = [](const Enclosure& a, const Enclosure& b) {
     return (a - b).certain_sign().value_or(-1) >= 0;
@@ -73,24 +73,24 @@ bool is_around(const Measured& measured, const Enclosure& scale, const DialRow& 
          is_at_least(lift(row.most) * scale + noise, measured.value);
 }
 
-constexpr std::uint64_t kDialSeeds = 100;
+constexpr std::uint64_t kSeveritySeeds = 100;
 
-void expect_dial(const DialRow& row) {
+void expect_dial(const SeverityRow& row) {
   const CaseSource& source = *find_case_source(row.family);
   for (const int severity : severities(row.highest)) {
     SCOPED_TRACE(std::string(row.family) + "@" + std::to_string(severity));
-    const Enclosure up = power(source.dial->base, severity);
-    const Enclosure down = power(source.dial->base, -severity);
+    const Enclosure up = power(source.severities->base, severity);
+    const Enclosure down = power(source.severities->base, -severity);
     std::size_t measured = 0;
-    for (std::uint64_t seed = 0; seed < kDialSeeds; ++seed) {
+    for (std::uint64_t seed = 0; seed < kSeveritySeeds; ++seed) {
       for (const Measured& value : row.measure(source.make(severity, seed))) {
         ++measured;
-        const bool fits_up = row.sets != DialRow::Sets::kInverse && is_around(value, up, row);
-        const bool fits_down = row.sets != DialRow::Sets::kPower && is_around(value, down, row);
+        const bool fits_up = row.sets != SeverityRow::Sets::kInverse && is_around(value, up, row);
+        const bool fits_down = row.sets != SeverityRow::Sets::kPower && is_around(value, down, row);
         EXPECT_TRUE(fits_up || fits_down) << value.value.lower() << ", seed " << seed;
       }
     }
-    EXPECT_GE(measured, kDialSeeds);
+    EXPECT_GE(measured, kSeveritySeeds);
   }
 }
 
@@ -108,7 +108,7 @@ template <class Count>
 void expect_every_side(std::string_view family, std::initializer_list<int> some, Count count) {
   for (const int severity : some) {
     Sides sides;
-    for (std::uint64_t seed = 0; seed < 2 * kDialSeeds; ++seed) {
+    for (std::uint64_t seed = 0; seed < 2 * kSeveritySeeds; ++seed) {
       count(find_case_source(family)->make(severity, seed), sides);
     }
     for (const int side : sides.counts) EXPECT_GT(side, 40) << family << "@" << severity;
@@ -284,7 +284,7 @@ std::vector<Measured> near_plane(const Case& the_case) {
 }
 
 /// A share of 10^-k is between 0.4 and 0.9 of it.
-const DialRow kRows[] = {
+const SeverityRow kRows[] = {
     {"distance", Sets::kPower, 0.5 * kBelow, 2 * kAbove, 15, distance},
     {"tangency", Sets::kInverse, 0.4, 0.9, 16, tangency},
     {"tangent-ulps", Sets::kInverse, kBelow, kAbove, 52, tangent_ulps},
@@ -304,7 +304,7 @@ const DialRow kRows[] = {
     {"near-plane", Sets::kInverse, 0.4, 0.9, 15, near_plane},
 };
 
-class Family : public testing::TestWithParam<DialRow> {};
+class Family : public testing::TestWithParam<SeverityRow> {};
 TEST_P(Family, SetsWhatItsDialSays) { expect_dial(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Families, Family, testing::ValuesIn(kRows),
@@ -314,7 +314,8 @@ INSTANTIATE_TEST_SUITE_P(Families, Family, testing::ValuesIn(kRows),
 template <class Visit>
 void for_each_at_highest(std::string_view family, Visit visit) {
   const CaseSource& source = *find_case_source(family);
-  for (std::uint64_t seed = 0; seed < 500; ++seed) visit(source.make(source.dial->highest, seed));
+  for (std::uint64_t seed = 0; seed < 500; ++seed)
+    visit(source.make(source.severities->highest, seed));
 }
 
 TEST(FamilyHighest, OfTangentUlpsIsExactlyTangent) {

@@ -24,7 +24,7 @@ constexpr const char* kPlanLaws[] = {"plan-left-out", "plan-rectangles", "plan-r
 std::uint64_t cases_of(const CaseSource& source) {
   const char* const asked = std::getenv("RAYCHECK_PLAN_CASES");
   const std::uint64_t cases = asked == nullptr ? 200 : std::strtoull(asked, nullptr, 10);
-  const int severities = source.dial ? source.dial->highest + 1 : 1;
+  const int severities = source.severities ? source.severities->highest + 1 : 1;
   return std::max(cases, static_cast<std::uint64_t>(severities));
 }
 
@@ -59,7 +59,7 @@ std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
 /// So many cases of the source, each with a camera, its severities each as often as the other.
 template <class Body>
 void for_each_case(const CaseSource& source, std::uint64_t cases, Body body) {
-  const int severities = source.dial ? source.dial->highest + 1 : 1;
+  const int severities = source.severities ? source.severities->highest + 1 : 1;
   const auto each = static_cast<std::uint64_t>(severities);
   for (std::uint64_t seed = 0; seed < cases; ++seed) {
     const std::uint64_t severity = cases < each ? seed * each / cases : seed % each;

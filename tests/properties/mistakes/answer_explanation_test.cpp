@@ -303,7 +303,8 @@ TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
       if (rays != &fast::kDirectRays && intersect != &fast::kCross) continue;
       const Candidate candidate = fast_candidate(*rays, *intersect);
       for (const CaseSource& source : case_sources()) {
-        for (int severity = 0; severity <= (source.dial ? source.dial->highest : 0); ++severity) {
+        for (int severity = 0; severity <= (source.severities ? source.severities->highest : 0);
+             ++severity) {
           std::vector<Case> cases;
           for (std::uint64_t seed = 1; seed <= 5; ++seed)
             cases.push_back(source.make(severity, seed));

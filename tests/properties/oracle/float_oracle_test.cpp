@@ -301,9 +301,9 @@ Counts compare_on_all_sources(std::size_t pairs, Precision judged_in) {
   for (std::uint64_t k = 0; counts.pairs < pairs; ++k) {
     const auto& source = sources[k % sources.size()];
     properties::ChosenSource chosen{&source};
-    if (source.dial) {
-      chosen.severity =
-          static_cast<int>(random.bits() % static_cast<std::uint64_t>(source.dial->highest + 1));
+    if (source.severities) {
+      chosen.severity = static_cast<int>(
+          random.bits() % static_cast<std::uint64_t>(source.severities->highest + 1));
     }
     auto rounded = properties::rounded_case(chosen.make(random.bits()), kSingle).the_case;
     if (!rounded) continue;

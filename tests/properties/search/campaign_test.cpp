@@ -235,9 +235,10 @@ TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
       EXPECT_GE(cases, share) << source_name;
       all += cases;
       const CaseSource& source = *find_case_source(source_name);
-      if (!source.dial) continue;
+      if (!source.severities) continue;
       // The highest severity of the level is always there.
-      EXPECT_TRUE(parts.contains(ChosenSource{&source, source.dial->highest_of(level)}.name()));
+      EXPECT_TRUE(
+          parts.contains(ChosenSource{&source, source.severities->highest_of(level)}.name()));
     }
     if (level == Level::kOrdinary) {
       EXPECT_EQ(all, 2400);
@@ -269,7 +270,7 @@ TEST(Campaign, AsksEverySourceAtItsHighestSeverityAtLeastOnce) {
   for (const auto& [source_name, count] : cases) EXPECT_EQ(count, 1) << source_name;
   for (const CaseSource& source : case_sources()) {
     const auto severity =
-        source.dial ? std::optional(source.dial->highest_of(one.level)) : std::nullopt;
+        source.severities ? std::optional(source.severities->highest_of(one.level)) : std::nullopt;
     EXPECT_TRUE(cases.contains(ChosenSource{&source, severity}.name())) << source.name;
   }
 }

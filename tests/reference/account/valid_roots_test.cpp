@@ -55,7 +55,7 @@ TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
   EXPECT_EQ(met(ray, around, {0, 1, Ends::kClosed, TUnit::kRadius, {}}), "far");
 }
 
-TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
+TEST(ValidRoots, AreTheSameByEveryStageBesideTheEnds) {
   Random random(6);
   int hits = 0;
   for (int k = 0; k < 3000; ++k) {
@@ -66,7 +66,7 @@ TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
     const double s = ray.rounded_parameter(sphere, usual);
     if (!std::isfinite(s) || s <= 0) continue;
     const double t = nudged(s, random.integer(-1, 1));
-    Rung highest{};
+    FilterStage highest{};
     const int side =
         ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, {.highest = &highest});
     EXPECT_EQ(side,

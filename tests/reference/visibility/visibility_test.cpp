@@ -355,7 +355,7 @@ TEST(Visibility, IsExactNearSurfaces) {
     }
     const Seen seen = see(visibility_of(scene));
     expect_exact(scene, seen);
-    pairs += seen.decided_by.rungs[1];
+    pairs += seen.decided_by.stages[1];
   }
   EXPECT_GT(pairs, 300U);
 }
@@ -368,7 +368,7 @@ TEST(Visibility, DecidesNearTangentsInPairs) {
         scene.conventions.origin = origin;
         const Seen seen = see(visibility_of(scene));
         expect_exact(scene, seen);
-        const auto [intervals, pairs, balls, field] = seen.decided_by.rungs;
+        const auto [intervals, pairs, balls, field] = seen.decided_by.stages;
         EXPECT_EQ(intervals + balls + field, 0U) << above;
         if (above > 0 && origin == scene::Origin::kFocal) {
           EXPECT_EQ(pairs, 131U) << above;
@@ -400,7 +400,7 @@ TEST(Visibility, DoesNotDependOnTheTarget) {
   scene.spheres.push_back({{x, y + 1, z}, 1 - 0x1p-50});
   const Visibility visibility = visibility_of(scene);
   const Seen best = see(visibility);
-  EXPECT_GT(best.decided_by.rungs[1], best.sphere.size() / 5);
+  EXPECT_GT(best.decided_by.stages[1], best.sphere.size() / 5);
   int targets = 0;
   for (std::int64_t left = hwy::SupportedTargets() & kernel_targets(); left != 0;
        left &= left - 1, ++targets) {

@@ -36,22 +36,23 @@ TEST(RightSubmission, has_full_marks_under_every_seed) {
 }
 
 /// Those of functions in Python that always miss, and what they say of themselves.
-std::string dull(const Grading& grading, const std::string& name, const std::string& more = "") {
+std::string degenerate(const Grading& grading, const std::string& name,
+                       const std::string& more = "") {
   return grading.hand_in(name, "rays.py",
                          "import raycheck_candidate as rc\n"
-                         "rc.run('dull', intersect=lambda ray, sphere, asked: None" +
+                         "rc.run('degenerate', intersect=lambda ray, sphere, asked: None" +
                              more + ")\n");
 }
 
-class DullSubmission : public GradingTest {};
+class DegenerateSubmission : public GradingTest {};
 
 /// At exact tangents either class has a witness.
-TEST_F(DullSubmission, whose_every_answer_is_excused_has_no_points) {
+TEST_F(DegenerateSubmission, whose_every_answer_is_excused_has_no_points) {
   const std::string rubric =
       grading.write("tangents.toml",
                     kFormOfPython + item_of("tangents", "points = 10\ntolerance = { ulp = 16 }",
                                             functions("class", "tangent-ulps@53", 20, kGivenRays)));
-  grading.grade(rubric, {dull(grading, "misses")});
+  grading.grade(rubric, {degenerate(grading, "misses")});
   const json item = grading.result("misses")["items"][0];
   EXPECT_EQ(item["score"], 0) << item.dump(2);
   expect_values(item,
@@ -60,7 +61,7 @@ TEST_F(DullSubmission, whose_every_answer_is_excused_has_no_points) {
 
 /// What a submission states of itself would take it out of what the rubric asks: lengths, and roots
 /// that count.
-TEST_F(DullSubmission, that_states_a_domain_without_any_case_has_no_points) {
+TEST_F(DegenerateSubmission, that_states_a_domain_without_any_case_has_no_points) {
   const std::string rubric = grading.write(
       "rays.toml", kFormOfPython +
                        item_of("hits", "points = 10", functions("class", "rays", 20, kGivenRays)) +
@@ -71,8 +72,8 @@ TEST_F(DullSubmission, that_states_a_domain_without_any_case_has_no_points) {
   std::vector<std::string> submissions;
   for (const std::string& stated : states) {
     submissions.push_back(
-        dull(grading, "dull" + std::to_string(submissions.size()),
-             ", frame=lambda camera: ((0, 0, 1), (0, 1, 0), (1, 0, 0)), " + stated));
+        degenerate(grading, "degenerate" + std::to_string(submissions.size()),
+                   ", frame=lambda camera: ((0, 0, 1), (0, 1, 0), (1, 0, 0)), " + stated));
   }
   const json report =
       json::parse(grading.grade(rubric, submissions, "out", "--format json --seed 1").out);
@@ -87,11 +88,11 @@ TEST_F(DullSubmission, that_states_a_domain_without_any_case_has_no_points) {
 
 /// Of a bonus, that is: a case in which nothing is met is no more than the rest of an ordinary
 /// item.
-TEST_F(DullSubmission, that_always_misses_has_no_bonus) {
+TEST_F(DegenerateSubmission, that_always_misses_has_no_bonus) {
   const std::string rubric = grading.write(
       "bonus.toml", kFormOfPython + item_of("rays", "points = 10\nbonus = true\ncredit = \"share\"",
                                             functions("class", "rays", 60, kGivenRays)));
-  grading.grade(rubric, {dull(grading, "misses")});
+  grading.grade(rubric, {degenerate(grading, "misses")});
   const json result = grading.result("misses");
   EXPECT_EQ(result["score"], 0) << result.dump(2);
   EXPECT_GT(result["items"][0]["cases"], 0);

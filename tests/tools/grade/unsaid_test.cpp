@@ -20,7 +20,7 @@ class Unsaid : public GradingTest {
                   replaced(contents(grading.path("full.toml")), "right = 1", "right = 2"));
     grading.write("submissions/right/main.py", renderer_in_python());
     // It draws what the dry run asks, and says of all else that it cannot be said.
-    grading.write("submissions/dull/rt.py", renderer_in_python("if h != 25: sys.exit(77)\n"));
+    grading.write("submissions/degenerate/rt.py", renderer_in_python("if h != 25: sys.exit(77)\n"));
     wrapper_ = grading.write("wrapper/wrap.sh", kWrapper);
   }
 
@@ -65,15 +65,15 @@ TEST_F(Unsaid, cases_leave_the_total_and_every_page_says_how_many) {
 }
 
 TEST_F(Unsaid, cases_are_never_so_by_the_word_of_whom_is_judged) {
-  grade("dull", "sh " + wrapper_ + " {program}", kLimitsOnly);
-  EXPECT_EQ(points("dull"), (std::vector<double>{0, 10})) << "the wrapper passes its code on";
+  grade("degenerate", "sh " + wrapper_ + " {program}", kLimitsOnly);
+  EXPECT_EQ(points("degenerate"), (std::vector<double>{0, 10})) << "the wrapper passes its code on";
   // And where it lies where the command runs.
   const std::string last_two = "while [ $# -gt 2 ]; do shift; done; exec python3 rt.py $1 $2";
   for (const std::string& words :
        {std::string("{program}"), "sh -c '" + last_two + "' sh {program}"}) {
-    grade("dull", words, kLimitsOnly);
-    EXPECT_EQ(points("dull"), (std::vector<double>{0, 20})) << words;
-    expect_parts(grading.file("dull", "report.html"), {"exited with 77"});
+    grade("degenerate", words, kLimitsOnly);
+    EXPECT_EQ(points("degenerate"), (std::vector<double>{0, 20})) << words;
+    expect_parts(grading.file("degenerate", "report.html"), {"exited with 77"});
   }
 }
 

@@ -131,17 +131,18 @@ RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& 
 
 /// Both pictures of a case; empty if the candidate draws none. A renderer whose last picture it is
 /// does not run again.
-std::optional<ComparedPictures> compared_pictures(const Case& the_case, const Examinee& who) {
+std::optional<ComparedPictures> compared_pictures(const Case& the_case,
+                                                  const GradedCandidate& graded) {
   const scene::Conventions& conventions = the_case.scene.conventions;
   ComparedPictures pictures;
   try {
-    pictures.got = who.candidate.image(the_case.scene, conventions);
+    pictures.got = graded.candidate.image(the_case.scene, conventions);
   } catch (const properties::NoAnswer&) {
     return {};
   }
   pictures.exact = properties::exact_image(the_case.scene, conventions);
   if (pictures.got.size() != pictures.exact->size()) return {};
-  if (who.masks_only) pictures.exact = mask_of(*std::move(pictures.exact));
+  if (graded.masks_only) pictures.exact = mask_of(*std::move(pictures.exact));
   return pictures;
 }
 
@@ -154,40 +155,40 @@ WrongAnswer wrong_answer(const Discrepancy& d) {
   return answer;
 }
 
-bool keeps_state(const FailedCase& failed, const Examinee& who) {
-  if (failed.failure || !who.candidate.restart) return false;
+bool keeps_state(const FailedCase& failed, const GradedCandidate& graded) {
+  if (failed.failure || !graded.candidate.restart) return false;
   const auto is_right = [&](const Case& asked) {
-    Trial trial(asked, who.candidate, who.options());
+    Trial trial(asked, graded.candidate, graded.options());
     const Verdict verdict = apply(*failed.broken, trial);
     return verdict.holds() && verdict.compared() > 0;
   };
   const Case at_place = only_at(failed.discrepancy.place, failed.item_case.the_case);
   if (is_right(at_place)) return false;
-  who.candidate.restart();
+  graded.candidate.restart();
   const bool is_right_first = is_right(at_place);
-  who.candidate.forget_silence();
+  graded.candidate.forget_silence();
   return is_right_first;
 }
 
-Case simplest(const FailedCase& first, const Examinee& who, const properties::Fault& fault,
-              const std::function<bool()>& is_late) {
+Case simplest(const FailedCase& first, const GradedCandidate& graded,
+              const properties::Fault& fault, const std::function<bool()>& is_late) {
   const Case& from = first.item_case.the_case;
   if (first.failure == FailureKind::kTimeUp) return from;
   const bool failed = first.discrepancy.wrong == Wrong::kFailed;
   properties::ShrinkBudget budget;
-  budget.tries = failed ? kTriesOfFailures : who.pictures ? kTriesOfPictures : kTries;
+  budget.tries = failed ? kTriesOfFailures : graded.pictures ? kTriesOfPictures : kTries;
   // Every pixel of a picture is judged.
   const auto whole = [&](Case the_case) {
-    if (who.pictures) the_case.pixels = properties::all_pixels(*the_case.scene.camera);
+    if (graded.pictures) the_case.pixels = properties::all_pixels(*the_case.scene.camera);
     return the_case;
   };
   Case start = from;
-  if (who.pictures) start.pixels.clear();
+  if (graded.pictures) start.pixels.clear();
   return whole(properties::smallest(std::move(start), budget, [&](const Case& next) {
     if (is_late() || !is_alike(next.scene, from.scene)) return false;
-    if (!properties::is_of_format(next.scene, who.candidate.input_format())) return false;
+    if (!properties::is_of_format(next.scene, graded.candidate.input_format())) return false;
     const Case judged = whole(next);
-    Trial trial(judged, who.candidate, who.options());
+    Trial trial(judged, graded.candidate, graded.options());
     const Verdict verdict = apply(*first.broken, trial);
     if (verdict.holds()) return false;
     const Discrepancy now = verdict.worst(1).front();
@@ -195,13 +196,13 @@ Case simplest(const FailedCase& first, const Examinee& who, const properties::Fa
       return false;
     }
     if (failed) return now.what == first.discrepancy.what;
-    return !who.pictures || fault.empty() || is_made_by(fault, judged, who.unmasked);
+    return !graded.pictures || fault.empty() || is_made_by(fault, judged, graded.unmasked);
   }));
 }
 
 std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& first,
-                                        const Examinee& who) {
-  Trial trial(the_case, who.candidate, who.options());
+                                        const GradedCandidate& graded) {
+  Trial trial(the_case, graded.candidate, graded.options());
   Discrepancy d = first.discrepancy;
   if (first.failure != FailureKind::kTimeUp) {
     const Verdict verdict = apply(*first.broken, trial);
@@ -212,9 +213,9 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
   FailingCase failing{
       std::string(first.broken->name), first.item_case.origin, {}, wrong_answer(d), the_case};
   failing.the_case.scene.conventions = trial.conventions();
-  if (who.pictures) {
+  if (graded.pictures) {
     failing.the_case.pixels.clear();
-    if (d.wrong != Wrong::kFailed) failing.pictures = compared_pictures(failing.the_case, who);
+    if (d.wrong != Wrong::kFailed) failing.pictures = compared_pictures(failing.the_case, graded);
   } else if (d.wrong != Wrong::kFailed) {
     failing.step = first_wrong_step(trial);
     failing.answers = ray_answers(trial, d.place, *first.broken);

@@ -133,25 +133,25 @@ bool is_unanswered(const Law& law, Trial& trial) {
 
 /// Tries the laws on a case.
 CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
-                     const Examinee& examinee) {
-  Trial trial(the_case, examinee.candidate, examinee.options());
+                     const GradedCandidate& graded) {
+  Trial trial(the_case, graded.candidate, graded.options());
   CaseOutcome outcome;
-  if (examinee.last_failure) examinee.last_failure->reset();
+  if (graded.last_failure) graded.last_failure->reset();
   for (const Law* law : laws) {
     Verdict verdict = apply(*law, trial);
     // Of pictures every pixel is compared.
-    const bool unanswered = !examinee.pictures && verdict.holds() && is_unanswered(*law, trial);
+    const bool unanswered = !graded.pictures && verdict.holds() && is_unanswered(*law, trial);
     outcome.compared += verdict.compared();
     outcome.answers = outcome.answers || verdict.compared() > 0 || unanswered;
     // A renderer with colours of its own does not tell which sphere it sees.
     const bool is_untold =
-        examinee.pictures && !examinee.masks_only && the_case.scene.spheres.size() > 1;
+        graded.pictures && !graded.masks_only && the_case.scene.spheres.size() > 1;
     if (!verdict.holds()) {
       if (outcome.broken != nullptr) continue;
       outcome.broken = law;
       outcome.discrepancy = verdict.worst(1).front();
-      if (outcome.discrepancy->wrong == properties::Wrong::kFailed && examinee.last_failure) {
-        outcome.failure = *examinee.last_failure;
+      if (outcome.discrepancy->wrong == properties::Wrong::kFailed && graded.last_failure) {
+        outcome.failure = *graded.last_failure;
       }
     } else if (is_untold && !verdict.reason_left_out().empty()) {
       outcome.unanswered = {.kind = ItemReason::Kind::kOtherColours};
@@ -162,7 +162,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
     }
     outcome.verdict.merge(std::move(verdict));
   }
-  outcome.is_unsaid = examinee.last_failure && *examinee.last_failure == FailureKind::kCannotSay;
+  outcome.is_unsaid = graded.last_failure && *graded.last_failure == FailureKind::kCannotSay;
   return outcome;
 }
 
@@ -228,7 +228,7 @@ void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
 
 }  // namespace
 
-ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const Examinee& who,
+ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCandidate& graded,
                    const std::function<ItemReason()>& reason_to_stop, ItemGrade given) {
   ItemTrial trial;
   ItemGrade& grade = trial.grade = std::move(given);
@@ -244,15 +244,15 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const Examinee&
     }
     std::optional<ItemCase> item_case = cases[k];
     if (!item_case) continue;
-    CaseOutcome outcome = try_case(task.laws, item_case->the_case, who);
+    CaseOutcome outcome = try_case(task.laws, item_case->the_case, graded);
     all.merge(std::move(outcome.verdict));
     if (outcome.is_unsaid) ++grade.unsaid;
     if (!outcome.answers) continue;
     std::optional<ShownPicture> picture;
     // It was just drawn and is reused; a timeout is not waited for twice.
-    const bool is_silent = outcome.failure == FailureKind::kTimeUp;
-    if (who.pictures && !is_silent)
-      picture = properties::shown_picture(item_case->the_case.scene, who.unmasked);
+    const bool timed_out = outcome.failure == FailureKind::kTimeUp;
+    if (graded.pictures && !timed_out)
+      picture = properties::shown_picture(item_case->the_case.scene, graded.unmasked);
     if (picture) trial.pictures.push_back(*picture);
     if (outcome.broken == nullptr && outcome.unanswered.kind == ItemReason::Kind::kOtherColours) {
       if (!tells_spheres(*picture)) {
@@ -270,8 +270,8 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const Examinee&
     if (grade.reason.kind == ItemReason::Kind::kNone) grade.reason = outcome.unanswered;
     if (outcome.broken == nullptr) continue;
     failed_altogether += outcome.discrepancy->wrong == properties::Wrong::kFailed ? 1 : 0;
-    silent += is_silent ? 1 : 0;
-    if (who.pictures || trial.failed.size() < kKeptCases) {
+    silent += timed_out ? 1 : 0;
+    if (graded.pictures || trial.failed.size() < kKeptCases) {
       trial.failed.push_back({std::move(*item_case), outcome.broken, *outcome.discrepancy,
                               outcome.failure, std::move(picture)});
     }

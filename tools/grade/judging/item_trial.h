@@ -52,7 +52,7 @@ class ItemCases {
 };
 
 /// The candidate for an item, in the item's own units, and how strictly it is judged.
-struct Examinee {
+struct GradedCandidate {
   properties::Candidate candidate;  ///< Of its pictures only what the item asks for counts.
   properties::Candidate unmasked;   ///< The same, with its pictures as they are.
   Tolerance tolerance;
@@ -93,7 +93,7 @@ struct ItemTrial {
 };
 
 /// Tries the cases of an item, until there is a reason to stop.
-ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const Examinee& who,
+ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCandidate& graded,
                    const std::function<ItemReason()>& reason_to_stop, ItemGrade grade);
 
 /// The numbers of a discrepancy, without its law.
@@ -103,18 +103,18 @@ WrongAnswer wrong_answer(const properties::Discrepancy& discrepancy);
 /// way, with the same message if the candidate failed entirely, and, for a renderer whose mistakes
 /// are known (`fault`), with a picture that they make. Timeouts are not shrunk, since every case
 /// tried might take as long.
-properties::Case simplest(const FailedCase& first, const Examinee& who,
+properties::Case simplest(const FailedCase& first, const GradedCandidate& graded,
                           const properties::Fault& fault, const std::function<bool()>& is_late);
 
 /// Whether the candidate answers wrongly about the place where it broke a law, as it runs, and
 /// rightly as a fresh process. False where it gave no answer, and of renderers, which start for
 /// each scene.
-bool keeps_state(const FailedCase& failed, const Examinee& who);
+bool keeps_state(const FailedCase& failed, const GradedCandidate& graded);
 
 /// The report on a case, `first` being how it first failed; empty if it does not break the law any
 /// more.
 std::optional<FailingCase> failing_case(const properties::Case& the_case, const FailedCase& first,
-                                        const Examinee& examinee);
+                                        const GradedCandidate& graded);
 
 /// What items fail by that is no mistake in a formula; of each kind a submission has one.
 enum class OtherCause { kRoundings, kSidesExchanged, kShapeOfScenes };

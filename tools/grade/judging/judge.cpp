@@ -171,18 +171,18 @@ class Judge {
     return judged_.pictures ? item.pictures : item.functions;
   }
 
-  Examinee examinee(const Item& item) const {
+  GradedCandidate candidate_for(const Item& item) const {
     const ItemTask& task = *task_of(item);
-    Examinee who;
-    who.unmasked = tolerated(judged_.candidate, item.tolerance);
-    who.unmasked.excused_image_change =
-        task.image_change.value_or(who.unmasked.excused_image_change);
-    who.candidate = task.masks_only ? masked(who.unmasked) : who.unmasked;
-    who.tolerance = item.tolerance;
-    who.pictures = judged_.pictures;
-    who.masks_only = task.masks_only;
-    who.last_failure = judged_.last_failure;
-    return who;
+    GradedCandidate graded;
+    graded.unmasked = tolerated(judged_.candidate, item.tolerance);
+    graded.unmasked.excused_image_change =
+        task.image_change.value_or(graded.unmasked.excused_image_change);
+    graded.candidate = task.masks_only ? masked(graded.unmasked) : graded.unmasked;
+    graded.tolerance = item.tolerance;
+    graded.pictures = judged_.pictures;
+    graded.masks_only = task.masks_only;
+    graded.last_failure = judged_.last_failure;
+    return graded;
   }
 
   ItemTrial try_item_at(std::size_t index) {
@@ -197,12 +197,12 @@ class Judge {
     }
     properties::Random seeds(seed_);
     for (std::size_t k = 0; k < index; ++k) seeds.bits();
-    const Examinee who = examinee(item);
-    const ItemCases cases(*task, judged_.pictures, seeds.bits(), who.candidate.declared,
+    const GradedCandidate graded = candidate_for(item);
+    const ItemCases cases(*task, judged_.pictures, seeds.bits(), graded.candidate.declared,
                           rubric_.precision);
     try {
       return try_item(
-          *task, cases, who, [this] { return reason_to_stop(); }, grade);
+          *task, cases, graded, [this] { return reason_to_stop(); }, grade);
     } catch (const scene::Interrupted&) {
       grade.reason.kind = Kind::kInterrupted;
       return trial;
@@ -231,7 +231,7 @@ class Judge {
     for (std::size_t k = 0; k < trials.size(); ++k) {
       if (trials[k].failed.empty()) continue;
       const FailedCase& first = trials[k].failed.front();
-      if (!keeps_state(first, examinee(rubric_.items[k]))) continue;
+      if (!keeps_state(first, candidate_for(rubric_.items[k]))) continue;
       trials[k].grade.mistakes = {{{std::string(properties::kKeepsState)}}};
       trials[k].grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
       trials[k].failed.clear();
@@ -244,12 +244,12 @@ class Judge {
   void show_failure(std::size_t index, const Fault& fault, ItemTrial& trial) {
     if (trial.failed.empty()) return;
     const FailedCase& first = trial.failed.front();
-    const Examinee who = examinee(rubric_.items[index]);
+    const GradedCandidate graded = candidate_for(rubric_.items[index]);
     trial.grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
     const auto is_late = [this] { return reason_to_stop().kind != ItemReason::Kind::kNone; };
     try {
-      const properties::Case smallest = simplest(first, who, fault, is_late);
-      trial.grade.failing = failing_case(smallest, first, who);
+      const properties::Case smallest = simplest(first, graded, fault, is_late);
+      trial.grade.failing = failing_case(smallest, first, graded);
     } catch (const scene::Interrupted&) {
       trial.grade.failing.reset();
     }

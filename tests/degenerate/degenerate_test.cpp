@@ -1,21 +1,21 @@
 #include "tests/caught/places.h"
-#include "tests/dull/judged.h"
+#include "tests/degenerate/judged.h"
 #include "tests/names.h"
 #include "tests/testing.h"
 
-namespace raycheck::dull {
+namespace raycheck::degenerate {
 namespace {
 
 using namespace properties;
 
-const DullRoom& room() {
-  static const DullRoom the_room;
+const DegenerateRoom& room() {
+  static const DegenerateRoom the_room;
   return the_room;
 }
 
 std::string described(const Judged& judged) {
-  std::string text = judged.dull->candidate.name + ", " + std::string(judged.law->name) + ", " +
-                     judged.where.name() + ":";
+  std::string text = judged.degenerate->candidate.name + ", " + std::string(judged.law->name) +
+                     ", " + judged.where.name() + ":";
   for (const auto& [quantity, tally] : judged.verdict.tallies()) {
     text += " " + std::string(info(quantity).name) + " compared " + std::to_string(tally.cases) +
             " ill-conditioned " + std::to_string(tally.ill_conditioned);
@@ -32,11 +32,12 @@ class OnEachSource : public testing::TestWithParam<std::string> {
   const CaseSource& source() const { return *find_case_source(GetParam()); }
 };
 
-TEST_P(OnEachSource, WhatIsDullBreaksItsLawsAtEverySeverityOrItIsSaidWhyNot) {
+TEST_P(OnEachSource, WhatIsDegenerateBreaksItsLawsAtEverySeverityOrItIsSaidWhyNot) {
   std::set<const WhyExcused*> used;
   for (const ChosenSource& place : caught::places_of(source())) {
-    for (const Judged& judged : room().judge(place, kDullCases)) {
-      if (judged.judgement == Judgement::kBroken && judged.dull->candidate.name != "refuses-all") {
+    for (const Judged& judged : room().judge(place, kDegenerateCases)) {
+      if (judged.judgement == Judgement::kBroken &&
+          judged.degenerate->candidate.name != "refuses-all") {
         const Wrong wrong = judged.verdict.worst(1).front().wrong;
         EXPECT_TRUE(wrong != Wrong::kRefused && wrong != Wrong::kFailed) << described(judged);
       }
@@ -64,21 +65,22 @@ TEST_P(OnEachSource, WhatIsRightBreaksNoLawAtAnySeverity) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Dull, OnEachSource, testing::ValuesIn(names_of(case_sources())), by_name);
+INSTANTIATE_TEST_SUITE_P(Degenerate, OnEachSource, testing::ValuesIn(names_of(case_sources())),
+                         by_name);
 
-TEST(DullCandidates, HaveNamesOfTheirOwn) {
+TEST(DegenerateCandidates, HaveNamesOfTheirOwn) {
   std::set<std::string> names;
-  for (const Dull& dull : room().all()) names.insert(dull.candidate.name);
+  for (const Degenerate& degenerate : room().all()) names.insert(degenerate.candidate.name);
   EXPECT_EQ(names.size(), room().all().size());
 }
 
-TEST(DullCandidates, BreakEveryLaw) {
+TEST(DegenerateCandidates, BreakEveryLaw) {
   std::set<std::string_view> broken;
-  for (const Dull& dull : room().all()) {
-    broken.insert(dull.broken_by.begin(), dull.broken_by.end());
+  for (const Degenerate& degenerate : room().all()) {
+    broken.insert(degenerate.broken_by.begin(), degenerate.broken_by.end());
   }
   for (const Law& law : laws()) EXPECT_TRUE(broken.contains(law.name)) << law.name;
 }
 
 }  // namespace
-}  // namespace raycheck::dull
+}  // namespace raycheck::degenerate

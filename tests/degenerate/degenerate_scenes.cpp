@@ -1,9 +1,9 @@
-// What says dull things of whole scenes: which sphere is seen, which pixels a sphere may be in,
-// what is no scene at all.
+// What says degenerate things of whole scenes: which sphere is seen, which pixels a sphere may be
+// in, what is no scene at all.
 
-#include "tests/dull/dull.h"
+#include "tests/degenerate/degenerate.h"
 
-namespace raycheck::dull {
+namespace raycheck::degenerate {
 namespace {
 
 using See = std::function<std::optional<std::size_t>(const Scene&, const Pixel&)>;
@@ -29,7 +29,7 @@ Candidate seeing(const Candidate& right, std::string name, const See& see) {
   return candidate;
 }
 
-std::vector<Dull> dull_sights(const Candidate& right) {
+std::vector<Degenerate> degenerate_sights(const Candidate& right) {
   return {
       {"nothing is ever seen",
        {"visible-sphere", "image"},
@@ -92,7 +92,7 @@ void drop(SpherePlan& sphere, scene::LeftOut why) {
   sphere.pixels = {};
 }
 
-std::vector<Dull> dull_plans(const Candidate& right) {
+std::vector<Degenerate> degenerate_plans(const Candidate& right) {
   return {
       {"a plan that keeps everything everywhere, which is right: it only gains nothing",
        {},
@@ -136,7 +136,7 @@ void change_wholes(Candidate& candidate, const Change& change) {
   change(candidate.image);
 }
 
-std::vector<Dull> dull_refusals(const Candidate& right) {
+std::vector<Degenerate> degenerate_refusals(const Candidate& right) {
   const auto refuse = [](auto& function) {
     function = [](const auto&...) -> typename std::decay_t<decltype(function)>::result_type {
       throw std::invalid_argument("this is no problem");
@@ -169,8 +169,8 @@ std::vector<Dull> dull_refusals(const Candidate& right) {
 
 }  // namespace
 
-std::vector<Dull> dull_scenes(const Candidate& right) {
-  return joined(dull_sights(right), {dull_plans(right), dull_refusals(right)});
+std::vector<Degenerate> degenerate_scenes(const Candidate& right) {
+  return joined(degenerate_sights(right), {degenerate_plans(right), degenerate_refusals(right)});
 }
 
-}  // namespace raycheck::dull
+}  // namespace raycheck::degenerate

@@ -1,9 +1,9 @@
-#include "tests/dull/judged.h"
+#include "tests/degenerate/judged.h"
 
 #include "properties/truth.h"
 #include "tests/caught/places.h"
 
-namespace raycheck::dull {
+namespace raycheck::degenerate {
 namespace {
 
 Judgement judgement(const Verdict& verdict) {
@@ -29,18 +29,18 @@ const Law& law_named(std::string_view name) {
 
 }  // namespace
 
-DullRoom::DullRoom()
+DegenerateRoom::DegenerateRoom()
     : looked_at_(std::make_shared<caught::Sights::Pixels>()),
       right_(caught::exact_candidate(std::make_shared<caught::Sights>(), looked_at_)),
-      all_(all_dull(right_)) {}
+      all_(all_degenerate(right_)) {}
 
-std::vector<Judged> DullRoom::judge(const ChosenSource& place, int cases) const {
+std::vector<Judged> DegenerateRoom::judge(const ChosenSource& place, int cases) const {
   return judge(all_, place, cases);
 }
 
-std::vector<Judged> DullRoom::judge_right(const ChosenSource& place, int cases) const {
-  static const Dull right = [this] {
-    Dull it{"the right one", {}, right_};
+std::vector<Judged> DegenerateRoom::judge_right(const ChosenSource& place, int cases) const {
+  static const Degenerate right = [this] {
+    Degenerate it{"the right one", {}, right_};
     static_cast<properties::Domain&>(it.candidate) = caught::kRoundedDomain;
     for (const Law& law : properties::laws()) it.broken_by.push_back(law.name);
     return it;
@@ -48,27 +48,27 @@ std::vector<Judged> DullRoom::judge_right(const ChosenSource& place, int cases) 
   return judge(std::span(&right, 1), place, cases);
 }
 
-std::vector<Judged> DullRoom::judge(std::span<const Dull> all, const ChosenSource& place,
-                                    int cases) const {
+std::vector<Judged> DegenerateRoom::judge(std::span<const Degenerate> all,
+                                          const ChosenSource& place, int cases) const {
   std::vector<Judged> result;
-  for (const Dull& dull : all) {
-    for (const std::string_view name : dull.broken_by) {
+  for (const Degenerate& degenerate : all) {
+    for (const std::string_view name : degenerate.broken_by) {
       const Law& law = law_named(name);
-      if (caught::suits(law, *place.source)) result.push_back({&dull, &law, place});
+      if (caught::suits(law, *place.source)) result.push_back({&degenerate, &law, place});
     }
   }
   caught::for_each_case(place, cases, [&](int, const Case& the_case) {
     *looked_at_ = the_case.pixels;
     properties::SharedTruths truths(the_case);
     std::optional<Trial> trial;
-    const Dull* asked = nullptr;
+    const Degenerate* asked = nullptr;
     bool all_are_broken = true;
     for (Judged& judged : result) {
       if (!judged.verdict.holds()) continue;
       if (excused_decisions(judged.verdict) >= kManyExcused) continue;
       all_are_broken = false;
-      if (asked != judged.dull) {
-        asked = judged.dull;
+      if (asked != judged.degenerate) {
+        asked = judged.degenerate;
         trial.emplace(the_case, asked->candidate,
                       properties::TrialOptions{.truth = truths.under(asked->candidate.declared.over(
                                                    the_case.scene.conventions))});
@@ -88,7 +88,7 @@ bool WhyExcused::is_about(const Judged& judged) const {
   };
   return judged.where.source->name == where.source && where.from <= severity &&
          severity <= where.to && is_among(laws, judged.law->name) &&
-         (candidates.empty() || is_among(candidates, judged.dull->candidate.name));
+         (candidates.empty() || is_among(candidates, judged.degenerate->candidate.name));
 }
 
-}  // namespace raycheck::dull
+}  // namespace raycheck::degenerate

@@ -1,11 +1,11 @@
-// What says dull things of rays and spheres.
+// What says degenerate things of rays and spheres.
 
 #include "properties/mistakes/altered_hits.h"
 #include "reference/exact_ray.h"
-#include "tests/dull/dull.h"
+#include "tests/degenerate/degenerate.h"
 #include "tests/numbers.h"
 
-namespace raycheck::dull {
+namespace raycheck::degenerate {
 namespace {
 
 using reference::ExactRay;
@@ -48,7 +48,7 @@ Hit root_of_line(const Ray& ray, const Sphere& sphere, const Conventions& asked,
   return properties::hit_at(ray, exact.rounded_parameter(sphere, {at.hit_class, root}));
 }
 
-std::vector<Dull> dull_classes(const Candidate& right) {
+std::vector<Degenerate> degenerate_classes(const Candidate& right) {
   const auto always = [&](std::string name, HitAnswer hit) {
     return answering(right, std::move(name), [hit](const auto&...) { return hit; });
   };
@@ -79,7 +79,7 @@ std::vector<Dull> dull_classes(const Candidate& right) {
   };
 }
 
-std::vector<Dull> dull_values(const Candidate& right) {
+std::vector<Degenerate> degenerate_values(const Candidate& right) {
   const auto always = [&](std::string name, HitAnswer hit) {
     return knowing_the_class(right, std::move(name), [hit](const Ray&) { return hit; });
   };
@@ -170,9 +170,9 @@ Candidate ranking(const Candidate& right, std::string name,
 
 }  // namespace
 
-std::vector<Dull> dull_hits(const Candidate& right) {
-  return joined(dull_classes(right),
-                {dull_values(right),
+std::vector<Degenerate> degenerate_hits(const Candidate& right) {
+  return joined(degenerate_classes(right),
+                {degenerate_values(right),
                  {{"the answer to the question before",
                    {"class", "parameter", "hit-point", "backward-error", "nearest-sphere"},
                    answering_before(right)},
@@ -184,8 +184,8 @@ std::vector<Dull> dull_hits(const Candidate& right) {
                    ranking(right, "last-sphere", [](std::size_t count) { return count - 1; })}}});
 }
 
-std::vector<Dull> all_dull(const Candidate& right) {
-  return joined(dull_hits(right), {dull_rays(right), dull_scenes(right)});
+std::vector<Degenerate> all_degenerate(const Candidate& right) {
+  return joined(degenerate_hits(right), {degenerate_rays(right), degenerate_scenes(right)});
 }
 
-}  // namespace raycheck::dull
+}  // namespace raycheck::degenerate

@@ -1,9 +1,9 @@
-// What says dull things of cameras: axes, pixel points, rays.
+// What says degenerate things of cameras: axes, pixel points, rays.
 
-#include "tests/dull/dull.h"
+#include "tests/degenerate/degenerate.h"
 #include "tests/numbers.h"
 
-namespace raycheck::dull {
+namespace raycheck::degenerate {
 namespace {
 
 /// What was made for the question before another.
@@ -32,7 +32,7 @@ Candidate with_frame(const Candidate& right, std::string name,
 
 UnitVector3 unit(const Vector3& v) { return {v.x, v.y, v.z}; }
 
-std::vector<Dull> dull_frames(const Candidate& right) {
+std::vector<Degenerate> degenerate_frames(const Candidate& right) {
   const auto always = [&](std::string name, const FrameAnswer& frame) {
     return with_frame(right, std::move(name), [frame](const Camera&) { return frame; });
   };
@@ -84,7 +84,7 @@ auto random_of_pixel(const Camera& camera, const Pixel& pixel) {
                     static_cast<double>(pixel.i), static_cast<double>(pixel.j)});
 }
 
-std::vector<Dull> dull_points(const Candidate& right) {
+std::vector<Degenerate> degenerate_points(const Candidate& right) {
   return {
       {"every pixel is at the eye",
        {"pixel-point", "bounds", "image-plane", "pixel-zero-zero", "square-pixels"},
@@ -139,7 +139,7 @@ Candidate with_previous_rays(const Candidate& right) {
   return candidate;
 }
 
-std::vector<Dull> dull_ray_makers(const Candidate& right) {
+std::vector<Degenerate> degenerate_ray_makers(const Candidate& right) {
   const auto always = [&](std::string name, const Ray& ray) {
     return with_rays(right, std::move(name), [ray](const Camera&, const Pixel&) { return ray; });
   };
@@ -173,8 +173,8 @@ std::vector<Dull> dull_ray_makers(const Candidate& right) {
 
 }  // namespace
 
-std::vector<Dull> dull_rays(const Candidate& right) {
-  return joined(dull_frames(right), {dull_points(right), dull_ray_makers(right)});
+std::vector<Degenerate> degenerate_rays(const Candidate& right) {
+  return joined(degenerate_frames(right), {degenerate_points(right), degenerate_ray_makers(right)});
 }
 
-}  // namespace raycheck::dull
+}  // namespace raycheck::degenerate

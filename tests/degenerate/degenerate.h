@@ -4,27 +4,27 @@
 #include "properties/cases/random.h"
 #include "tests/standard.h"
 
-namespace raycheck::dull {
+namespace raycheck::degenerate {
 
 // What they are made of.
 using namespace properties;
 using namespace scene;
 
 /// A right candidate, but for one part that does not compute what it is asked.
-struct Dull {
+struct Degenerate {
   std::string_view sentence;
   /// The laws that break it wherever its answers differ from the right ones.
   std::vector<std::string_view> broken_by;
   properties::Candidate candidate;
 };
 
-/// Every dull candidate, each made from the right one; their names differ.
-std::vector<Dull> all_dull(const properties::Candidate& right);
+/// Every degenerate candidate, each made from the right one; their names differ.
+std::vector<Degenerate> all_degenerate(const properties::Candidate& right);
 
-// The same by what is dull, each in the file of its name.
-std::vector<Dull> dull_hits(const properties::Candidate& right);
-std::vector<Dull> dull_rays(const properties::Candidate& right);
-std::vector<Dull> dull_scenes(const properties::Candidate& right);
+// The same by what is degenerate, each in the file of its name.
+std::vector<Degenerate> degenerate_hits(const properties::Candidate& right);
+std::vector<Degenerate> degenerate_rays(const properties::Candidate& right);
+std::vector<Degenerate> degenerate_scenes(const properties::Candidate& right);
 
 /// A candidate under another name.
 inline Candidate renamed(Candidate candidate, std::string name) {
@@ -33,9 +33,9 @@ inline Candidate renamed(Candidate candidate, std::string name) {
 }
 
 /// Lists, one after the other.
-inline std::vector<Dull> joined(std::vector<Dull> all,
-                                std::initializer_list<std::vector<Dull>> lists) {
-  for (const std::vector<Dull>& list : lists) all.insert(all.end(), list.begin(), list.end());
+inline std::vector<Degenerate> joined(std::vector<Degenerate> all,
+                                      std::initializer_list<std::vector<Degenerate>> lists) {
+  for (const std::vector<Degenerate>& list : lists) all.insert(all.end(), list.begin(), list.end());
   return all;
 }
 
@@ -47,4 +47,4 @@ inline properties::Random random_of(std::initializer_list<double> asked) {
   return properties::Random(sum);
 }
 
-}  // namespace raycheck::dull
+}  // namespace raycheck::degenerate

@@ -3,33 +3,33 @@
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "tests/caught/exact_candidate.h"
-#include "tests/dull/dull.h"
+#include "tests/degenerate/degenerate.h"
 #include "tests/standard.h"
 
-namespace raycheck::dull {
+namespace raycheck::degenerate {
 
-/// What a law made of a dull candidate at one severity of a source.
+/// What a law made of a degenerate candidate at one severity of a source.
 enum class Judgement {
   kBroken,    ///< Within the cases tried.
-  kRight,     ///< Every answer that it compared is the right one: dull is right here.
+  kRight,     ///< Every answer that it compared is the right one: degenerate is right here.
   kNotAsked,  ///< It compared nothing.
   kExcused,   ///< Answers are wrong, all of them excused.
 };
 
 struct Judged {
-  const Dull* dull;
+  const Degenerate* degenerate;
   const properties::Law* law;
   properties::ChosenSource where;
   Judgement judgement = Judgement::kExcused;
   properties::Verdict verdict = {};  ///< All cases together.
 };
 
-/// The dull candidates, and the right one that they are made of.
-class DullRoom {
+/// The degenerate candidates, and the right one that they are made of.
+class DegenerateRoom {
  public:
-  DullRoom();
+  DegenerateRoom();
   const properties::Candidate& right() const { return right_; }
-  std::span<const Dull> all() const { return all_; }
+  std::span<const Degenerate> all() const { return all_; }
 
   /// Each with each of its laws that suits the place, on the same cases until it is broken, or
   /// excused kManyExcused decisions.
@@ -38,21 +38,21 @@ class DullRoom {
   std::vector<Judged> judge_right(const properties::ChosenSource& place, int cases) const;
 
  private:
-  std::vector<Judged> judge(std::span<const Dull> all, const properties::ChosenSource& place,
+  std::vector<Judged> judge(std::span<const Degenerate> all, const properties::ChosenSource& place,
                             int cases) const;
 
   std::shared_ptr<caught::Sights::Pixels> looked_at_;
   properties::Candidate right_;
-  std::vector<Dull> all_;
+  std::vector<Degenerate> all_;
 };
 
-/// So many cases break what is dull, or excuse it.
-inline constexpr int kDullCases = 200;
+/// So many cases break what is degenerate, or excuse it.
+inline constexpr int kDegenerateCases = 200;
 /// Who is excused so many wrong decisions, and of none convicted, is asked no further: a search for
 /// inputs close by takes a thousand times as long as a decision.
 inline constexpr std::ptrdiff_t kManyExcused = 8;
 
-/// Why wrong answers of dull candidates are excused somewhere, rightly.
+/// Why wrong answers of degenerate candidates are excused somewhere, rightly.
 struct WhyExcused {
   struct Severities {
     std::string_view source;
@@ -66,4 +66,4 @@ struct WhyExcused {
 };
 std::span<const WhyExcused> why_excused();
 
-}  // namespace raycheck::dull
+}  // namespace raycheck::degenerate

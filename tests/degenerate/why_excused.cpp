@@ -1,6 +1,6 @@
-#include "tests/dull/judged.h"
+#include "tests/degenerate/judged.h"
 
-namespace raycheck::dull {
+namespace raycheck::degenerate {
 namespace {
 
 using Names = std::vector<std::string_view>;
@@ -91,4 +91,4 @@ std::span<const WhyExcused> why_excused() {
   return kReasons;
 }
 
-}  // namespace raycheck::dull
+}  // namespace raycheck::degenerate
