@@ -7,6 +7,8 @@
 #include "fast/pixel_ray.h"
 #include "properties/candidates/fast_candidate.h"
 #include "properties/case.h"
+#include "properties/mistakes/causes.h"
+#include "scene/fields.h"
 #include "scene/files/scene_file.h"
 #include "tests/testing.h"
 
@@ -254,6 +256,20 @@ TEST(PictureCauses, OfALargePictureAreThoseOfASmallOne) {
        {"V is up itself, not made perpendicular to W", "the last sphere in the file wins",
         "E is not added: P = nW + alpha U + beta V"}) {
     EXPECT_EQ(sentences_for(shown_with({mistake(sentence)}, {scene})), Sentences{sentence});
+  }
+}
+
+/// What is lost there no mistake has to explain.
+TEST(PictureCauses, AreNotSoughtWhereSquaresOverflow) {
+  const Fault fault = {mistake("rows are upside down")};
+  Candidate candidate;
+  candidate.image = [&](const Scene& scene, const Conventions&) { return predicted(fault, scene); };
+  for (const int power : {0, 520}) {
+    Scene scene = probe();
+    for_each_length(scene, [power](double& x) { x = std::ldexp(x, power); });
+    const Case one{scene, all_pixels(*scene.camera)};
+    const auto found = causes(*find_law("image"), std::vector{one}, candidate);
+    EXPECT_EQ(found.size(), power == 0 ? 1u : 0u) << power;
   }
 }
 
