@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -49,14 +48,6 @@ void tell_apart(Examination& examination, Step step, Step last, double tolerance
     auto best = best_of(examination, suspects, {later, later}, tolerance, fewest);
     if (!best.empty()) suspects = std::move(best);
   }
-}
-
-/// Of mistakes that nothing tells apart those that pictures show are the likelier: the rest is
-/// dropped, unless there is no other.
-void keep_told(std::vector<const Mistake*>& suspects) {
-  const auto is_told = [](const Mistake* one) { return one->is_told_by_pictures; };
-  if (std::none_of(suspects.begin(), suspects.end(), is_told)) return;
-  std::erase_if(suspects, std::not_fn(is_told));
 }
 
 /// The mistakes in a part up to a step that a candidate can make.
@@ -149,7 +140,6 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       const std::vector<const Mistake*> all = offered(examination.candidate(), part, step);
       std::vector<const Mistake*> suspects = best_of(examination, all, steps, tolerance, left);
       if (suspects.size() > 1) tell_apart(examination, step, part.last, tolerance, suspects);
-      if (suspects.size() > kMostAlternatives) keep_told(suspects);
       AnswerCause cause = {step, {}, {}, tolerance};
       if (errors < kFewestErrorsOfACause && !suspects.empty() &&
           (suspects.size() > 1 || examination.wrong_numbers(step, tolerance) == 0)) {

@@ -266,7 +266,7 @@ std::vector<Mistake> intersect_mistakes() {
                "the near root is given though it is negative: from inside spheres are hit behind "
                "the origin",
                near_wherever_ahead),
-           of_answers("spheres are solid: from inside s is 0", of_solid(false)),
+           of_answers("spheres are solid: from inside s is 0", of_solid(false), "marched"),
            of_answers(
                "T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
                "their origin",
