@@ -209,12 +209,12 @@ class ClassRun {
     one.grade.isolation = layers_;
     try {
       one.outside = grade_one(submission, control, alone, one.grade);
-      if (own_) write(submission, one.grade);
     } catch (const std::logic_error& error) {
       const auto* const ours = dynamic_cast<const properties::InternalError*>(&error);
       throw properties::InternalError(fmt::format("{}: {}", submission.name, error.what()),
                                       ours != nullptr ? ours->the_case : std::nullopt);
     }
+    if (own_) write(submission, one.grade);
     return one;
   }
 
