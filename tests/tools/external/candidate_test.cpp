@@ -229,7 +229,7 @@ TEST(Candidate, in_JavaScript_says_what_is_wrong_with_it) {
       "})");
   expect_parts(
       refusal_of(wasm),
-      {"raycheck lets it use, and each process reserve, at most 4096 MiB of memory (--memory)"});
+      {"it may use, and each of its processes reserve, at most 4096 MiB of memory (--memory)"});
   EXPECT_GT(judged(kRays, wasm, "--memory 65536")["discrepancies"], 0);
 }
 
@@ -310,7 +310,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Hostile{"exit", "it exited with 0", ""}, Hostile{"crash", "it was killed by signal 6", ""},
         Hostile{"loop", "it gave no reply within 1 s of CPU time", ""},
-        Hostile{"sleep", "it gave no reply, and computed next to nothing for 1 s", ""},
+        Hostile{"sleep", "it gave no reply, and used almost no CPU time for 1 s", ""},
         Hostile{"output", "it replied with more than", ""}, Hostile{"memory", "refused: ", ""},
         Hostile{"fork", "refused: BlockingIOError", "own user"},
         Hostile{"write", "refused: ", "own user"}, Hostile{"read", "refused: ", "own user"},

@@ -39,7 +39,7 @@ TEST(OthersTradeoff, are_timed_in_this_process_alone_and_otherwise_told_why_not)
   const json kept = report_of(arguments, right_library(), 0);
   const json& judged = kept["intersections"][1];
   expect_values(judged, {{"batch", nullptr}, {"called_in_process", false}});
-  expect_parts(judged["note"], {"kept in a sandbox"});
+  expect_parts(judged["note"], {"runs in a sandbox"});
   EXPECT_GT(judged["inside"].size(), 0u);
   const json here = report_of(arguments + kUnkept, right_library(), 0);
   for (const char* stage : {"rays", "intersections"}) {
@@ -75,7 +75,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
     return report_of("tradeoff --family distance --cases 20" + kUnkept, candidate,
                      0)["intersections"][0]["note"];
   };
-  expect_parts(note("command:python3 tests/candidates/meets.py none"), {"it is no library"});
+  expect_parts(note("command:python3 tests/candidates/meets.py none"), {"it is not a library"});
   expect_parts(note("source:" + source), {"it answers differently in the calls to be timed"});
   const std::string failing =
       temporary_file("failing.cpp", "#define FAILS\n#include \"" + source + "\"\n");

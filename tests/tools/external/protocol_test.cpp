@@ -41,12 +41,12 @@ TEST(Introduction, ThatIsNoneNamesItsLine) {
       {"hello\n", "line 1"},
       {"raycheck 2 mine\n", "another version"},
       {mine + "function fly\n", "line 2"},
-      {mine + "convention rows up\n", "no such convention"},
-      {mine + "level easy\n", "no such level"},
-      {mine + "precision half\n", "no such precision"},
+      {mine + "convention rows up\n", "unknown convention"},
+      {mine + "level easy\n", "unknown level"},
+      {mine + "precision half\n", "unknown precision"},
       {"raycheck 1 mine too\n", "too many words"}};
   for (const char* lengths : {"2 1", "-1 1", "nan 1", "0 nan"}) {
-    wrong.emplace_back(mine + "lengths " + lengths + "\n", "no range of lengths");
+    wrong.emplace_back(mine + "lengths " + lengths + "\n", "invalid range of lengths");
   }
   for (const auto& [lines, why] : wrong) {
     const std::string said =
@@ -73,9 +73,9 @@ TEST(Reply, ThatIsNoneSaysWhy) {
   for (const auto& [lines, why] :
        {std::pair("0 0 1 2 3\n", "line 2 of its reply has too few words"),
         {"0 0 1 2 3 4 5\n", "too many words"},
-        {"0 0 1 2 3 four\n", "no number"},
-        {"2 0 1 2 3 4\n", "index 2 of 2"},
-        {"-1 0 1 2 3 4\n", "no index"},
+        {"0 0 1 2 3 four\n", "not a number"},
+        {"2 0 1 2 3 4\n", "index 2, but there are only 2"},
+        {"-1 0 1 2 3 4\n", "negative index"},
         {"0 0 1 2 3 4\n0 0 1 2 3 4\n", "two hits"}}) {
     const std::string said = thrown_by<std::runtime_error>(
         [&] { Reply("reply a\n" + std::string(lines) + "end a\n", "a").hits(2, 1); });

@@ -44,8 +44,8 @@ TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
   expect_said("huge", "its picture has 8192 x 8192 pixels, the scene 40 x 26");
   expect_said("half", "its PPM has a word that is no number, or ends");
   expect_said("crash", "exited with 1");
-  expect_said("hang", "did not end, and computed next to nothing for 1 s");
-  expect_said("link", "its picture {image} is no file");
+  expect_said("hang", "did not end, and used almost no CPU time for 1 s");
+  expect_said("link", "its picture {image} is not a file");
 }
 
 TEST(Renderer, that_says_that_its_form_cannot_express_a_scene_is_not_judged_on_it) {
@@ -54,11 +54,11 @@ TEST(Renderer, that_says_that_its_form_cannot_express_a_scene_is_not_judged_on_i
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
   const json report = json::parse(outcome.out)["candidates"][0];
   EXPECT_EQ(report["discrepancies"], 0);
-  expect_parts(report["left_out"].dump(), {"its form cannot say the scene"});
+  expect_parts(report["left_out"].dump(), {"its input format cannot express the scene"});
   const json campaign =
       report_of("properties --filter image --source crowds --cases 3", unsaid, 4)["campaigns"][1];
   EXPECT_EQ(campaign["left_out"], 3);
-  EXPECT_EQ(campaign["reason_left_out"], "its form cannot say the scene");
+  EXPECT_EQ(campaign["reason_left_out"], "its input format cannot express the scene");
   // A picture counts, whatever the exit code.
   const json drawn = judged(kProbeScene, python_renderer("open(sys.argv[2], 'w').write('P3 40 26 "
                                                          "255 ' + '0 ' * 3120)\nsys.exit(77)"));

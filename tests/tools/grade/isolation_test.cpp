@@ -142,7 +142,7 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
   if (GetParam().has_bubblewrap) return;
   expect_parts(outcome.err,
                {"sandbox require: not available here: bubblewrap", "bwrap: Permission denied",
-                "sandbox available, which goes on with what does: ", GetParam().isolation()});
+                "sandbox available, which uses only what works: ", GetParam().isolation()});
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
   run_bash(
       GetParam().words() + "'" RAYCHECK_BINARY "' grade '" + rubric + "' '" + right + "' --probe\n",

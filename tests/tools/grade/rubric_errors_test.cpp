@@ -41,7 +41,7 @@ const std::vector<Wrong> kWrong = {
      "1: conventions.samples = \"corners\": must be one of edges, centres"},
     {kTitle, "unjudged = 1.5", "1: unjudged = 1.5: must be between 0 and 1"},
     {kTitle, "driver = { preset = \"B:15\" }",
-     "1: driver.preset = \"B:15\": 15 numbers: a sphere has one of 16, 17, "},
+     "1: driver.preset = \"B:15\": 15 numbers: a sphere line has one of 16, 17, "},
     {kTitle, "t_threshold = -1", "1: t_threshold = -1: must be 0 or more"},
     {kTitle, "precision = \"half\"", "1: precision = \"half\": must be one of"},
     {kTitle, "precision = \"single\"\ntolerance = { ulp = 1e10 }",

@@ -88,7 +88,7 @@ def _read(lines, first):
                              else [(row[:3], row[3]) for row in rows])
         else:
             raise ValueError(f"no such part of a request: {kind}")
-    raise ValueError("a request without an end")
+    raise ValueError("the input ends within a request")
 
 
 def _hit(hit, returns):
@@ -143,7 +143,7 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
     replies, sys.stdout = sys.stdout, sys.stderr
     lines = iter(sys.stdin)
     if not next(lines, "").startswith("raycheck "):
-        sys.exit("raycheck_candidate.run: not spoken to by raycheck")
+        sys.exit("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input")
     declared = {"rows": rows, "samples": samples, "origin": origin, "root": root,
                 "tangent": tangent}
     said = [f"raycheck 1 {name}"]

@@ -93,7 +93,7 @@ TEST_P(HostileProcess, NestsFoldersOnlySoDeep) {
                             "for k in range(3000):\n  os.mkdir('d' * 200)\n  os.chdir('d' * 200)\n"
                             "time.sleep(60)"),
                         GetParam()),
-               {"was stopped: it nests folders too deep"});
+               {"was stopped: its folders are nested too deep"});
 }
 
 TEST_P(HostileProcess, MayHaveSoMuchOnDiskInAllThatItRemoves) {
@@ -151,7 +151,7 @@ TEST(HostileClock, EndsWhatHardlyComputesAfterManyTimesItsTime) {
       words_of(python_renderer("while True:\n  time.sleep(0.1)\n  began = time.process_time()\n"
                                "  while time.process_time() < began + 0.004: pass"),
                "--timeout 0.3"),
-      {"did not end within 3 s of waiting, and computed for less than 0.3 s"});
+      {"did not end within 3 s of waiting, and used less than 0.3 s of CPU time"});
 }
 
 TEST(HostileClock, HasTheTimeOfThoseThatNobodyHasWaitedFor) {
