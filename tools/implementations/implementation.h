@@ -40,8 +40,7 @@ struct RaysCall {
 /// Calls in raycheck's process whose arguments are already converted to the callee's types.
 template <class Answer>
 struct ReadyCalls {
-  std::function<void(std::size_t count)>
-      run;  ///< Makes the first `count` calls; drops the results.
+  std::function<void(std::size_t count)> run;   ///< Makes the first `count` calls.
   std::function<Answer(std::size_t k)> answer;  ///< The result of the k-th call.
 };
 

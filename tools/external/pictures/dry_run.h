@@ -32,8 +32,7 @@ struct DryRun {
   /// Seconds per picture, if the rubric's reply_seconds are too few.
   std::optional<double> needed_seconds = {};
   std::vector<std::string> notes;  ///< Deviations from the rubric, a sentence each.
-  /// A note that its pictures are black or of one colour; dropped if it gets points on other
-  /// scenes.
+  /// A note that its pictures are black or of one colour; dropped if it gets points elsewhere.
   std::string shows_nothing = {};
   std::optional<Refusal> refusal;  ///< Why it cannot be judged.
 

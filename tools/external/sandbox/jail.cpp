@@ -10,9 +10,8 @@
 //                          may not signal or change them
 //   reads=PATH writes=PATH hidden=PATH   access to no other files, by Landlock (jail_rules.h); each
 //                          may be repeated
-//   error=DESCRIPTOR       the standard error for PROGRAM; errors of raycheck-jail go to the
-//   present
-//                          one, and then a NUL byte once all limits are in place
+//   error=DESCRIPTOR       PROGRAM's standard error; errors of raycheck-jail go to its own, then
+//                          a NUL byte once all limits are in place
 // Always: no new privileges, no core file, a separate process group, no open descriptors but the
 // standard streams and 3, killed when its parent dies. Exits with 125 and a message on failure.
 

@@ -24,8 +24,7 @@ void forbid_calls(Reach reach, pid_t judge);
 
 /// File access of a program, by absolute paths; folders include their contents.
 struct FileRights {
-  std::vector<std::filesystem::path>
-      reads;  ///< May be read and executed; missing ones are ignored.
+  std::vector<std::filesystem::path> reads;   ///< To read and execute; missing ones are ignored.
   std::vector<std::filesystem::path> hidden;  ///< Exceptions within `reads`.
   std::vector<std::filesystem::path> writes;  ///< Full access; these must exist.
   bool empty() const { return reads.empty() && writes.empty(); }

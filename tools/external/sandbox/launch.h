@@ -225,8 +225,7 @@ struct Streams {
 /// Starts a program in its layers with these streams, in this folder, with a nearly empty
 /// environment. Returns once all layers are in place: later failures are the program's. `user`: 0
 /// without a separate user; `group`: its control group, or empty.
-/// Errors: ProcessFailure (kSystem) if a layer fails; it is never started
-///         in fewer.
+/// Errors: ProcessFailure (kSystem) if a layer fails; the program never starts with fewer layers.
 pid_t launch(const Confined& confined, const std::filesystem::path& folder, std::uint64_t user,
              const std::filesystem::path& group, const Streams& streams);
 
