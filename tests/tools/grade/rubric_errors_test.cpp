@@ -57,7 +57,7 @@ const std::vector<Wrong> kWrong = {
     {"rays.py", "a/rays.py", "3: form[0].has = \"a/rays.py\": names a file of the submission's"},
     {"candidate = \"command:python3 {file}\"\n", "", "2: form[0].candidate: is missing"},
     {"command:python3", "run:python3",
-     "4: form[0].candidate = \"run:python3 {file}\": there is no run:; give library:PATH.so, "},
+     "4: form[0].candidate = \"run:python3 {file}\": unknown kind 'run'; give library:PATH.so, "},
     {"name = \"one\"\n", "", "item[0].name: is missing"},
     {"\"one\"", "\"\"", "6: item[0].name = \"\": is empty"},
     {"points = 4\n", "", "item[0].points: is missing"},

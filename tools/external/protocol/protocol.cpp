@@ -118,8 +118,7 @@ Introduction parse_introduction(std::string_view text) {
     const std::string_view kind = words.word();
     if (k == 0) {
       if (kind != "raycheck") words.fail("does not begin with 'raycheck 1'");
-      if (words.word() != std::to_string(kProtocolVersion))
-        words.fail("has another protocol version");
+      if (words.word() != std::to_string(kProtocolVersion)) words.fail("has another version");
       introduction.name = words.word();
     } else {
       read_statement(kind, words, introduction);

@@ -294,8 +294,7 @@ std::string Process::exchange(std::string_view request,
       const std::string_view line = std::string_view(answer_).substr(line_begin, end - line_begin);
       line_begin = searched = end + 1;
       if (!is_last(line)) continue;
-      if (line_begin != answer_.size())
-        fail(FailureKind::kSaidMore, "wrote more output after the end of its reply");
+      if (line_begin != answer_.size()) fail(FailureKind::kSaidMore, "wrote more after its reply");
       charge();
       return std::exchange(answer_, {});
     }
