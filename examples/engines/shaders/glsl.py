@@ -10,7 +10,7 @@ import sys
 import raycheck_candidate as rc
 import shader
 
-os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe in this thread alone
+os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe only in this thread
 os.environ.setdefault("MESA_SHADER_CACHE_DISABLE", "true")
 import moderngl  # noqa: E402  (after its environment)
 

@@ -262,9 +262,7 @@ TEST(OwnUnits, HaveASeparateChart) {
              mine.name = "floats";
              return judged_in(scene::Precision::kSingle, std::move(mine));
            },
-       .in_process = []() -> tools::InProcess {
-         throw std::invalid_argument("nobody's is timed from here");
-       }});
+       .in_process = []() -> tools::InProcess { throw std::invalid_argument("not timed"); }});
   options.cases = 5;
   options.severities = {{0, 1}};
   expect_units(stress_document(run_stress(options)));
@@ -273,7 +271,7 @@ TEST(OwnUnits, HaveASeparateChart) {
   tradeoff.implementations = options.implementations;
   tradeoff.cases = 10;
   tools::TradeoffReport report = run_tradeoff(tradeoff);
-  report.intersections[1].batch = report.intersections[0].batch;  // nobody's is timed from here
+  report.intersections[1].batch = report.intersections[0].batch;  // not timed
   expect_units(tradeoff_document(report));
   // Ranked in one unit: an ulp of float is 2^29 of double.
   const auto& costs = report.intersections;

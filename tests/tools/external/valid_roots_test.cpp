@@ -45,7 +45,7 @@ TEST(ValidRoots, that_are_declared_are_judged_and_their_cost_is_reported) {
   const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
   expect_values(report["conventions"], {{"t_min", 0.5}, {"interval", "(t_min, t_max)"}});
-  // Roots 2 and 4; 1/4 and 9/4; 1/4 alone.
+  // Roots 2 and 4; 1/4 and 9/4; only 1/4.
   const json& excluded = report["excluded"];
   expect_values(excluded, {{"hits", 3}, {"excluded", 1}, {"moved", 1}, {"spheres/0/excluded", 1}});
   ASSERT_EQ(excluded["worst"].size(), 1u);

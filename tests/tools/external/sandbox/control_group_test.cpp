@@ -169,13 +169,13 @@ try:
         count += 1
 except OSError:
     pass
-sys.exit('so many: %d.' % count))"),
+sys.exit('count: %d.' % count))"),
                                           "", others);
   expect_parts(group_isolation(candidate), {"processes)"});
   const std::string words = candidate["worst"].dump();
-  const std::size_t at = words.find("so many: ");
+  const std::size_t at = words.find("count: ");
   ASSERT_NE(at, std::string::npos) << words;
-  const int count = std::atoi(words.c_str() + at + std::string("so many: ").size());
+  const int count = std::atoi(words.c_str() + at + std::string("count: ").size());
   EXPECT_LE(count, 64);
   EXPECT_GE(count, 60);
 }
