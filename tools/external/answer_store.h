@@ -14,8 +14,7 @@ struct StoredAnswer {
   double seconds = 0;  ///< The time it took.
 };
 
-/// Stored answers of one program, run in one way, from earlier runs. This base class stores
-/// nothing.
+/// Stored answers of one program, run in one way. This base class stores nothing.
 class AnswerStore {
  public:
   AnswerStore() = default;

@@ -18,8 +18,7 @@ constexpr std::uint64_t kCompilerFiles = 256;
 constexpr std::uint64_t kCompilerFile = std::uint64_t{256} << 20;
 constexpr std::size_t kMostRules = std::size_t{16} << 20;
 constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
-/// Line tables without other debug information: they show where a candidate crashes
-/// (source_lines.h).
+/// Only line tables: they show where a candidate crashes (source_lines.h).
 constexpr const char* kLineTables = "-g1";
 constexpr const char* kEigen = "/usr/include/eigen3";
 
@@ -65,8 +64,7 @@ std::set<std::string> read_of(const fs::path& folder, const fs::path& made) {
   return read;
 }
 
-/// A build step that must succeed; errors call it `name`. The folder with its output lives as long
-/// as this object.
+/// A build step that must succeed; errors call it `name`. Its output folder lives as long as this.
 class BuildStep {
  public:
   BuildStep(const std::string& name, const Confined& confined) : process_(confined) {

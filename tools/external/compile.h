@@ -9,8 +9,7 @@
 
 namespace raycheck::tools {
 
-/// The folder of <raycheck/candidate.h>: of the installation, or of the sources that raycheck was
-/// built from.
+/// The folder of <raycheck/candidate.h>: of the installation, or else of raycheck's sources.
 std::filesystem::path include_folder();
 
 /// The folder of a source to compile: the source itself if it is a folder, else the folder that

@@ -62,8 +62,7 @@ class Pictures {
     std::optional<AnswerFailure> failure = {};
     std::int64_t pixels() const { return scene.camera->width * scene.camera->height; }
   };
-  /// Limits on the kept pictures: their number and their pixels in all. The last one is always
-  /// kept.
+  /// Limits on the kept pictures: number and total pixels. The last one is always kept.
   static constexpr std::ptrdiff_t kKept = 32;
   static constexpr std::int64_t kKeptPixels = std::int64_t{1} << 22;
 

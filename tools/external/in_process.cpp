@@ -29,8 +29,7 @@ raycheck_camera to_c(const scene::Camera& c) {
           c.right,     c.bottom,        c.top,      c.width, c.height};
 }
 
-/// The enumerators of the header equal raycheck's; those of conventions are shifted by one for
-/// AS_ASKED.
+/// The header's enumerators equal raycheck's; those of conventions are one larger (AS_ASKED).
 template <class Enum>
 std::int32_t enumerator(Enum value) {
   return static_cast<std::int32_t>(value);

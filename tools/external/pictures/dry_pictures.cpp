@@ -15,8 +15,7 @@ namespace {
 /// If this share of the frame has one colour, that is the background.
 constexpr double kBackgroundShare = 0.9;
 
-/// A frame with at least this many colours, each on at most this share of it, is a shaded
-/// background (a sky).
+/// A frame with this many colours, each on at most this share of it, is a shaded sky.
 constexpr std::size_t kShadedColours = 12;
 constexpr double kShadedShare = 0.3;
 

@@ -46,8 +46,7 @@ struct Renderer {
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
 };
 
-/// The driver file of a scene, with colours that identify the spheres. Domain: a scene with a
-/// camera.
+/// The driver file of a scene, with colours that identify the spheres. Domain: it has a camera.
 std::string driver_text(const scene::Scene& scene, const DriverForm& form);
 
 /// The sphere that each pixel shows: empty for the background colour, a sphere if it has nearly its

@@ -8,8 +8,7 @@ namespace {
 
 constexpr double kFull = 255;
 
-/// A channel within this distance of a level counts as that level, in units of the step between
-/// levels.
+/// A channel within this distance of a level, in steps between levels, counts as that level.
 constexpr double kNearLevel = 0.25;
 /// With only two levels there is room for a gamma or an offset.
 constexpr double kNearAllOrNothing = 0.4;

@@ -28,8 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kGroupPrefix = "raycheck-", kLeafPrefix = "judge-";
 /// The processes that bubblewrap adds: one waits outside, one inside adopts orphans.
 constexpr std::uint64_t kOfBubblewrap = 2;
-/// The number of checks whether all processes of a group have died, and the microseconds between
-/// them.
+/// Checks whether all processes of a group have died: their number, and microseconds between.
 constexpr int kMostLooks = 10000;
 constexpr useconds_t kLookPause = 500;
 

@@ -207,8 +207,7 @@ std::filesystem::path program_folder();
 /// The prefix of the installation; its libexec/raycheck contains the programs.
 std::filesystem::path prefix();
 
-/// The folder of the adapters for other languages: of the installation, or of the sources that
-/// raycheck was built from.
+/// The folder of the adapters for other languages: of the installation, or else of the sources.
 std::filesystem::path adapters();
 
 /// A user id without an account, for a process: made of this process's id and a counter, of 31 bits

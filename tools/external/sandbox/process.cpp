@@ -169,8 +169,7 @@ bool Process::has_neighbours() const {
   return confined_.surroundings && !confined_.surroundings->alone();
 }
 
-/// Whether it has ended by itself. Then none of its processes is left, unless raycheck-jail was
-/// killed.
+/// Whether it has ended by itself: all its processes have, unless raycheck-jail was killed.
 bool Process::has_ended(int& status) {
   rusage used{};
   if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;

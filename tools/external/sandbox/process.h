@@ -25,8 +25,7 @@ class KeptText {
   bool empty() const { return begin_.empty(); }
   /// The beginning and the end, with a line between them that counts the missing bytes.
   std::string text() const;
-  /// Its first and last few lines, and the number of lines left out; without terminal control
-  /// characters.
+  /// Its first and last few lines, and how many are left out; without terminal control codes.
   std::string excerpt() const;
 
  private:
