@@ -1,5 +1,5 @@
-// A small ray tracer's camera and spheres. The environment variable TRACER_MISTAKE makes it commit
-// one of five classic mistakes: far_root, behind, upside_down, not_unit, pixel_step.
+// The camera and spheres of a small ray tracer. The environment variable TRACER_MISTAKE selects one
+// of five classic mistakes: far_root, behind, upside_down, not_unit, pixel_step.
 
 #pragma once
 
@@ -29,7 +29,7 @@ inline Vector unit(Vector a) { return (1 / std::sqrt(dot(a, a))) * a; }
 /// The position of line k of `count` between two bounds.
 inline double between(double low, double high, double k, double count) {
   const double steps = makes("pixel_step") ? count : count - 1;
-  return low * ((steps - k) / steps) + high * (k / steps);  // both bounds are met exactly
+  return low * ((steps - k) / steps) + high * (k / steps);  // both bounds are reached exactly
 }
 
 inline raycheck::Ray pixel_ray(const raycheck::Camera& camera, const raycheck::Conventions&,
@@ -66,7 +66,7 @@ inline std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
   return raycheck::Hit{s, ray.origin + s * d};
 }
 
-/// What raycheck must know of it: rows count from below, pixels run from bound to bound.
+/// Its declaration for raycheck: rows count from the bottom, pixels run from bound to bound.
 inline raycheck::Candidate tracer() {
   raycheck::Candidate candidate("tracer");
   candidate.declares = {raycheck::Rows::bottom_first, raycheck::Samples::edges,

@@ -1,5 +1,5 @@
-# What Debian asks of every package, put beside what was installed: its licence and its changes; man
-# pages are compressed. Run by cpack before it packs.
+# Adds the files that Debian requires in every package, licence and changelog, and compresses man
+# pages. Run by cpack before it packs.
 include(${CMAKE_CURRENT_LIST_DIR}/maintainer.cmake)
 
 file(READ ${CPACK_RAYCHECK_SOURCE_DIR}/LICENSE licence)
@@ -11,7 +11,7 @@ string(REPLACE "\n\n" "\n.\n" licence "${licence}")
 string(REPLACE "\n" "\n " licence "${licence}")
 
 set(ENV{LC_ALL} C.UTF-8)
-string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)  # of SOURCE_DATE_EPOCH where it is set
+string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)  # from SOURCE_DATE_EPOCH if it is set
 
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} upper)
@@ -21,7 +21,7 @@ foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   file(WRITE ${documents}/copyright
     "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
 Upstream-Name: raycheck
-Comment: What is compiled in of the headers of other libraries is under their
+Comment: Code compiled in from the headers of other libraries is under their
  licences: CGAL (LGPL-3+), Boost, Eigen, nlohmann-json and CLI11.
 
 Files: *
@@ -34,7 +34,7 @@ License: Expat
   file(WRITE ${documents}/changelog
     "raycheck (${CPACK_PACKAGE_VERSION}) unstable; urgency=medium
 
-  * Release ${CPACK_PACKAGE_VERSION}; CHANGELOG.md of the sources says what is new.
+  * Release ${CPACK_PACKAGE_VERSION}; see CHANGELOG.md in the sources.
 
  -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  ${date}
 ")
@@ -42,7 +42,7 @@ License: Expat
   execute_process(COMMAND gzip -9nf ${texts} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
 
-# CPack calls ldconfig in scripts, beside the trigger that Debian has for that (packaging/triggers).
+# CPack calls ldconfig in scripts, besides Debian's trigger for it (packaging/triggers).
 set(package ${CPACK_DEBIAN_LIBRARY_PACKAGE_NAME})
 file(WRITE ${CPACK_TEMPORARY_DIRECTORY}/library/usr/share/lintian/overrides/${package}
   "${package}: maintscript-calls-ldconfig *\n")

@@ -1,4 +1,4 @@
-# Who makes the packages: as Debian's own tools ask, DEBFULLNAME and DEBEMAIL of the environment.
+# The maintainer: DEBFULLNAME and DEBEMAIL of the environment, as for Debian's tools.
 set(name "$ENV{DEBFULLNAME}")
 if(NOT name)
   set(name "The raycheck authors")

@@ -1,4 +1,4 @@
-// The exact answers about the lecture's ray and sphere, and about hard ones.
+// The exact answers for the lecture's ray and sphere, and for hard ones.
 
 #include <raycheck/cases.h>
 #include <raycheck/exact.h>

@@ -1,4 +1,4 @@
-// What the adapters of engines share.
+// Shared code of the engines' adapters.
 
 #ifndef ENGINES_ADAPTER_H_
 #define ENGINES_ADAPTER_H_
@@ -14,7 +14,7 @@ inline double dot(const raycheck::Vector& a, const raycheck::Vector& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// A vector as a library's own type, of T's.
+/// Converts a vector to a library's type with components T.
 template <class V, class T = double>
 V to(const raycheck::Vector& v) {
   return V(static_cast<T>(v.x), static_cast<T>(v.y), static_cast<T>(v.z));
@@ -36,7 +36,7 @@ struct Quadratic {
   }
 };
 
-/// The root that counts of two that a solver returns; of NaNs none does.
+/// The one of two roots from a solver that counts; NaNs never count.
 inline std::optional<raycheck::Hit> chosen(const raycheck::Ray& ray, double smaller, double larger,
                                            const raycheck::Conventions& asked) {
   if (smaller >= 0) return hit_at(ray, smaller);
@@ -44,9 +44,9 @@ inline std::optional<raycheck::Hit> chosen(const raycheck::Ray& ray, double smal
   return std::nullopt;
 }
 
-// An adapter of templates computes in Real: in doubles, or in floats where a file defines SINGLE
-// and includes it. Squares of lengths stay in the range of floats; doubles have no limits but those
-// that a library documents.
+// Adapters of templates compute in Real: double, or float if a file defines SINGLE and includes the
+// adapter. For floats, lengths are limited so that their squares are in range; doubles have only
+// the limits that a library documents.
 #ifdef SINGLE
 using Real = float;
 constexpr auto kPrecision = raycheck::Precision::single;
@@ -60,11 +60,11 @@ constexpr double kSmallest = 0, kLargest = std::numeric_limits<double>::max();
 /// Lines, not rays: the smaller root counts wherever it is.
 constexpr raycheck::ValidRoots kLine = {.t_min = -std::numeric_limits<double>::infinity()};
 
-/// Of a library that asks for two points of a line, the second one is that many directions from the
-/// first: so far that its rounding does not turn the line.
+/// If a library takes two points of a line, the second one is this many directions from the first:
+/// so far that its rounding does not turn the line.
 constexpr double kFar = kPrecision == raycheck::Precision::single ? 0x1p30 : 0x1p250;
 
-/// Of one that asks for the two ends of a segment, the second one is that many directions away.
+/// If a library takes the two ends of a segment, the second one is this many directions away.
 constexpr double kEnd = 1024;
 constexpr raycheck::ValidRoots kSegment = {.t_max = kEnd};
 

@@ -1,7 +1,7 @@
 // CGAL's intersection(Line_3, Sphere_3) of Exact_spherical_kernel_3: both points, exact, in
-// lexicographic order. Debian: libcgal-dev; -lgmp -lmpfr.
-// Source: the manual, "3D Spherical Geometry Kernel", intersection(). A tangent is one point of
-// multiplicity 2. to_double(), the caller's, promises no error.
+// lexicographic order. Debian: libcgal-dev; -lgmp -lmpfr. Source: the manual, "3D Spherical
+// Geometry Kernel", intersection(). A tangent is one point of multiplicity 2. No error bound is
+// given for to_double(), which the caller applies.
 
 #include <CGAL/Exact_spherical_kernel_3.h>
 

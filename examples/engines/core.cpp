@@ -15,8 +15,8 @@ static Exact exact(const Vector& v) { return {Expr(v.x), Expr(v.y), Expr(v.z)}; 
 static Expr dot(const Exact& a, const Exact& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 /// The double nearest to x / y up to 2^-kBits of it, y != 0. Divides approximations of both: within
-/// a quotient, CORE returns fewer bits of a large number's square root than requested. Its own
-/// conversion to a double truncates.
+/// a quotient, CORE returns fewer bits of a large number's square root than requested. CORE's
+/// conversion to double truncates.
 static double rounded_quotient(const Expr& x, const Expr& y) {
   constexpr long kBits = 96;
   if (x.isZero()) return 0;

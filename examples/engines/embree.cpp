@@ -1,7 +1,6 @@
-// Embree's rtcIntersect1 on a sphere point in a scene of its own, in floats: tfar is the parameter
-// of the hit. Debian: libembree-dev; -lembree3.
-// Source: the Embree 3 manual, RTC_GEOMETRY_TYPE_SPHERE_POINT and rtcIntersect1. Silent on
-// tangents; any direction is a ray's.
+// Embree's rtcIntersect1 on a sphere point in a separate scene, in floats: tfar is the parameter of
+// the hit. Debian: libembree-dev; -lembree3. Source: the Embree 3 manual,
+// RTC_GEOMETRY_TYPE_SPHERE_POINT and rtcIntersect1. Silent on tangents; directions of any length.
 
 #include "embree.h"
 

@@ -35,7 +35,7 @@ inline RTCScene scene_of(const raycheck::Sphere& sphere) {
   return scene;
 }
 
-/// That of the last sphere, so that calls about one sphere build it once.
+/// The scene of the last sphere, so that it is built once for successive calls.
 inline RTCScene kept_scene_of(const raycheck::Sphere& sphere) {
   static raycheck::Sphere last;
   static RTCScene scene = nullptr;

@@ -2,9 +2,9 @@
 
     field.py RAYCHECK BUILD [--write DOCS] [--cases N] [NAME ...]
 
-prints a table, and with --write makes DOCS/field.md and DOCS/field/NAME.md of the same run: what each breaks up to which
-severity, with the smallest case, its exact answer, and a reproduction that needs no raycheck, which is run. An engine
-whose package is missing is skipped by name. BUILD has examples/engines (libraries) and field/npm (node's engines).
+prints a table, and with --write makes DOCS/field.md and DOCS/field/NAME.md from the same run: the laws that each engine
+breaks, up to which severity, with the smallest case, its exact answer, and a reproduction without raycheck, which is run.
+Engines whose package is missing are listed and skipped. BUILD contains examples/engines (libraries) and field/npm (node).
 """
 import argparse
 import concurrent.futures
@@ -17,24 +17,24 @@ import sys
 import tempfile
 import tomllib
 
-REPRODUCTION_SECONDS = 1800  # a backstop: seconds, on a busy machine minutes, are enough
+REPRODUCTION_SECONDS = 1800  # a backstop: a reproduction takes seconds, on a busy machine minutes
 HERE = pathlib.Path(__file__).parent
 LEVELS = ("ordinary", "demanding", "extreme")
 OWN = ("quadratic", "cross", "robust")
-LAWS = {  # what a column counts, by law
+LAWS = {  # the kind of answer that a column shows, by law
     "class": "class", "growing-radius": "class", "nearest-root": "root", "parameter": "s",
     "backward-error": "s", "hit-point": "Q", "scaling": "scaling", "axes": "axes", "image": "picture",
 }
-ANSWERS = ("class", "root", "s", "Q", "picture")  # those that a frontier speaks of
-AGREES = {"double": 1e-14, "single": 1e-6}  # relative, of what a reproduction prints and what was answered
-DIALS = {  # frontier columns: the source, and how its severity reads
+ANSWERS = ("class", "root", "s", "Q", "picture")  # the kinds that frontiers depend on
+AGREES = {"double": 1e-14, "single": 1e-6}  # relative: what a reproduction prints, and the candidate's answer
+FRONTIERS = {  # frontier columns: by source, the title and the format of a severity
     "distance": ("far", "10^{} radii"), "tangency": ("grazing", "10^-{} of r"), "scale": ("scale", "2^±{}"),
     "surface": ("at the surface", "10^-{}"), "inside": ("inside", "10^-{} of r"), "far-world": ("off the origin", "10^{}"),
 }
 
 
 def words_of(engine, build):
-    """What follows --candidate; empty if it is not installed."""
+    """The arguments after --candidate; empty if it is not installed."""
     if not version_of(engine, build):
         return []
     if "command" not in engine:
@@ -48,9 +48,9 @@ def words_of(engine, build):
 
 
 def version_of(engine, build):
-    """That of the package that is installed; empty: none is."""
+    """The version of the installed package; empty if it is not installed."""
     if "package" not in engine:
-        return "as it is written everywhere"
+        return "in its usual form"
     package = build / "field/npm/node_modules" / engine["package"] / "package.json"
     if package.exists():
         return json.loads(package.read_text())["version"]
@@ -78,7 +78,7 @@ def is_broken(part):
 
 
 def broken_at(campaigns, level):
-    """What is broken at a level, in the order of LAWS; None: nothing was judged there."""
+    """The kinds of answers that are broken at a level, in the order of LAWS; None: nothing was judged."""
     found, judged = [], False
     for campaign in campaigns:
         what = LAWS.get(campaign["law"])
@@ -92,8 +92,8 @@ def broken_at(campaigns, level):
 
 
 def frontier(campaigns, source):
-    """Up to which severity class, root, s and Q hold at all that were tried: inf where none breaks, -1 where the first does;
-    None: not judged there."""
+    """The largest severity up to which class, root, s and Q hold at all severities tried: inf if none breaks, -1 if the
+    first does; None: not judged."""
     broken = math.inf
     for campaign in campaigns:
         if LAWS.get(campaign["law"]) not in ANSWERS:
@@ -113,7 +113,7 @@ def frontier(campaigns, source):
 
 
 def mistake_of(campaigns, refuted):
-    """The sentence that explains most of what is wrong, where one does that no reader of the source has refuted."""
+    """The sentence that explains most wrong answers, among those that are not refuted."""
     best = max((one for campaign in campaigns for one in campaign["explanations"] if one["sentence"] not in refuted),
                key=lambda one: one["explained"], default=None)
     return best["sentence"] if best else ""
@@ -139,8 +139,8 @@ def scene_numbers(scene):
 
 
 def reproduction(engine, numbers, build, may_fail):
-    """The program that shows a case without raycheck, and what it prints when it is run, or how it fails where the engine
-    does; None: it has none."""
+    """A program that shows a case without raycheck, and its output, or its error if the engine fails; None without a
+    template."""
     templates = sorted((HERE / "reproductions").glob(engine.get("of", engine["name"]) + ".*"))
     if not templates:
         return None
@@ -148,14 +148,14 @@ def reproduction(engine, numbers, build, may_fail):
     for name, value in numbers.items():
         text = text.replace("{" + name + "}", repr(value))
     kind = templates[0].suffix
-    # Beside node_modules, where there are any: shaders of its packages are read from there, too.
+    # Beside node_modules, if it exists: shaders of its packages are read from there, too.
     npm = (build / "field/npm").resolve()
     folder = pathlib.Path(tempfile.mkdtemp(dir=npm if npm.exists() else None))
     try:
         source = folder / f"case{kind}"
         source.write_text(text)
         run = {".mjs": f"node {engine.get('command', 'node')[5:]} case.mjs", ".py": f"/usr/bin/python3 {source}"}.get(kind)
-        # Of compiled ones the first line says how.
+        # The first line of a program to compile contains the command.
         run = run or text.splitlines()[0].strip("/* ") + " && ./case"
         shown = subprocess.run(["sh", "-c", run], cwd=npm if kind == ".py" and npm.exists() else folder, capture_output=True,
                                text=True, timeout=REPRODUCTION_SECONDS)
@@ -168,8 +168,8 @@ def reproduction(engine, numbers, build, may_fail):
 
 
 def right_as_printed(case, numbers, tolerance):
-    """What a reproduction that prints what the candidate answered (a miss, a hit, s or a distance, or a point) would print
-    if that were right; empty where that is not known."""
+    """The right output of a reproduction, in the form of its output (a miss, a hit, s or a distance, or a point); empty if
+    unknown. Raises RuntimeError if the reproduction prints something else than the candidate answered."""
     prints, first = case["reproduction"][2], case["first"]
     words, got = prints.split(), [float(decimal(x)) for x in first["got"]]
     exact = [float(decimal(x)) for x in first["exact"]]
@@ -188,7 +188,7 @@ def right_as_printed(case, numbers, tolerance):
     printed = [float(word) for word in words]
     size = max(map(abs, [*origin, *printed]))
     for way in ways[len(printed)]:
-        # NaNs agree: what is shown then is that it is no number.
+        # NaNs agree.
         if all(abs(x - y) <= tolerance * size or x != x for x, y in zip(printed, way(got if len(got) == 3 else got[0]))):
             if is_residual(first):
                 return ""
@@ -205,7 +205,7 @@ def is_residual(first):
 
 
 class Page:
-    """What one engine's page says."""
+    """The page of an engine."""
 
     def __init__(self, engine, raycheck, build):
         self.engine, self.name = engine, engine["name"]
@@ -216,7 +216,7 @@ class Page:
         self.extreme = raycheck.judged(who, "extreme", most)
         self.breaks = {level: broken_at(self.ordinary if level == "ordinary" else self.extreme, level)
                        for level in LEVELS}
-        self.frontiers = {source: frontier(self.extreme, source) for source in DIALS}
+        self.frontiers = {source: frontier(self.extreme, source) for source in FRONTIERS}
         least, most = (float(decimal(x)) for x in self.ordinary[0]["lengths"])
         self.lengths = f"lengths from {power_of_two(least)} to {power_of_two(most)}" if least > 2**-959 or most < 2**1023 else ""
         refuted = engine.get("refuted", [])
@@ -226,14 +226,14 @@ class Page:
         self.class_alone = any("hit or miss, and no more" in (one["reason_left_out"] or "") for one in self.ordinary)
         self.ratio = None
         self.title = self.name  # of its page
-        self.others = []  # pages of other readings, none milder
+        self.others = []  # pages of its other readings, none milder
 
     def harm(self):
-        """How much is broken, by level."""
+        """The number of broken kinds of answers, by level."""
         return [len(self.breaks[level] or []) for level in LEVELS]
 
     def smallest(self, raycheck, build):
-        """The smallest case of each kind that breaks, of the lowest level that does."""
+        """The smallest case of each broken kind, from the lowest level at which it breaks."""
         found = {}
         for campaign in self.ordinary + self.extreme:
             what = LAWS.get(campaign["law"])
@@ -259,7 +259,7 @@ class Page:
         return "-" if broken is None else "breaks " + ", ".join(broken) if broken else "holds"
 
     def frontier_text(self, source):
-        held, (_, reading) = self.frontiers[source], DIALS[source]
+        held, (_, reading) = self.frontiers[source], FRONTIERS[source]
         if held is None:
             return "-"
         return "none" if held < 0 else "1" if held == 0 else "all" if math.isinf(held) else reading.format(held)
@@ -269,18 +269,18 @@ class Page:
         errors = f"{error['median']:.2g} / {error['max']:.3g} {error['unit']}" if error else "-"
         ratio = f"{self.ratio:.2g}" if self.ratio else "-"
         return ([f"[{self.engine['library']}](field/{self.title}.md)", f"`{self.engine['function']}`"]
-                + [self.cell(level) for level in LEVELS] + [self.frontier_text(source) for source in DIALS]
+                + [self.cell(level) for level in LEVELS] + [self.frontier_text(source) for source in FRONTIERS]
                 + [errors, ratio, self.said()])
 
     def said(self):
-        """What matters most about it, in one sentence."""
+        """The most important finding, in one sentence."""
         right = "right within its contract" if not any(self.breaks.values()) else ""
         if right and self.engine.get("renders"):
             pictures = sum(campaign["cases"] for campaign in self.extreme if campaign["law"] == "image")
             right = f"right in {pictures} pictures"
         if not right and not self.breaks["ordinary"]:
             right = "right on ordinary cases"
-        lost = "before it is called " if self.engine.get("solver") and self.mistake else ""
+        lost = "in its rounded coefficients " if self.engine.get("solver") and self.mistake else ""
         return "; ".join(filter(None, [right, lost + self.mistake])) or "-"
 
     def text(self):
@@ -289,17 +289,17 @@ class Page:
                  f"{engine.get('package', 'raycheck')} {self.version}, {engine['language']}. {engine['contract']} "
                  f"({engine['source']})" + (f" Judged: {self.lengths}." if self.lengths else ""), ""]
         lines += [f"- {level}: {self.cell(level)}" for level in LEVELS]
-        lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _) in DIALS.items()]
+        lines += [f"- {title}: {self.frontier_text(source)}" for source, (title, _) in FRONTIERS.items()]
         if self.mistake:
-            lines += ["", f"What explains most of it: {self.mistake}."]
+            lines += ["", f"Most wrong answers are explained by this: {self.mistake}."]
         if self.others:
             lines += ["", f"Its documentation does not say {engine['silent']}. Judged here: {engine['reading']}."]
-            lines += [f"The other reading, that {other.engine['reading']}, is no milder: ordinary {other.cell('ordinary')}, "
+            lines += [f"The other reading, that {other.engine['reading']}, is not milder: ordinary {other.cell('ordinary')}, "
                       f"demanding {other.cell('demanding')}, extreme {other.cell('extreme')}." for other in self.others]
         if "note" in engine:
-            lines += ["", f"To be known besides: {engine['note']}."]
+            lines += ["", f"Note: {engine['note']}."]
         if not any(self.breaks.values()):
-            lines += ["", "Nothing that it promises was found broken."]
+            lines += ["", "Everything that it promises was found to hold."]
         for what, case in self.cases.items():
             lines += ["", f"## Breaks {what}", "", f"The law: {case['law']}. The smallest case found ({case['level']}, {case['source']}):", "",
                       "```toml", case["scene"], "```", "", answer_text(case, self.class_alone)]
@@ -307,12 +307,12 @@ class Page:
                 kind, program, prints = case["reproduction"]
                 lines += ["", "Without raycheck:", "", f"```{kind}", program, "```", "", "It prints:", "", "```text", prints, "```"]
                 if case["right"]:
-                    lines += ["", f"Right is: {case['right']}."]
+                    lines += ["", f"The right result is: {case['right']}."]
         return "\n".join(lines) + "\n"
 
 
 def answer_text(case, class_alone):
-    """What was answered, and what is right under the conventions that the engine declares."""
+    """The wrong answer, and the right one under the conventions that the engine declares."""
     first, exact = case["first"], case.get("exact", {})
     got = ", ".join(str(decimal(x)) for x in first["got"])
     right = ", ".join(str(decimal(x)) for x in first["exact"])
@@ -333,7 +333,7 @@ def decimal(number):
 
 
 def mildest(pages):
-    """A page an engine: of its readings the one that breaks least, which knows the others."""
+    """One page for each engine: its reading that breaks least, with the others in `others`."""
     readings = {}
     for page in pages:
         readings.setdefault(page.engine.get("of", page.name), []).append(page)
@@ -346,7 +346,7 @@ def mildest(pages):
 
 
 def add_times(pages, raycheck, build):
-    """Time a ray over that of `quadratic`, of those that can be called in process, in one run."""
+    """Sets the time for a ray divided by that of `quadratic`, for engines that can be called in process, from one run."""
     libraries = [page for page in pages if page.engine["language"] in ("c++", "c") and page.name not in OWN]
     if not libraries:
         return
@@ -361,7 +361,7 @@ def add_times(pages, raycheck, build):
 
 
 def chart(pages, path):
-    """Up to which distance each is right against its time a ray, a dot an engine, as SVG."""
+    """An SVG chart with a dot for each engine: the distance up to which it is right, against its time for a ray."""
     dots = [(page.ratio, min(max(page.frontiers["distance"], 0), 15), page.name) for page in pages
             if page.ratio and page.frontiers["distance"] is not None]
     least, most = (math.log10(choose(ratio for ratio, _, _ in dots)) for choose in (min, max))
@@ -385,7 +385,7 @@ def chart(pages, path):
     path.write_text("\n".join(lines) + "\n</svg>\n")
 
 
-HEAD = (["library", "function"] + list(LEVELS) + [title for title, _ in DIALS.values()]
+HEAD = (["library", "function"] + list(LEVELS) + [title for title, _ in FRONTIERS.values()]
         + ["error on ordinary cases: median / worst", "time", "what is wrong"])
 
 
@@ -430,7 +430,7 @@ def main():
     for name in skipped:
         print(f"skipped: {name}: not installed", file=sys.stderr)
     shown = sum(bool(case.get("reproduction")) for page in pages for case in page.cases.values())
-    print(f"reproductions that were run and print what was answered: {shown}", file=sys.stderr)
+    print(f"reproductions that were run and print the answers of their engines: {shown}", file=sys.stderr)
     solvers = [page for page in pages if page.engine.get("solver")]
     pages = [page for page in pages if page not in solvers]
     print(table(pages + solvers))

@@ -1,6 +1,6 @@
-// GLM's intersectRaySphere with a position and a normal, in doubles; its directions are named
-// normalized. Debian: libglm-dev.
-// Source: glm/gtx/intersect.hpp; glm.cpp says where it is silent.
+// GLM's intersectRaySphere with a position and a normal, in doubles; its parameter is named a
+// normalized direction. Debian: libglm-dev. Source: glm/gtx/intersect.hpp; for undocumented points
+// see glm.cpp.
 
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/intersect.hpp>

@@ -1,8 +1,8 @@
 // Ogre's Math::intersects(Ray, Sphere), discardInside = false, in floats: whether it is a hit, and
-// the t of Ray::getPoint(t). Debian: libogre-1.12-dev; -lOgreMain.
-// With discardInside = true an origin inside is a hit at 0, which no root convention is.
-// Source: OGRE/OgreMath.h, OGRE/OgreRay.h. Silent on tangents and, as it returns negative t, on
-// whether lines are met (with LINES defined it is read so); any direction is a ray's.
+// the t of Ray::getPoint(t). Debian: libogre-1.12-dev; -lOgreMain. With discardInside = true an
+// origin inside is a hit at 0, which fits no root convention. Source: OGRE/OgreMath.h,
+// OGRE/OgreRay.h. Silent on tangents and, as it returns negative t, on whether roots behind the
+// origin count (LINES selects the reading that they do); directions of any length.
 
 #include <OgreMath.h>
 #include <OgreRay.h>

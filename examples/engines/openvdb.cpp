@@ -1,7 +1,7 @@
-// OpenVDB's math::Ray::intersects(center, radius, t0, t1), in doubles. Debian: libopenvdb-dev.
-// Of a hit it returns both times, clipped to those of the ray, 1e-9 to the largest double unless
-// it is told others; a clipped one is no intersection. Directions need not be unit.
-// Source: openvdb/math/Ray.h. Silent on tangents.
+// OpenVDB's math::Ray::intersects(center, radius, t0, t1), in doubles. Debian: libopenvdb-dev. Of a
+// hit it returns both times, clipped to those of the ray, by default 1e-9 to the largest double; a
+// clipped one is not an intersection. Directions need not be unit. Source: openvdb/math/Ray.h.
+// Silent on tangents.
 
 #include <openvdb/math/Ray.h>
 
@@ -10,7 +10,7 @@
 using namespace raycheck;
 using Vec = openvdb::math::Vec3<Real>;
 
-#ifdef FAR  // the far root alone
+#ifdef FAR  // only the far root
 constexpr Culling kCulling = Culling::front_faces;
 #else
 constexpr Culling kCulling = Culling::none;

@@ -1,8 +1,7 @@
 // OpenSceneGraph's osgManipulator::SphereProjector::project: where the line through a pointer's
 // near and far points, doubles and here kFar directions apart, meets the front of a sphere of
-// floats. Debian: libopenscenegraph-dev; -losgManipulator -losg.
-// Source: osgManipulator/Projector, osg/Shape. Silent on tangents, and on spheres behind the near
-// point: they are met as well.
+// floats. Debian: libopenscenegraph-dev; -losgManipulator -losg. Source: osgManipulator/Projector,
+// osg/Shape. Silent on tangents, and on spheres behind the near point: they count as well.
 
 #include <osg/Shape>
 #include <osgManipulator/Dragger>

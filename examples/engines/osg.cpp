@@ -1,8 +1,7 @@
-// OpenSceneGraph's LineSegmentIntersector::enter of a node, by the sphere of floats that
-// bounds it: whether a segment meets it, so that what is in it can be picked. Debian:
-// libopenscenegraph-dev; -losgUtil -losg.
-// Source: osgUtil/LineSegmentIntersector, osg/Node. Silent on tangents. Its spheres are solid: a
-// segment that lies inside is a hit as well.
+// OpenSceneGraph's LineSegmentIntersector::enter of a node, by the sphere of floats that bounds it:
+// whether a segment intersects it, so that its contents can be picked. Debian:
+// libopenscenegraph-dev; -losgUtil -losg. Source: osgUtil/LineSegmentIntersector, osg/Node. Silent
+// on tangents. Its spheres are solid: a segment that lies inside is a hit as well.
 
 #include <osg/Group>
 #include <osgUtil/LineSegmentIntersector>

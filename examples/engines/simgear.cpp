@@ -1,5 +1,6 @@
-// SimGear's intersects(SGRay, SGSphere), in doubles: whether they do. Debian: libsimgear-dev.
-// Source: simgear/math/SGIntersect.hxx, SGRay.hxx. Silent on tangents; any direction is a ray's.
+// SimGear's intersects(SGRay, SGSphere), in doubles: whether they intersect. Debian:
+// libsimgear-dev. Source: simgear/math/SGIntersect.hxx, SGRay.hxx. Silent on tangents; directions
+// of any length.
 
 #include <simgear/math/SGGeometry.hxx>
 

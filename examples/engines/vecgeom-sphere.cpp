@@ -1,9 +1,9 @@
 // VecGeom's UnplacedSphere of no inner radius, in doubles: DistanceToOut from inside, DistanceToIn
 // from elsewhere, for which points inside are undefined. Debian: libvecgeom-dev, whose headers need
-// the macro of the backend that it was built with: -DVECCORE_ENABLE_VC ... -lvecgeom.
-// Source: VecGeom/volumes/UnplacedSphere.h, UnplacedVolume.h (unit directions), base/Global.h: what
-// is within kTolerance = 1e-9 of the surface is on it, too coarse for lengths below 1e-3. Spheres
-// have their centres at the origin: whoever uses them subtracts.
+// the macro of the backend that it was built with: -DVECCORE_ENABLE_VC ... -lvecgeom. Source:
+// VecGeom/volumes/UnplacedSphere.h, UnplacedVolume.h (unit directions), base/Global.h: points
+// within kTolerance = 1e-9 of the surface are on it, which is too coarse for lengths below 1e-3.
+// Spheres have their centres at the origin: the caller subtracts.
 
 #include <VecGeom/volumes/UnplacedSphere.h>
 

@@ -1,9 +1,9 @@
 // VecGeom's UnplacedOrb, in doubles: DistanceToIn, and where that is negative, from inside,
 // DistanceToOut. Debian: libvecgeom-dev, whose headers need the macro of the backend that it was
-// built with: -DVECCORE_ENABLE_VC ... -lvecgeom.
-// Source: VecGeom/volumes/UnplacedOrb.h, UnplacedVolume.h (unit directions), base/Global.h: what is
-// within kTolerance = 1e-9 of the surface is on it, too coarse for lengths below 1e-3. Orbs have
-// their centres at the origin: whoever uses them subtracts.
+// built with: -DVECCORE_ENABLE_VC ... -lvecgeom. Source: VecGeom/volumes/UnplacedOrb.h,
+// UnplacedVolume.h (unit directions), base/Global.h: points within kTolerance = 1e-9 of the surface
+// are on it, which is too coarse for lengths below 1e-3. Orbs have their centres at the origin: the
+// caller subtracts.
 
 #include <VecGeom/volumes/UnplacedOrb.h>
 

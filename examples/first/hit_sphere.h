@@ -1,4 +1,5 @@
-// Where a ray first meets a sphere, as textbooks have it. b^2 - 4ac cancels on far spheres.
+// The first intersection of a ray and a sphere by the textbook formula. b^2 - 4ac cancels on far
+// spheres.
 
 #pragma once
 

@@ -1,4 +1,4 @@
-/* NAME, judged by raycheck: call your function below, and say what it promises. */
+/* NAME, judged by raycheck: call your function below, and declare its conventions. */
 
 #include <raycheck/candidate.h>
 #include <stdio.h>
@@ -21,9 +21,9 @@ const raycheck_candidate* raycheck_candidate_functions(void) {
   candidate.version = RAYCHECK_CANDIDATE_VERSION;
   candidate.name = "NAME";
   candidate.intersect = intersect;
-  candidate.declared.root = RAYCHECK_ROOT_NEAREST; /* or RAYCHECK_ROOT_SMALLER: v - d alone */
+  candidate.declared.root = RAYCHECK_ROOT_NEAREST; /* or RAYCHECK_ROOT_SMALLER: always v - d */
   candidate.declared.tangent = RAYCHECK_TANGENT_EITHER;
-  /* Add what holds: candidate.precision if it computes in floats; candidate.roots and
+  /* Add what applies: candidate.precision if it computes in floats; candidate.roots and
      .declared_roots; candidate.directions; candidate.returns. */
   return &candidate;
 }

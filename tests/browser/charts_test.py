@@ -80,7 +80,7 @@ class Charts(PageTest):
         path = candidate("kept.py", MISSES)
         self.open(chart_of("tradeoff", "--family", "distance", "--method", "cross", "--cases", "20", "--candidate", f"command:python3 {path}"))
         self.assertEqual(self.names(), ["cross"])
-        self.assertRegex(self.text("#chart-absent"), r"^Not drawn: command:python3 .*kept\.py \(not timed: it is kept in a sandbox")
+        self.assertRegex(self.text("#chart-absent"), r"^Not drawn: command:python3 .*kept\.py \(not timed: it runs in a sandbox")
 
     def test_small_charts_are_of_every_family_and_lead_there(self):
         self.open(stress())

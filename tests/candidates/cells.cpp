@@ -1,4 +1,4 @@
-// A candidate that is right, but for rays that start near x = 0: there it divides by zero.
+// A candidate that is right, except for rays that start near x = 0: there it divides by zero.
 
 #include <cmath>
 #include <raycheck/candidate.hpp>

@@ -1,5 +1,5 @@
-// A candidate that dies, or throws, in one way for each ray: a ray whose origin has x = k asks for
-// the k-th, x = 0 for an answer. The line of each bears its name.
+// A candidate that crashes or throws in a way selected by the ray: an origin with x = k selects the
+// k-th way, x = 0 a normal answer. Comments name the line of each way.
 
 #include <sys/mman.h>
 
@@ -22,13 +22,13 @@ volatile int zero = 0;
 volatile std::size_t many = 1000;
 
 void writes_nowhere() {
-  *nowhere = 1;  // dies: writes nowhere
+  *nowhere = 1;  // dies: writes to an invalid address
 }
 
 void reads_behind_a_file() {
   std::FILE* const file = std::tmpfile();
   void* const page = mmap(nullptr, 4096, PROT_READ, MAP_SHARED, fileno(file), 0);
-  zero = *static_cast<volatile int*>(page);  // dies: reads behind a file
+  zero = *static_cast<volatile int*>(page);  // dies: reads beyond a file
 }
 
 void divides_by_zero() {
@@ -36,7 +36,7 @@ void divides_by_zero() {
 }
 
 void does_what_is_no_instruction() {
-  __builtin_trap();  // dies: does what is no instruction
+  __builtin_trap();  // dies: executes an invalid instruction
 }
 
 void asserts() {
@@ -48,16 +48,16 @@ void aborts() {
 }
 
 void throws_what_is_no_exception() {
-  throw 42;  // dies: throws what is no exception
+  throw 42;  // dies: throws an int
 }
 
 void throws() {
-  throw std::runtime_error("it is\tso");  // dies: throws; throws where it may not
+  throw std::runtime_error("it is\tso");  // dies: throws; throws in a noexcept function
 }
 
 void asks_a_list_for_what_it_has_not() {
   const std::vector<int> list(many);
-  zero = list.at(2 * many);  // dies: asks a list for what it has not
+  zero = list.at(2 * many);  // dies: reads beyond a list
 }
 
 int sum_of_all(int from) {
@@ -75,21 +75,21 @@ void raises() {
 
 void sorts_what_is_not_there() {
   int* const first = nowhere;
-  std::sort(first, first + many);  // dies: sorts what is not there
+  std::sort(first, first + many);  // dies: sorts invalid memory
   zero = 0;
 }
 
 void sorts_by_what_dies() {
   std::vector<int> list(many);
   std::sort(list.begin(), list.end(), [](int a, int b) {
-    return a + *nowhere < b;  // dies: sorts by what dies
+    return a + *nowhere < b;  // dies: sorts by a crashing comparison
   });
   zero = list[0];
 }
 
 void frees_what_it_has_not() {
   void* const memory = std::malloc(many);
-  std::free(static_cast<char*>(memory) + many / 2);  // dies: frees what it has not
+  std::free(static_cast<char*>(memory) + many / 2);  // dies: frees an invalid pointer
   zero = 0;
 }
 

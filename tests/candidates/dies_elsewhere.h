@@ -1,4 +1,4 @@
-// What dies.cpp dies in elsewhere.
+// A crash of dies.cpp in another file.
 
 namespace elsewhere {
 

@@ -1,4 +1,4 @@
-// A candidate that ends its process when it is asked.
+// A candidate that exits on the first request.
 
 #include <unistd.h>
 

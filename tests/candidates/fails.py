@@ -1,7 +1,7 @@
-"""A candidate that is right but where it fails: fails.py HOW WHERE.
+"""A candidate that is right, but fails on some questions: fails.py HOW WHERE.
 
-HOW is exit, abort, hang, error (it says so), garbage (a line with words missing) or once (it exits at
-its 100th question, whichever that is). WHERE is one (the ray of pixel (11, 7) of ten-spheres.toml and
+HOW is exit, abort, hang, error (an error reply), garbage (a line with words missing) or once (it exits at
+its 100th question). WHERE is one (the ray of pixel (11, 7) of ten-spheres.toml and
 its sphere 2), lower (every ray whose direction points down), made (making the ray
 of pixel (5, 7)), or all.
 """

@@ -1,4 +1,4 @@
-"""Candidates that cheat or fail, each when it is first asked to intersect: hostile.py HOW [FILE]."""
+"""Candidates that cheat or fail, each on the first intersect request: hostile.py HOW [FILE]."""
 import mmap
 import os
 import pathlib
@@ -10,12 +10,12 @@ import raycheck_candidate as rc
 
 
 def refused(action):
-    """Says whether the machine let it."""
+    """Raises an error that reports whether the action was refused."""
     try:
         action()
     except (OSError, MemoryError) as error:
         raise RuntimeError(f"refused: {type(error).__name__}") from None
-    raise RuntimeError("it was let")
+    raise RuntimeError("it was allowed")
 
 
 def say(text):
@@ -30,7 +30,7 @@ def fork_on_and_on():
 
 
 def see_others():
-    """What belongs to others: processes not of its own making, and their memory."""
+    """Tries to read processes that it did not start, and their memory."""
     for name in os.listdir("/proc"):
         if name.isdigit() and int(name) not in (os.getpid(), os.getppid()):
             with open(f"/proc/{name}/cmdline", "rb") as line:
@@ -83,7 +83,7 @@ HOW = {
 
 def intersect(ray, sphere, asked):
     HOW[sys.argv[1]]()
-    return 1.0, (0.0, 0.0, 0.0)  # whatever was asked
+    return 1.0, (0.0, 0.0, 0.0)  # for any request
 
 
 if __name__ == "__main__":

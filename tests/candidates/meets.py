@@ -1,5 +1,5 @@
-"""A candidate that meets rays with spheres and makes none: meets.py MISTAKE. MISTAKE may be far-root,
-which takes the larger root always, or none."""
+"""A candidate that intersects rays with spheres but makes no rays: meets.py MISTAKE. MISTAKE is far-root
+(always takes the larger root) or none."""
 import sys
 
 import raycheck_candidate as rc

@@ -1,4 +1,4 @@
-// A candidate that is right: what a careful student writes, with Eigen.
+// A right candidate, as a careful student writes it, with Eigen.
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A right candidate in JavaScript, which offers all there is; what it prints does no harm.
+// A right candidate in JavaScript, which implements all functions; its output does not disturb the protocol.
 import { run } from "./raycheck_candidate.mjs";
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

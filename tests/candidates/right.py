@@ -1,5 +1,5 @@
-"""A candidate, and a submission, that is right as it stands, in Python: rays, intersections and the
-nearest sphere. A first line MISTAKE = "far_root" makes it wrong in the one way of that name."""
+"""A right candidate, and submission, in Python: rays, intersections and the
+nearest sphere. A first line MISTAKE = "far_root" selects a mistake."""
 import math
 
 import raycheck_candidate as rc
@@ -39,7 +39,7 @@ def frame(camera):
     u = unit(cross(camera.up, w))
     if MISTAKE == "axes_dropped":
         return 3 * ((0.0, 0.0, 0.0),)
-    # An up vector near W leaves U askew.
+    # With an up vector near W, U is inaccurate.
     v = unit(cross(w, u))
     return cross(v, w), v, w
 

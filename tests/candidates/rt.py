@@ -1,6 +1,6 @@
 """A finished renderer: rt.py MISTAKE DRIVER IMAGE. It reads a driver file of dialect B (C and A
-where MISTAKE says so) and writes a
-PPM (P3), the top line first, by ambient light alone; MISTAKE says what is wrong with it."""
+for some MISTAKEs) and writes a
+PPM (P3), the top line first, with ambient light only. MISTAKE selects a mistake."""
 import math
 import os
 import struct

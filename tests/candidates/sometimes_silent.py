@@ -1,4 +1,4 @@
-"""A candidate that is right about spheres, but for those of some radii, about which it says nothing."""
+"""A candidate that is right, but times out on spheres with some radii."""
 import struct
 
 import raycheck_candidate as rc

@@ -99,8 +99,8 @@ class Array(unittest.TestCase):
         now = set(ran("ls", "--inode", "shards", cwd=self.folder, text=True).stdout.splitlines())
         self.assertTrue(kept)
         self.assertLessEqual(kept, now)  # the same files: not done again
-        self.assertIn("ended by SIGKILL, and begun again", self.log("shard-2"))
-        self.assertIn("ended by its time limit, and begun again", self.log("shard-4"))
+        self.assertIn("ended by SIGKILL, requeued", self.log("shard-2"))
+        self.assertIn("ended by its time limit, requeued", self.log("shard-4"))
         for task in range(1, SHARDS + 1):
             self.assertRegex(self.log(f"shard-{task}"), f"shard {task} of {SHARDS}\\b.*SLURM")
 

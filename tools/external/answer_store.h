@@ -9,13 +9,12 @@ namespace raycheck::tools {
 
 /// A program's answer to a request, or how it failed.
 struct StoredAnswer {
-  std::string text;  ///< In the caller's format; for a failure its words.
+  std::string text;  ///< In the caller's format; for a failure its message.
   std::optional<FailureKind> failure = {};
   double seconds = 0;  ///< The time it took.
 };
 
-/// The answers of one program, run in one way, in earlier runs: it is not asked again. This one
-/// keeps none.
+/// Stored answers of one program, run in one way. This base class stores nothing.
 class AnswerStore {
  public:
   AnswerStore() = default;
@@ -27,7 +26,7 @@ class AnswerStore {
   virtual void keep(const std::string& /*request*/, StoredAnswer /*answer*/) {}
 };
 
-/// Whether a program would fail in the same way again: failures of the system are not its own.
+/// Whether a program would fail in the same way again, unlike failures of the system.
 constexpr bool is_lasting(FailureKind kind) { return kind != FailureKind::kSystem; }
 
 }  // namespace raycheck::tools

@@ -33,7 +33,7 @@ CandidateSpec parse_candidate(const std::string& text) {
   if (what.empty()) throw CandidateError(fmt::format("give {}", kKinds), {}, text);
   const auto* const found = std::ranges::find(kCandidateKindNames, name);
   if (found == kCandidateKindNames.end()) {
-    throw CandidateError(fmt::format("there is no {}:; give {}", name, kKinds), {}, text);
+    throw CandidateError(fmt::format("unknown kind '{}'; give {}", name, kKinds), {}, text);
   }
   return {static_cast<CandidateKind>(found - kCandidateKindNames.begin()), what};
 }

@@ -8,7 +8,7 @@
 
 namespace raycheck::tools {
 
-/// The kinds of other people's implementations.
+/// The kinds of external candidates.
 enum class CandidateKind {
   kLibrary,  ///< A shared library with functions of <raycheck/candidate.h>.
   kSource,   ///< A C++ file, or a folder of them or with a CMakeLists.txt, compiled to a library.
@@ -18,7 +18,7 @@ enum class CandidateKind {
 inline constexpr std::array<std::string_view, 4> kCandidateKindNames = {"library", "source",
                                                                         "command", "renderer"};
 
-/// An external implementation as named by `--candidate` and rubrics: "source:rays.cpp".
+/// An external candidate as named by `--candidate` and rubrics: "source:rays.cpp".
 struct CandidateSpec {
   CandidateKind kind = CandidateKind::kLibrary;
   std::string what;  ///< A path, or the words that start a program.
@@ -29,15 +29,15 @@ struct CandidateSpec {
   }
 };
 
-/// Why an external implementation cannot be run, and what its compiler or the program itself said.
+/// Why an external candidate cannot be run, with the output of its compiler or of the program.
 class CandidateError : public scene::InvalidInput {
  public:
-  /// `whose`: the candidate, if what() is to name it.
+  /// `whose`: the candidate's name for what(); may be empty.
   explicit CandidateError(const std::string& why, std::string said = {},
                           std::string_view whose = {});
   /// One line, without the candidate's name.
   const std::string& why() const { return why_; }
-  /// Output of others, or empty.
+  /// The output of the compiler or the program; may be empty.
   const std::string& said() const { return said_; }
 
  private:

@@ -18,7 +18,7 @@ constexpr std::uint64_t kCompilerFiles = 256;
 constexpr std::uint64_t kCompilerFile = std::uint64_t{256} << 20;
 constexpr std::size_t kMostRules = std::size_t{16} << 20;
 constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
-/// Line tables and no other debug information: they tell where a candidate dies (source_lines.h).
+/// Only line tables: they show where a candidate crashes (source_lines.h).
 constexpr const char* kLineTables = "-g1";
 constexpr const char* kEigen = "/usr/include/eigen3";
 
@@ -33,16 +33,17 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
   return files;
 }
 
-/// What a confined program made, unless it is a link to something it may not read.
+/// Copies a file that a sandboxed program made. Links are refused: they may lead to files that the
+/// program may not read.
 fs::path copied(const fs::path& made, const fs::path& to) {
   if (!fs::is_regular_file(fs::symlink_status(made))) {
-    throw CandidateError(fmt::format("{} is no file", made.filename().string()));
+    throw CandidateError(fmt::format("{} is not a file", made.filename().string()));
   }
   fs::copy_file(made, to / made.filename());
   return to / made.filename();
 }
 
-/// The files of a source's folder that a compiler read, by the rules for make that it left.
+/// The files of a source's folder that the compiler read, from its make rules (-MMD).
 std::set<std::string> read_of(const fs::path& folder, const fs::path& made) {
   const std::string within = folder.string() + "/";
   std::set<std::string> read;
@@ -63,8 +64,7 @@ std::set<std::string> read_of(const fs::path& folder, const fs::path& made) {
   return read;
 }
 
-/// A build step that must succeed; errors call it `name`. Its folder, where it leaves its output,
-/// lives as long.
+/// A build step that must succeed; errors call it `name`. Its output folder lives as long as this.
 class BuildStep {
  public:
   BuildStep(const std::string& name, const Confined& confined) : process_(confined) {
@@ -87,11 +87,11 @@ class BuildStep {
   Process process_;
 };
 
-/// The compiler, without its words yet.
+/// The compiler, without its arguments.
 Confined compiler(const RunOptions& options) {
   Confined confined = options.confined();
   confined.spent = options.build_spent;
-  // A rubric's limits apply to what is built; compilers have limits of their own.
+  // A rubric's limits apply to the built program; compilers have separate limits.
   const Limits usual;
   confined.limits.seconds = options.build_seconds;
   confined.limits.names.seconds = options.build_seconds_name;
@@ -140,7 +140,7 @@ Compiled compile(const fs::path& source, const fs::path& to, const RunOptions& o
     const auto libraries = files_in(step.folder(), ".so");
     if (libraries.size() != 1) {
       throw CandidateError(
-          fmt::format("its CMakeLists.txt makes {} shared libraries, not one", libraries.size()));
+          fmt::format("its CMakeLists.txt builds {} shared libraries, not one", libraries.size()));
     }
     return {copied(libraries.front(), to), read_of(folder, step.folder())};
   }
@@ -153,7 +153,7 @@ Compiled compile(const fs::path& source, const fs::path& to, const RunOptions& o
   if (is_folder) {
     const auto files = files_in(source, ".cpp");
     if (files.empty()) {
-      throw CandidateError("no .cpp file lies in it");
+      throw CandidateError("it contains no .cpp file");
     }
     for (const fs::path& file : files) confined.arguments.push_back(file);
   } else {
@@ -176,7 +176,7 @@ void build(const fs::path& folder, const BuildWords& words, const fs::path& to,
     if (!fs::is_regular_file(entry.symlink_status())) continue;
     if (words.keeps && !words.keeps(entry.path())) continue;
     bytes += entry.file_size();
-    if (bytes > kMostBuilt) throw CandidateError(words.shown + ": it makes too large files");
+    if (bytes > kMostBuilt) throw CandidateError(words.shown + ": its output is too large");
     copy_with_time(entry.path(), to / fs::relative(entry.path(), step.folder()));
   }
 }

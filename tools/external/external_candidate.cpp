@@ -24,7 +24,7 @@ struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
   std::optional<properties::OtherSize> size = {};  ///< Of a picture, if the size is wrong.
-  bool fails_always = false;                       ///< It fails whatever it is asked.
+  bool fails_always = false;                       ///< On every request.
   std::optional<properties::CodeLine> line = {};   ///< In its source, if known.
 
   [[noreturn]] void raise(const LastFailure& last) const {
@@ -40,8 +40,8 @@ struct AnswerFailure {
   }
 };
 
-/// The pictures of the last scenes, for all threads, which draw different ones at once; a failure
-/// is kept like a picture.
+/// The latest pictures, shared by all threads, which draw different scenes in parallel. Failures
+/// are kept like pictures.
 class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
@@ -62,11 +62,11 @@ class Pictures {
     std::optional<AnswerFailure> failure = {};
     std::int64_t pixels() const { return scene.camera->width * scene.camera->height; }
   };
-  /// How many are kept: of so many pixels, but the last one in any case.
+  /// Limits on the kept pictures: number and total pixels. The last one is always kept.
   static constexpr std::ptrdiff_t kKept = 32;
   static constexpr std::int64_t kKeptPixels = std::int64_t{1} << 22;
 
-  /// A scene's picture, drawn or not, which becomes the last.
+  /// The entry for a scene, new or existing, moved to the end.
   std::shared_ptr<Picture> kept(const scene::Scene& scene, scene::Rows rows) {
     const std::lock_guard lock(mutex_);
     auto found = std::ranges::find_if(
@@ -92,7 +92,7 @@ class Pictures {
       silences_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
     if (const int silences = silences_; silences >= renderer_.most_silences) {
-      fail(fmt::format("not started, after {} times without an end", silences),
+      fail(fmt::format("not started after {} runs that timed out", silences),
            FailureKind::kNotAsked);
       return;
     }
@@ -112,7 +112,7 @@ class Pictures {
 
   Renderer renderer_;
   std::mutex mutex_;
-  std::vector<std::shared_ptr<Picture>> kept_;  ///< The last one asked for at the end.
+  std::vector<std::shared_ptr<Picture>> kept_;  ///< The most recently used one is last.
   std::atomic<int> silences_ = 0;
 };
 
@@ -147,16 +147,16 @@ class Conversation {
     start();
     return introduction_;
   }
-  /// From now on requests have this share of the time for a reply.
+  /// Sets the share of the reply time limit for the next requests.
   void allow(double share) { share_ = share; }
-  /// Requests without a reply count no more, and kept answers do again.
+  /// Resets the count of time-outs, and uses stored answers again.
   void forget_silence() {
     shares_timed_out_ = 0;
     silences_ = 0;
     failed_request_.clear();
     is_asked_anew_ = false;
   }
-  /// The next requests go to a fresh process, whatever is kept.
+  /// The next requests go to a fresh process; stored answers are ignored.
   void restart() {
     forget_silence();
     process_.reset();
@@ -172,7 +172,7 @@ class Conversation {
     fill(request);
     if (shares_timed_out_ >= kMostSilences) {
       AnswerFailure{
-          fmt::format("{}: not asked, after {} requests without a reply", function, silences_),
+          fmt::format("{}: not called after {} requests that timed out", function, silences_),
           FailureKind::kNotAsked}
           .raise(last_);
     }
@@ -210,7 +210,7 @@ class Conversation {
     }
   }
 
-  /// Unpredictable, so that no reply can be prepared before its request.
+  /// Unpredictable, so that no reply can be prepared in advance.
   std::string next_id() { return fmt::format("{:016x}", ids_()); }
 
   void start() {
@@ -224,7 +224,7 @@ class Conversation {
     external_.answers->keep(std::string(kGreeting), {text});
   }
 
-  /// The source line at which a worker says that it failed.
+  /// The source line of a crash or exception that the worker reports.
   std::optional<CodeLine> line_in(std::string_view answer) const {
     return external_.lines ? external_.lines->innermost(frames_in(answer)) : std::nullopt;
   }
@@ -272,11 +272,11 @@ class Conversation {
   Introduction introduction_;
   std::string failed_request_;
   AnswerFailure failure_;
-  bool introduction_heard_ = true;  ///< From the last process started.
+  bool introduction_heard_ = true;  ///< Of the current process.
   double share_ = 1;
   bool is_asked_anew_ = false;
   int silences_ = 0;
-  double shares_timed_out_ = 0;  ///< Sum of their shares of the time for a reply.
+  double shares_timed_out_ = 0;  ///< The sum of their shares of the time limit.
   std::mt19937_64 ids_{std::random_device{}()};
 };
 
@@ -295,7 +295,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   return judged_in(external.precision, std::move(candidate));
 }
 
-/// The functions that it offers.
+/// Adds the functions that the candidate implements.
 void add_functions(const std::shared_ptr<Conversation>& talk,
                    const std::set<std::string>& functions, Candidate& candidate) {
   const auto of_pixels = [talk](const char* function, auto answers) {
@@ -338,7 +338,7 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 
-/// What it declares, and the bounds to which it is held.
+/// A candidate with its declared properties and the bounds that apply to it, without functions.
 Candidate introduced(const External& external) {
   Candidate candidate;
   candidate.name = external.name;
@@ -382,7 +382,7 @@ External introduced(std::string name, const Confined& program,
     throw CandidateError(error.what());
   }
   if (external.introduction.functions.empty()) {
-    throw CandidateError("it offers no function");
+    throw CandidateError("it implements no function");
   }
   return external;
 }

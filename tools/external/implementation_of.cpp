@@ -15,14 +15,14 @@ std::string without_folders(const std::string& name) {
   std::string result;
   for (std::size_t at = name.find(':') + 1; at < name.size();) {
     const std::size_t end = std::min(name.find(' ', at), name.size());
-    const std::size_t folders = name.substr(at, end - at).rfind('/') + 1;  // 0 where there are none
+    const std::size_t folders = name.substr(at, end - at).rfind('/') + 1;  // 0 without folders
     result += name.substr(at + folders, end + 1 - at - folders);
     at = end + 1;
   }
   return result;
 }
 
-/// How a renderer is run and judged, where that is not as usual.
+/// The options of a renderer that differ from the defaults, as arguments.
 std::string arguments_of(const Renderer& renderer, scene::Precision precision) {
   const Renderer usual{};
   std::string words;

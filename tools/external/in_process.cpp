@@ -29,7 +29,7 @@ raycheck_camera to_c(const scene::Camera& c) {
           c.right,     c.bottom,        c.top,      c.width, c.height};
 }
 
-/// The enumerators of the header are raycheck's own, those of conventions after AS_ASKED.
+/// The header's enumerators equal raycheck's; those of conventions are one larger (AS_ASKED).
 template <class Enum>
 std::int32_t enumerator(Enum value) {
   return static_cast<std::int32_t>(value);
@@ -124,12 +124,10 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
 InProcess calls_in_process(const External& external) {
   const Layers& layers = external.program.layers;
   if (layers.own_user || layers.seccomp || layers.landlock || layers.bubblewrap) {
-    throw CandidateError(
-        "it is kept in a sandbox, and only calls in raycheck's own process are timed fairly");
+    throw CandidateError("it runs in a sandbox, and only calls in raycheck's process are timed");
   }
   if (external.library.empty()) {
-    throw CandidateError(
-        "it is no library, and only calls in raycheck's own process are timed fairly");
+    throw CandidateError("it is not a library, and only calls in raycheck's process are timed");
   }
   const raycheck_candidate& library = *functions_of(external.library);
   InProcess calls;

@@ -25,10 +25,10 @@ fs::path existing(const std::string& path, const RunOptions& options) {
   return found;
 }
 
-/// The library in a folder that the candidate's user may read.
+/// A library as a candidate, copied to a folder that the candidate's user may read.
 External library(const std::string& name, const fs::path& path, const RunOptions& options) {
   auto folder = std::make_shared<PrivateFolder>();
-  // Where it may read what lies beside it, it stays there: its rpath may begin with $ORIGIN.
+  // Not copied if it may read its own folder: its rpath may begin with $ORIGIN.
   const bool stays = std::ranges::find(options.reads, path.parent_path()) != options.reads.end();
   const fs::path copy = stays ? path : folder->path() / path.filename();
   if (!stays) fs::copy_file(path, copy);
@@ -42,39 +42,39 @@ External library(const std::string& name, const fs::path& path, const RunOptions
   return external;
 }
 
-/// The most bytes copied from a folder that is closed to others.
+/// The most bytes copied from a folder that other users may not read.
 constexpr std::uintmax_t kMostCopied = std::uintmax_t{64} << 20;
 
-/// Copies a folder for a user that may not read it.
+/// Copies a folder that the candidate's user may not read.
 void copy_for_others(const fs::path& from, const fs::path& to) {
   std::uintmax_t copied = 0;
   if (!fs::relative(to, from).string().starts_with("..")) {
     throw CandidateError(fmt::format(
-        "{} is closed to other users; give the program a folder of its own", from.string()));
+        "other users may not read {}; put the program into a separate folder", from.string()));
   }
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
     const fs::path target = to / fs::relative(entry.path(), from);
     const fs::file_status status = entry.symlink_status();
     if (fs::is_directory(status)) fs::create_directories(target);
-    // Closed entries are not for the candidate to read, unless they are named.
+    // Files that other users may not read are left out, unless the command line names them.
     if (!fs::is_regular_file(status) ||
         (status.permissions() & fs::perms::others_read) == fs::perms::none) {
       continue;
     }
     copied += entry.file_size();
     if (copied > kMostCopied) {
-      throw CandidateError(
-          fmt::format("{} is closed to other users and too large to be copied; give the program a "
-                      "folder of its own, or use no sandbox",
-                      from.string()));
+      throw CandidateError(fmt::format(
+          "other users may not read {}, and it is too large to be copied; put the program "
+          "into a separate folder, or use no sandbox",
+          from.string()));
     }
     fs::copy_file(entry.path(), target);
   }
   open_to_others(to);
 }
 
-/// Paths that the candidate's user may read: folders that are closed to others are copied, once
-/// each.
+/// Maps paths to paths that the candidate's user may read. Folders that other users may not read
+/// are copied, once each.
 class ReadableCopies {
  public:
   explicit ReadableCopies(const Layers& layers) : own_user_(layers.own_user) {}
@@ -103,7 +103,7 @@ class ReadableCopies {
   static fs::path folder_of(const fs::path& path) {
     return fs::is_directory(path) ? path : path.parent_path();
   }
-  /// The folder of the copies; null if there are none.
+  /// The folder of the copies; null without copies.
   std::shared_ptr<const PrivateFolder> folder() const { return copies_; }
 
  private:
@@ -129,7 +129,7 @@ bool is_on_path(const std::string& program) {
   });
 }
 
-/// Lets a program read a folder, or a file's folder, unless everyone may.
+/// Lets a program read a folder, or a file's folder, but not / or the folder for temporary files.
 void let_read(const fs::path& path, Confined& program) {
   const fs::path folder = ReadableCopies::folder_of(path);
   const bool is_everyones = folder == "/" || folder == fs::temp_directory_path();
@@ -140,8 +140,8 @@ void let_read(const fs::path& path, Confined& program) {
   }
 }
 
-/// A word whose parts between colons all name files or folders, made absolute: a Java class path.
-/// Empty if it is not one.
+/// A Java class path (files or folders separated by colons), made absolute. Empty if the word is
+/// not one.
 std::string class_path(const std::string& word, const RunOptions& options, ReadableCopies& copies,
                        Confined& program) {
   if (word.find(':') == std::string::npos) return "";
@@ -162,7 +162,7 @@ std::string class_path(const std::string& word, const RunOptions& options, Reada
   return paths;
 }
 
-/// The file that an implementation is made from: the source, or the first file in its words.
+/// The source file of a candidate: the source, or the first file in its command line.
 std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
   if (spec.kind == CandidateKind::kLibrary) return "";
   for (const std::string& word :
@@ -173,7 +173,7 @@ std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
   return "";
 }
 
-/// The program of a command line; words that name files are made absolute.
+/// The program of a command line, with names of files made absolute.
 Confined program_of(const std::string& words, const RunOptions& options, ReadableCopies& copies) {
   Confined program = options.confined();
   for (const std::string& word : split(words)) {
@@ -191,7 +191,8 @@ Confined program_of(const std::string& words, const RunOptions& options, Readabl
       program.arguments.push_back(paths);
       continue;
     }
-    // A bare first word is a program on the path. Links are kept: programs use their own names.
+    // A first word without a slash is searched on the PATH. Links are not resolved: programs may
+    // use the name by which they are started.
     if ((is_program && is_bare) || !fs::exists(named, error)) {
       program.arguments.push_back(word);
       continue;
@@ -201,7 +202,7 @@ Confined program_of(const std::string& words, const RunOptions& options, Readabl
     let_read(path, program);
   }
   if (program.arguments.empty()) {
-    throw CandidateError("it names no program");
+    throw CandidateError("the command names no program");
   }
   return program;
 }
@@ -243,7 +244,7 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
       if (const fs::path file = existing(spec.what, options); fs::is_regular_file(file)) {
         return library(spec.text(), file, options);
       }
-      throw CandidateError("it is no file: give a shared library");
+      throw CandidateError("it is not a file; give a shared library");
     case CandidateKind::kSource: {
       const PrivateFolder built;
       const fs::path named = existing(spec.what, options);

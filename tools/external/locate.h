@@ -9,7 +9,7 @@
 
 namespace raycheck::tools {
 
-/// How an external implementation is run.
+/// How an external candidate is run.
 struct RunOptions {
   Layers layers;
   Limits limits;
@@ -19,22 +19,22 @@ struct RunOptions {
   scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
-  std::optional<scene::Origin> origin = {};  ///< Where their rays start; empty: as asked.
-  /// What it may read besides its own folder.
+  std::optional<scene::Origin> origin = {};  ///< Where their rays start; empty: as the scene says.
+  /// Folders that it may read besides its own.
   std::vector<std::filesystem::path> reads = {};
-  /// Where a source's headers are, which it may read.
+  /// Folders with headers of a source, which it may read.
   std::vector<std::filesystem::path> includes = {};
   /// The base of relative paths; empty: the working folder.
   std::filesystem::path folder = {};
-  double build_seconds = 120;           ///< To compile it, of CPU time.
+  double build_seconds = 120;           ///< CPU time for compilation.
   std::string build_seconds_name = {};  ///< The name of that limit.
-  /// Where compile time is added up.
+  /// Collects the compile time.
   std::shared_ptr<SpentTime> build_spent = std::make_shared<SpentTime>();
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
-  /// Is told about failures with a cause outside the candidate; null: nobody is.
+  /// Collects failures with a cause outside the candidate; may be null.
   std::shared_ptr<Surroundings> surroundings = {};
 
-  /// A program to run in this way, without its words yet.
+  /// A program to run with these options, without its arguments.
   Confined confined() const {
     return {.arguments = {},
             .readable = reads,
@@ -44,12 +44,12 @@ struct RunOptions {
   }
 };
 
-/// An external implementation, compiled if it is a source, and started once. Words that name files
-/// are made absolute.
+/// Finds an external candidate: compiles it if it is a source, and starts it once. Names of files
+/// in its command line are made absolute.
 /// Errors: CandidateError naming the candidate.
 External find_external(const CandidateSpec& spec, const RunOptions& options);
 
-/// The candidate for a library that was compiled from a source (compile.h).
+/// The candidate for a library that compile() made from a source.
 /// Errors: CandidateError naming the candidate.
 External compiled_external(const CandidateSpec& spec, const std::filesystem::path& library,
                            const RunOptions& options);

@@ -23,12 +23,12 @@ namespace fs = std::filesystem;
 using properties::CodeLine;
 
 constexpr double kSeconds = 30;
-/// No person writes a longer source file.
+/// Longer than any hand-written source file.
 constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{16} << 20;
-/// How much of a line is shown.
+/// The most bytes shown of a line.
 constexpr std::size_t kMostShown = 200;
 
-/// A line of a text, as shown, without its file; empty if the text has fewer.
+/// A line of a text, without its file name; empty if the text has fewer lines.
 std::optional<CodeLine> line_of(const std::string& text, std::int64_t number) {
   std::istringstream lines(text);
   std::string line;
@@ -39,7 +39,8 @@ std::optional<CodeLine> line_of(const std::string& text, std::int64_t number) {
   return CodeLine{"", number, std::string(cut_to(line, kMostShown))};
 }
 
-/// A file's path in a folder, links resolved; empty if it lies elsewhere, or does not exist.
+/// A file's path relative to a folder, links resolved; empty if it is outside the folder or does
+/// not exist.
 fs::path path_in(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
@@ -67,7 +68,7 @@ SourceLines::SourceLines(const Confined& program, fs::path library, fs::path com
       library_(std::move(library)),
       compiled_(std::move(compiled)),
       named_(std::move(named)) {
-  // Its time is not the candidate's, nor are its failures.
+  // Time and failures of addr2line are not charged to the candidate.
   addr2line_.spent = std::make_shared<SpentTime>();
   addr2line_.surroundings = nullptr;
   addr2line_.limits = Limits{};
@@ -90,14 +91,15 @@ std::optional<CodeLine> SourceLines::find(const std::vector<std::uint64_t>& fram
   }
   Process process(confined);
   if (process.finish() != 0) return std::nullopt;
-  // A line for each frame, followed by one for each function that it is inlined in.
+  // addr2line prints a line for each frame, followed by one for each function into which it is
+  // inlined.
   std::istringstream said(process.printed().text());
   for (std::string line; std::getline(said, line);) {
     if (auto found = own_line(line)) return found;
   }
   return std::nullopt;
 } catch (const std::exception&) {
-  return std::nullopt;  // the failure is reported without it
+  return std::nullopt;  // then the failure is reported without its line
 }
 
 /// Parses "/source/tracer.cpp:42 (discriminator 3)".

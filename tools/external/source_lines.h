@@ -12,20 +12,19 @@
 
 namespace raycheck::tools {
 
-/// The lines of the source that a library was compiled from. Its line tables are not trusted:
-/// addr2line reads them, sandboxed like the library itself, and its answers count only for existing
-/// lines of files in the source's folder.
+/// Finds source lines of a compiled library. Its line tables are not trusted: addr2line reads them
+/// in the library's sandbox, and only existing lines of files in the source's folder are accepted.
 /// Source: addr2line, GNU binutils (sourceware.org/binutils/docs/binutils/addr2line.html).
 class SourceLines {
  public:
-  /// `program` runs the library; `compiled` is the folder of the source when it was compiled,
-  /// `named` is how lines show that folder.
+  /// `program`: runs the library. `compiled`: the folder of the source during compilation. `named`:
+  /// the name of that folder in the results.
   SourceLines(const Confined& program, std::filesystem::path library,
               std::filesystem::path compiled, std::filesystem::path named);
 
-  /// The line of the innermost of these frames, given as offsets in the library's file and
-  /// innermost first, that lies in the source: frames in other people's headers are skipped,
-  /// inlined or not. Empty if there is none, or no addr2line.
+  /// The source line of the innermost frame that lies in the source's folder. `frames`: offsets in
+  /// the library's file, innermost first; frames in other headers are skipped, even if inlined.
+  /// Empty if no frame lies there, or if addr2line is missing.
   std::optional<properties::CodeLine> innermost(const std::vector<std::uint64_t>& frames) const;
 
  private:

@@ -66,7 +66,7 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const fast::PixelRayMethod& meth
       properties::rays_of);
 }
 
-/// Every method as an implementation of its stage, those that make rays first.
+/// Each method as a candidate for its stage only: ray methods first.
 std::vector<Implementation> each_alone() {
   std::vector<Implementation> all;
   const auto add = [&all](const MethodPair& pair, Stage stage, std::string_view name,
@@ -141,7 +141,7 @@ std::vector<Implementation> find_methods(const std::vector<std::string>& names) 
   constexpr const char* kAll = "all";
   if (std::ranges::find(names, kAll) != names.end()) {
     if (names.size() == 1) return all;
-    throw scene::InvalidInput("method", kAll, "is every method; leave out the others");
+    throw scene::InvalidInput("method", kAll, "already means every method; leave out the others");
   }
   if (names.empty()) {
     std::erase_if(all, [](const Implementation& method) {

@@ -12,7 +12,7 @@ const fast::PixelRayMethod& find_rays(const std::string& name, const char* field
 const fast::IntersectMethod& find_intersect(const std::string& name,
                                             const char* field = "intersect");
 
-/// The pair called "RAYS/INTERSECT", or "INTERSECT" with the default rays: whose bounds hold.
+/// The pair named "RAYS/INTERSECT", or "INTERSECT" with the default ray method, whose bounds apply.
 /// Throws as above.
 MethodPair find_pair(const std::string& name);
 
@@ -24,9 +24,9 @@ properties::Candidate candidate_of(const MethodPair& pair);
 Implementation built_in(const MethodPair& pair);
 std::vector<Implementation> built_in(const std::vector<MethodPair>& pairs);
 
-/// The methods of those names, of either kind, each alone ("rays/NAME" and "intersect/NAME" tell
-/// them apart; "all" is every one); when there are none those of fast/, which is what a renderer
-/// may use. Throws std::invalid_argument naming the field and the known names.
+/// The methods with these names, of either kind ("rays/NAME" and "intersect/NAME" distinguish them;
+/// "all" means every method). Without names: all methods of fast/. Throws std::invalid_argument
+/// naming the field and the known names.
 std::vector<Implementation> find_methods(const std::vector<std::string>& names);
 
 /// Every pair, in the order of reports.

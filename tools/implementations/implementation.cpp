@@ -30,7 +30,7 @@ std::vector<std::string> lasting_names(const std::vector<Implementation>& implem
 }
 
 std::string isolation_text(const std::vector<Implementation>& implementations) {
-  std::vector<std::pair<std::string, std::string>> lines;  // of names, and what holds of them
+  std::vector<std::pair<std::string, std::string>> lines;  // names, and the text they share
   std::set<std::string_view> said;
   for (const Implementation& one : implementations) {
     if (one.isolated_by.empty() || !said.insert(one.name).second) continue;

@@ -37,15 +37,15 @@ struct RaysCall {
   std::vector<scene::Pixel> pixels;
 };
 
-/// Calls in raycheck's own process whose arguments are ready, in the structs of who is called.
+/// Calls in raycheck's process whose arguments are already converted to the callee's types.
 template <class Answer>
 struct ReadyCalls {
-  std::function<void(std::size_t count)> run;   ///< The first `count`; no answer is kept.
-  std::function<Answer(std::size_t k)> answer;  ///< What the k-th returns.
+  std::function<void(std::size_t count)> run;   ///< Makes the first `count` calls.
+  std::function<Answer(std::size_t k)> answer;  ///< The result of the k-th call.
 };
 
-/// What a stopwatch calls. Calls about one ray or pixel take the function for one, where there is
-/// one; an empty function: there is nothing to call.
+/// The functions that are timed. Calls with one ray or pixel use the function for a single one, if
+/// it exists. Empty: not implemented.
 struct InProcess {
   std::function<ReadyCalls<properties::SphereHits>(const std::vector<IntersectCall>&)> intersect;
   std::function<ReadyCalls<std::vector<scene::Ray>>(const std::vector<RaysCall>&)> make_rays;
@@ -57,7 +57,7 @@ void keep(const Value& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
-/// `call(k, result)` makes the k-th call, `answer_of(result)` is what it returned.
+/// `call(k, result)` makes the k-th call; `answer_of(result)` converts its result.
 template <class Answer, class Result, class Call, class AnswerOf>
 ReadyCalls<Answer> ready(const Call& call, const AnswerOf& answer_of) {
   return {[call, result = Result{}](std::size_t count) mutable {
@@ -73,44 +73,44 @@ ReadyCalls<Answer> ready(const Call& call, const AnswerOf& answer_of) {
           }};
 }
 
-/// Whoever can be judged: a pair of raycheck's methods, one of them alone, or someone else's
-/// implementation. These differ in how they are made, and in nothing that a command asks.
+/// Something that can be judged: a pair of raycheck's methods, a single method, or an external
+/// candidate. Commands treat all of them alike.
 struct Implementation {
-  std::string name;                 ///< As it is asked for: "cross", "library:PATH.so".
-  std::string lasting_name = name;  ///< From run to run, wherever it lies.
-  std::string own_name = {};        ///< What it calls itself; empty: nothing.
-  std::string isolated_by = {};     ///< "own user, seccomp"; empty: it is raycheck's own.
-  std::string bounds_of = {};       ///< To whose bounds it is held; empty: its own.
-  std::string source_file = {};     ///< That it is made of, where that is one file.
-  /// What the compiler read of a source's folder: names of files, and their digests.
+  std::string name;                 ///< As on the command line: "cross", "library:PATH.so".
+  std::string lasting_name = name;  ///< The same in every run, wherever its files are.
+  std::string own_name = {};        ///< The name that it declares; may be empty.
+  std::string isolated_by = {};     ///< "own user, seccomp"; empty for raycheck's methods.
+  std::string bounds_of = {};       ///< The methods whose bounds apply; empty: its own.
+  std::string source_file = {};     ///< Its source, if that is a single file.
+  /// The files that the compiler read in a source's folder, with their digests.
   std::map<std::string, std::string> built_of = {};
-  std::string arguments = {};  ///< Of a command that judges it again, but for its name.
-  std::vector<properties::Stage> stages = {};  ///< In which it can be judged alone.
-  /// The format it is judged in. raycheck's own methods in floats take doubles and round them: they
-  /// are judged as their callers see them.
+  std::string arguments = {};  ///< Of a command that judges it again, without its name.
+  std::vector<properties::Stage> stages = {};  ///< In which it can be judged.
+  /// The format it is judged in. raycheck's methods in single precision take doubles and round
+  /// them, so they are judged in double.
   scene::Precision precision = scene::Precision::kDouble;
-  bool unit_directions = false;  ///< It is asked about rays with unit directions alone.
+  bool unit_directions = false;  ///< It is given rays with unit directions only.
   properties::InputFormat input_format() const { return {precision, unit_directions}; }
-  std::optional<MethodPair> methods = {};  ///< Of fast/, where it is made of those.
-  std::size_t number = 0;                  ///< Charts tell those of a stage apart by it.
+  std::optional<MethodPair> methods = {};  ///< If it consists of methods of fast/.
+  std::size_t number = 0;                  ///< Its index within its stage, for charts.
   /// A candidate for one thread.
   std::function<properties::Candidate()> make = {};
-  /// Errors: std::invalid_argument that says why it is not to be called in this process.
+  /// Errors: std::invalid_argument with the reason why it cannot be called in this process.
   std::function<InProcess()> in_process = {};
-  /// Of a renderer: the same, given driver files of that dialect; else empty.
+  /// For a renderer: the same with driver files in another dialect; else empty.
   std::function<Implementation(scene::Dialect)> reading = {};
 
   bool offers(properties::Stage stage) const;
-  /// Of a pair the method of that stage.
+  /// For a pair: the name of the method for that stage.
   std::string name_in(properties::Stage stage) const;
-  bool draws() const { return static_cast<bool>(reading); }  ///< It is judged by whole pictures.
+  bool draws() const { return static_cast<bool>(reading); }  ///< It is a renderer.
 };
 
-/// The lasting names, and the names of those that would be called the same.
+/// The lasting names; where these are ambiguous, the names.
 std::vector<std::string> lasting_names(const std::vector<Implementation>& implementations);
 
-/// What isolates those that are not raycheck's own, whose bounds they are held to and in which
-/// precision: a line for all of whom the same holds.
+/// For external candidates: their isolation, the methods whose bounds apply, and their precision.
+/// Candidates with equal values share a line.
 std::string isolation_text(const std::vector<Implementation>& implementations);
 
 }  // namespace raycheck::tools

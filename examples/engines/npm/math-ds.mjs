@@ -1,5 +1,5 @@
-// math-ds (npm math-ds), Ray.intersectSphere: "The point of intersection, or null if there is none"; of an origin inside the
-// point where the ray leaves (comments in the code). Silent about unit directions, which the code needs, and tangents.
+// math-ds (npm math-ds), Ray.intersectSphere: "The point of intersection, or null if there is none"; for an origin inside,
+// the point where the ray leaves (comments in the code). Silent about unit directions, which the code needs, and tangents.
 // Source: build/math-ds.esm.js.
 import { run } from "./raycheck_candidate.mjs";
 import { Ray, Sphere, Vector3 } from "math-ds";

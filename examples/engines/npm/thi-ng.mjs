@@ -1,5 +1,5 @@
-// thi.ng/geom-isec (npm @thi.ng/geom-isec), intersectRayCircle, which is that of rays and spheres, too (README: 3D tests,
-// Ray, Sphere): alpha is the parameter of the first point. Silent about unit directions, which the code needs, and tangents.
+// thi.ng/geom-isec (npm @thi.ng/geom-isec), intersectRayCircle, which handles rays and spheres, too (README: 3D tests, Ray,
+// Sphere): alpha is the parameter of the first point. Silent about unit directions, which the code needs, and tangents.
 // Source: README.md, ray-circle.d.ts.
 import { run } from "./raycheck_candidate.mjs";
 import { IntersectionType, intersectRayCircle } from "@thi.ng/geom-isec";

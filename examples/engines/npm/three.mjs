@@ -1,6 +1,6 @@
-// three.js (npm three), Ray.intersectSphere: "the intersection point or `null`"; of an origin inside the point where the
-// ray leaves (comments in the code). Ray: "the (normalized) direction of the ray". Silent about tangents.
-// Source: src/math/Ray.js.
+// three.js (npm three), Ray.intersectSphere: "the intersection point or `null`"; for an origin inside, the point where the
+// ray leaves (comments in the code). Ray: "the (normalized) direction of the ray". Silent about tangents. Source:
+// src/math/Ray.js.
 import { run } from "./raycheck_candidate.mjs";
 import { Ray, Sphere, Vector3 } from "three";
 

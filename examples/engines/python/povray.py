@@ -1,6 +1,6 @@
-"""POV-Ray (Debian: povray), a finished renderer: povray.py DRIVER IMAGE. Its camera has its location, and a picture plane
-spanned by `direction`, `right` and `up`, at whose pixels' centres rays are shot from the location; every object is
-ambient light alone. Source: POV-Ray's reference, 3.4.2.1 (camera), 3.4.5.3 (sphere), 3.4.7.3 (ambient)."""
+"""POV-Ray (Debian: povray), a finished renderer: povray.py DRIVER IMAGE. Its camera has a location and a picture plane
+spanned by `direction`, `right` and `up`; rays go from the location through the pixels' centres. Objects have ambient light
+only. Source: POV-Ray's reference, 3.4.2.1 (camera), 3.4.5.3 (sphere), 3.4.7.3 (ambient)."""
 import subprocess
 import sys
 
@@ -34,7 +34,7 @@ def vector(p):
 
 
 def scene(view, spheres):
-    """In its language, with rays through the edges of the picture as a driver file asks."""
+    """The scene in its language, with rays through the edges of the picture as in the driver file."""
     eye, look, up, (near,) = view["eye"], view["look"], view["up"], view["d"]
     W = unit([a - b for a, b in zip(eye, look)])
     U = unit(cross(up, W))

@@ -1,7 +1,7 @@
 """Skyfield (Debian python3-skyfield), geometry.intersect_line_and_sphere: "Given a line through the origin (0,0,0) and an |xyz|
-endpoint, and a sphere [...], return the distance from the origin to their two intersections"; two nan where there are none;
+endpoint, and a sphere [...], return the distance from the origin to their two intersections"; two nan for a miss;
 "if the line is tangent to the sphere, the two intersections will be at the same distance". Lines, not rays: the first is
-passed, which may be negative. The line starts at (0,0,0), so that the adapter has to take the origin off the centre.
+returned, which may be negative. The line starts at (0,0,0), so that the adapter has to subtract the origin from the centre.
 Source: skyfield/geometry.py.
 """
 import math

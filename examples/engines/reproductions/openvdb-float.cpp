@@ -6,6 +6,6 @@ int main() {
   openvdb::math::Ray<float> ray(Vec({ox}, {oy}, {oz}), Vec({dx}, {dy}, {dz}));
   float t0 = 0, t1 = 0;
   bool hit = ray.intersects(Vec({cx}, {cy}, {cz}), {r}, t0, t1);
-  float t = t0 == ray.t0() ? t1 : t0;  // what is clipped is no intersection
+  float t = t0 == ray.t0() ? t1 : t0;  // a clipped value is not an intersection
   hit && t != ray.t1() ? std::printf("%.9g\n", t) : std::puts("miss");
 }

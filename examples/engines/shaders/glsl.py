@@ -1,6 +1,6 @@
 """A shader's function in GLSL, run by OpenGL: python3 glsl.py FILE.glsl. All rays and one sphere are a compute shader's
-invocations, in floats. Where there is no screen and no card, Mesa's llvmpipe runs it (Debian: python3-moderngl,
-libgl1-mesa-dri, libegl1); a card's driver may round otherwise, since GLSL leaves divisions and roots some ulp.
+invocations, in floats. Without a display and a GPU, Mesa's llvmpipe runs it (Debian: python3-moderngl,
+libgl1-mesa-dri, libegl1); a GPU's driver may round differently, since GLSL allows divisions and roots errors of some ulp.
 """
 import os
 import pathlib
@@ -10,7 +10,7 @@ import sys
 import raycheck_candidate as rc
 import shader
 
-os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe in this thread alone
+os.environ.setdefault("LP_NUM_THREADS", "0")  # llvmpipe only in this thread
 os.environ.setdefault("MESA_SHADER_CACHE_DISABLE", "true")
 import moderngl  # noqa: E402  (after its environment)
 

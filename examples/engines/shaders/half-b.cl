@@ -1,4 +1,4 @@
-// The half-b form with unit directions, as most shaders of signed-distance and toy tracers have it: h*h - c. The first root in
+// The half-b form with unit directions, as in most shaders of signed-distance and toy tracers: h*h - c. The first root in
 // front of the origin.
 // raycheck directions unit
 // raycheck returns distance

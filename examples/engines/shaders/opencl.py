@@ -1,6 +1,6 @@
 """A function in OpenCL C, run by OpenCL: python3 opencl.py FILE.cl. All rays and one sphere are a kernel's work-items, in
-floats. Where there is no card, PoCL runs it (Debian: python3-pyopencl, pocl-opencl-icd); a card may round otherwise, since
-OpenCL leaves single-precision divisions and roots 2.5 and 3 ulp.
+floats. Without a GPU, PoCL runs it (Debian: python3-pyopencl, pocl-opencl-icd); a GPU may round differently, since
+OpenCL allows single-precision divisions and roots errors of 2.5 and 3 ulp.
 """
 import os
 import pathlib

@@ -1,4 +1,4 @@
-// The textbook's quadratic, as ray-tracing books and many shaders have it: a, b and c with the factors 2 and 4, any direction;
+// The textbook's quadratic, as in ray-tracing books and many shaders: a, b and c with the factors 2 and 4, any direction;
 // the first root in front of the origin. Tangents hit.
 // raycheck returns parameter
 // raycheck root nearest

@@ -1,9 +1,9 @@
-"""What glsl.py and opencl.py share: a shader's file, and what it declares.
+"""Shared code of glsl.py and opencl.py: reads a shader file and its declarations.
 
-The file has one function, float hit_sphere(origin, direction, centre, radius), that returns s, or something negative for a
-miss. Its comment lines `// raycheck WORD VALUE...` are what it declares, as keywords of raycheck_candidate.run (`directions
-unit`, `returns distance`, `roots [] 0 inf absolute none`), and `// raycheck include PATH` puts the shader in that file before
-it, which is sought in this folder, those above it and their npm/; of a JavaScript module it is its longest string.
+The file has one function, float hit_sphere(origin, direction, centre, radius), that returns s, or a negative number for a
+miss. Comment lines `// raycheck WORD VALUE...` are its declarations, as keywords of raycheck_candidate.run (`directions unit`,
+`returns distance`, `roots [] 0 inf absolute none`). `// raycheck include PATH` prepends the shader in that file, which is
+searched in this folder, its parents and their npm/; in a JavaScript module the shader is the longest string.
 """
 import pathlib
 import re
@@ -25,7 +25,7 @@ def _included(path):
 
 
 def read(file):
-    """Its source, and the keywords of raycheck_candidate.run."""
+    """The shader's source, and its keywords for raycheck_candidate.run."""
     source = pathlib.Path(file).read_text()
     declared, parts = {"precision": "single", "level": "ordinary", "lengths": (2.0**-30, 2.0**30)}, []
     for word, value in re.findall(r"^// raycheck (\S+) (.*)$", source, re.MULTILINE):
@@ -45,5 +45,5 @@ def flat(rays):
 
 
 def hits(answers):
-    """What raycheck_candidate takes: None where the shader says that there is no hit."""
+    """Results for raycheck_candidate: None for a miss."""
     return [None if s < 0 else float(s) for s in answers]

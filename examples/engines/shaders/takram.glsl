@@ -1,5 +1,5 @@
 // @takram/three-geospatial (npm; the atmosphere and clouds of three.js), raySphereFirstIntersection: the first root, or -1.
-// Silent about all; unit directions by its code.
+// No documentation; unit directions by its code.
 // raycheck include node_modules/@takram/three-geospatial/src/shaders/raySphereIntersection.glsl
 // raycheck directions unit
 // raycheck returns distance

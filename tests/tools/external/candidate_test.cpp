@@ -1,4 +1,4 @@
-// Other people's candidates, right and hostile, through `check --candidate`.
+// External candidates, right and hostile, through `check --candidate`.
 
 #include "tests/tools/external/judged.h"
 
@@ -10,7 +10,7 @@ const std::string kRays = "scene/examples/lecture-examples.toml";
 
 constexpr const char* kFloats = RAYCHECK_SOURCE_DIR "/tests/candidates/float_quadratic.cpp";
 
-/// Whether candidates are here.
+/// Whether candidates run in bubblewrap here.
 bool is_in_bubblewrap() {
   static const std::string isolated_by = judged(kRays, right_library())["isolated_by"];
   return has(isolated_by, "bubblewrap");
@@ -24,7 +24,7 @@ void expect_right(const std::string& scene, const std::string& candidate) {
   EXPECT_GT(cases, 8u) << candidate;
 }
 
-TEST(Candidate, is_judged_where_raycheck_lies_below_a_folder_that_others_may_not_enter) {
+TEST(Candidate, is_judged_if_raycheck_is_in_a_folder_that_other_users_may_not_enter) {
   const fs::path closed = temporary_folder("closed");
   fs::create_directories(closed / "lib");
   fs::create_directories(closed / "build/tools");
@@ -33,7 +33,7 @@ TEST(Candidate, is_judged_where_raycheck_lies_below_a_folder_that_others_may_not
     fs::copy_file(programs / name, closed / "build/tools" / name);
   }
   fs::permissions(closed, fs::perms::owner_all);
-  // Beside that folder, so that all around both is shown to what compiles it.
+  // Beside that folder, so that the compiler can read the folder around both.
   const std::string candidate = temporary_file("floats.cpp", contents(kFloats));
   const Outcome outcome = run_bash("cd '" RAYCHECK_SOURCE_DIR "' && exec '" + closed.string() +
                                    "/build/tools/raycheck' check scene/examples/optical-axis.toml "
@@ -44,7 +44,7 @@ TEST(Candidate, is_judged_where_raycheck_lies_below_a_folder_that_others_may_not
   if (is_in_bubblewrap()) expect_parts(outcome.out, {"bubblewrap"});
 }
 
-TEST(Candidate, that_makes_no_rays_is_given_them_and_the_report_says_so) {
+TEST(Candidate, without_rays_receives_them_and_the_report_says_so) {
   const std::string meets = "command:python3 tests/candidates/meets.py none";
   const json right = judged(kCamera, meets);
   EXPECT_EQ(right["discrepancies"], 0) << right.dump(2);
@@ -56,7 +56,7 @@ TEST(Candidate, that_makes_no_rays_is_given_them_and_the_report_says_so) {
                {"makes no rays from this origin: given raycheck's own"});
 }
 
-TEST(Candidate, that_is_wrong_about_given_rays_is_told_at_which_pixels_and_why) {
+TEST(Candidate, that_is_wrong_on_given_rays_has_pixels_and_explanations_in_its_report) {
   const std::string proofs = temporary_file("proofs", "");
   const json wrong = judged(kCamera, "command:python3 tests/candidates/meets.py far-root",
                             "--certificates " + proofs);
@@ -70,7 +70,7 @@ TEST(Candidate, that_is_wrong_about_given_rays_is_told_at_which_pixels_and_why) 
   run_python("tools/verify_certificates.py " + proofs, 0);
 }
 
-TEST(Candidate, that_makes_no_rays_is_held_to_laws_on_cameras_too) {
+TEST(Candidate, without_rays_is_judged_by_laws_on_cameras_too) {
   const auto campaign = [](const std::string& mistake, int exit_code) {
     return report_of("properties --filter nearest-root --source course --cases 40",
                      "command:python3 tests/candidates/meets.py " + mistake,
@@ -78,8 +78,7 @@ TEST(Candidate, that_makes_no_rays_is_held_to_laws_on_cameras_too) {
   };
   EXPECT_EQ(campaign("none", 0)["given_rays"], 40);
   const json wrong = campaign("far-root", 1);
-  // Shrunk, it is a case of what it intersects: one of the rays that it was given, in short
-  // numbers.
+  // Shrunk, the case has a single ray of those that it received, in short numbers.
   const std::string shrunk = wrong["scene"];
   EXPECT_FALSE(has(shrunk, "[camera]"));
   EXPECT_EQ(shrunk.find("[[ray]]"), shrunk.rfind("[[ray]]"));
@@ -88,12 +87,12 @@ TEST(Candidate, that_makes_no_rays_is_held_to_laws_on_cameras_too) {
   expect_parts(wrong["explanations"].dump(), {"the far root is taken"});
 }
 
-TEST(Candidate, holds_every_law_on_ordinary_cases) {
+TEST(Candidate, keeps_every_law_on_ordinary_cases) {
   expect_parts(run("properties --cases 300 --candidate " + right_library(), 0).out,
                {"documents no bounds: judged by those of direct/cross"});
 }
 
-/// What the laws say of right.cpp with something put in the place of something else.
+/// The laws' report on right.cpp with `from` replaced by `to`.
 auto altered(const std::string& from, const std::string& to) {
   const std::string source =
       replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), from, to);
@@ -104,7 +103,7 @@ auto altered(const std::string& from, const std::string& to) {
   };
 }
 
-TEST(Candidate, that_is_a_little_wrong_breaks_its_own_law_alone_in_the_first_report) {
+TEST(Candidate, that_is_slightly_wrong_breaks_only_the_matching_law) {
   std::set<std::string> broken;
   const auto wrong = altered("return Hit{s, out(", "return Hit{s * (1 + 0x1p-46), out(");
   const json report = wrong("--cases 300");
@@ -114,7 +113,7 @@ TEST(Candidate, that_is_a_little_wrong_breaks_its_own_law_alone_in_the_first_rep
   EXPECT_EQ(broken, std::set<std::string>{"parameter"});
 }
 
-TEST(Candidate, is_held_to_the_level_and_the_lengths_that_it_states) {
+TEST(Candidate, is_judged_by_its_declared_level_and_lengths) {
   const auto stating = altered(
       ".nearest = nearest)",
       ".nearest = nearest, .level = Level::demanding, .smallest_length = 1e-9, .largest_length = "
@@ -129,7 +128,7 @@ TEST(Candidate, is_held_to_the_level_and_the_lengths_that_it_states) {
   expect_values(of_other_lengths, {{"finding", "not judged here"}, {"not_judged", 100}});
 }
 
-TEST(Candidate, is_held_to_whose_bounds_are_asked_for) {
+TEST(Candidate, is_judged_by_the_bounds_of_the_chosen_method) {
   const auto worse = altered("return Hit{s, out(", "s *= 1 + 0x1p-30; return Hit{s, out(");
   const std::string asked = "--filter parameter --cases 200 --source rays";
   const json by_default = worse(asked);
@@ -140,7 +139,7 @@ TEST(Candidate, is_held_to_whose_bounds_are_asked_for) {
   EXPECT_EQ(single["borrowed_bounds"][0]["methods"], "direct/single-quadratic");
 }
 
-TEST(Candidate, is_right_as_a_project_that_finds_eigen) {
+TEST(Candidate, is_right_as_a_cmake_project_with_eigen) {
   const std::string folder = temporary_folder("right") + "/";
   fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp", folder + "right.cpp");
   std::ofstream(folder + "CMakeLists.txt")
@@ -162,7 +161,7 @@ TEST(Candidate, is_right_in_java) {
   expect_right(kRays, "command:java -cp " + folder + " Right");
 }
 
-TEST(Candidate, sees_the_folders_and_headers_that_it_is_shown) {
+TEST(Candidate, can_read_folders_and_headers_given_by_options) {
   const std::string folder = temporary_folder("shown");
   std::ofstream(folder + "/right.h") << contents(kFloats);
   std::ofstream(folder + "/beside.py")
@@ -183,7 +182,7 @@ TEST(Candidate, sees_the_folders_and_headers_that_it_is_shown) {
   run("check " + kRays + " --candidate 'source:" + source + "' --include /no/such", 2);
 }
 
-TEST(Candidate, in_JavaScript_offers_all_that_one_in_Python_does) {
+TEST(Candidate, in_JavaScript_can_implement_all_functions) {
   if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
   const std::string folder = temporary_folder("javascript");
   for (const char* name :
@@ -195,12 +194,12 @@ TEST(Candidate, in_JavaScript_offers_all_that_one_in_Python_does) {
   expect_right(kCamera, "command:node " + folder + "/right.mjs");
 }
 
-/// What is said of a candidate that does not come to be asked.
+/// The error message for a candidate that cannot be run.
 std::string refusal_of(const std::string& candidate, const std::string& more = "") {
   return run("check " + kRays + " --candidate '" + candidate + "' " + more, 2).err;
 }
 
-TEST(Candidate, in_JavaScript_says_what_is_wrong_with_it) {
+TEST(Candidate, in_JavaScript_reports_its_errors) {
   if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
   const std::string folder = temporary_folder("wrong-javascript");
   fs::copy_file(RAYCHECK_SOURCE_DIR "/tools/external/adapters/raycheck_candidate.mjs",
@@ -223,17 +222,17 @@ TEST(Candidate, in_JavaScript_says_what_is_wrong_with_it) {
         candidate(std::string("run('it', { returns: 'class', intersect: () => ") + hit + " })"));
     expect_parts(report["worst"].dump(), {"neither true nor false"});
   }
-  // Address space that is reserved and not used.
+  // Address space that is reserved but not used.
   const std::string wasm = candidate(
       "new WebAssembly.Memory({ initial: 1, maximum: 65536 });\nrun('it', { intersect: () => null "
       "})");
   expect_parts(
       refusal_of(wasm),
-      {"raycheck lets it use, and each process reserve, at most 4096 MiB of memory (--memory)"});
+      {"it may use, and each of its processes reserve, at most 4096 MiB of memory (--memory)"});
   EXPECT_GT(judged(kRays, wasm, "--memory 65536")["discrepancies"], 0);
 }
 
-TEST(Candidate, says_which_limit_it_met_and_why_it_ended) {
+TEST(Candidate, is_reported_with_the_limit_that_it_met_and_its_last_message) {
   const auto says = [](const std::string& text) {
     return refusal_of("command:python3 " +
                       temporary_file("says.py", "import sys\nsys.exit('" + text + "')\n"));
@@ -247,7 +246,7 @@ TEST(Candidate, says_which_limit_it_met_and_why_it_ended) {
   expect_parts(says("MemoryError"), {"at most 4096 MiB of memory (--memory)"});
 }
 
-TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
+TEST(Candidate, is_judged_by_campaigns_and_replays) {
   const std::string candidate = "--candidate 'command:python3 tests/candidates/right.py'";
   run("properties --filter nearest-root --source rays --cases 60 " + candidate, 0);
   const Outcome broken =
@@ -259,27 +258,27 @@ TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
   run(replay, 1);
 }
 
-TEST(Candidate, lies_in_a_folder_that_is_closed_to_others) {
+TEST(Candidate, may_be_in_a_folder_that_other_users_may_not_read) {
   const std::string folder = temporary_folder("closed");
   for (const std::string name : {"right.py", "float_quadratic.cpp"}) {
     fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/" + name, folder + "/" + name);
   }
   fs::permissions(folder, fs::perms::owner_all);
-  // What is named is the candidate's, even if it is closed itself.
+  // A named file is readable for the candidate, even if other users may not read it.
   fs::permissions(folder + "/float_quadratic.cpp", fs::perms::owner_read);
   expect_right(kRays, "command:python3 " + folder + "/right.py");
   expect_right(kRays, "source:" + folder + "/float_quadratic.cpp");
-  // What runs there is still not root, where raycheck is.
+  // It still does not run as root if raycheck does.
   const json open = judged(kRays, "command:python3 tests/candidates/right.py");
   EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["isolated_by"],
             open["isolated_by"]);
 }
 
-/// What `check` says of tests/candidates/hostile.py.
+/// A way of tests/candidates/hostile.py, and the report of `check`.
 struct Hostile {
   const char* how;
-  const char* what;   ///< Part of what is said of it.
-  const char* layer;  ///< Without this layer it is not kept from it.
+  const char* what;   ///< Part of the report.
+  const char* layer;  ///< The layer that prevents it.
 };
 void PrintTo(const Hostile& hostile, std::ostream* out) { *out << hostile.how; }
 
@@ -291,7 +290,7 @@ TEST_P(EachHostile, GainsNothing) {
       temporary_file("one.toml", ray_text("0, 0, 0", "0, 0, 1") + sphere_text("9, 0, 5", "2"));
   const std::string secret = temporary_file(std::string(how) + ".secret", "the expected answers");
   ASSERT_EQ(chmod(secret.c_str(), 0600), 0);
-  // Time is for those that end.
+  // A short limit for those that never end.
   const bool is_endless = has(what, "1 s");
   const json report =
       judged(one_question,
@@ -310,7 +309,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Hostile{"exit", "it exited with 0", ""}, Hostile{"crash", "it was killed by signal 6", ""},
         Hostile{"loop", "it gave no reply within 1 s of CPU time", ""},
-        Hostile{"sleep", "it gave no reply, and computed next to nothing for 1 s", ""},
+        Hostile{"sleep", "it gave no reply, and used almost no CPU time for 1 s", ""},
         Hostile{"output", "it replied with more than", ""}, Hostile{"memory", "refused: ", ""},
         Hostile{"fork", "refused: BlockingIOError", "own user"},
         Hostile{"write", "refused: ", "own user"}, Hostile{"read", "refused: ", "own user"},
@@ -321,8 +320,8 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"short", "its reply begins with 'reply'", ""}, Hostile{"nothing", "class", ""}),
     [](const auto& the_test) { return std::string(the_test.param.how); });
 
-TEST(Candidate, does_not_judge_itself_from_within_its_library_and_others_are_judged) {
-  // It prints a full score and good answers before anything was asked.
+TEST(Candidate, cannot_judge_itself_from_its_library_or_affect_others) {
+  // It prints a full score and right answers before any request.
   const std::string boasts =
       "library:" + built_submission("hostile.cpp", "boasts", temporary_folder("boasts"));
   const json report =
@@ -337,7 +336,7 @@ TEST(Candidate, does_not_judge_itself_from_within_its_library_and_others_are_jud
   EXPECT_GT(quantity_of(report[3]["quantities"], "parameter")["max"], 1e10);
 }
 
-TEST(Candidate, is_kept_as_asked) {
+TEST(Candidate, is_isolated_as_requested) {
   const std::string right = "command:python3 tests/candidates/right.py";
   EXPECT_EQ(judged(kRays, right, "--sandbox none --i-know")["isolated_by"], "limits only");
   const Outcome required = check(kRays, right, "--sandbox require");
@@ -349,7 +348,7 @@ TEST(Candidate, is_kept_as_asked) {
   }
 }
 
-TEST(Candidate, that_is_not_built_or_offers_or_declares_what_there_is_not_is_refused) {
+TEST(Candidate, that_does_not_build_or_has_unknown_functions_or_declarations_is_refused) {
   const std::string declaring =
       "#include <raycheck/candidate.hpp>\nusing namespace raycheck;\nRAYCHECK_CANDIDATE(";
   for (const auto& [text, why] :

@@ -1,5 +1,5 @@
-// Candidates that demand unit directions, meet lines, end in scene lengths, or return less than s
-// and Q: each is asked and judged by what it says of itself.
+// Candidates that require unit directions, intersect lines, have ends in scene lengths, or return
+// less than s and Q: each is judged by its declarations.
 
 #include "properties/candidate.h"
 #include "properties/case.h"
@@ -18,7 +18,7 @@ std::string finding(const json& campaigns, const std::string& law) {
   return one.is_null() ? "" : one["finding"];
 }
 
-TEST(Contracts, that_return_less_are_judged_by_what_they_return) {
+TEST(Contracts, that_return_less_are_judged_by_their_results) {
   struct Contract {
     const char *says, *returns;
     bool gives_parameter, gives_point;
@@ -37,7 +37,7 @@ TEST(Contracts, that_return_less_are_judged_by_what_they_return) {
   }
 }
 
-TEST(Contracts, that_return_something_else_than_they_say_are_broken) {
+TEST(Contracts, that_return_something_else_than_declared_are_broken) {
   const std::string number = tracer("number.py", "s >= 0", "0", "returns='class'");
   expect_parts(report_of("properties --filter class", number, 1)["campaigns"][0].dump(),
                {"neither True nor False: 0"});
@@ -48,8 +48,8 @@ TEST(Contracts, that_return_something_else_than_they_say_are_broken) {
   EXPECT_EQ(finding(laws_of(plain, "--filter parameter", 1), "parameter"), "broken");
 }
 
-/// Such code takes s for a length: right for unit directions alone.
-TEST(Contracts, that_demand_unit_directions_are_asked_about_no_others) {
+/// Such code takes s for a length, which is right only for unit directions.
+TEST(Contracts, that_require_unit_directions_receive_no_others) {
   const std::string says = "returns='parameter', directions='unit'";
   const std::string unit = tracer("unit.py", "s >= 0 and abs(length - 1) < 1e-15", "s", says);
   const json laws = laws_of(unit, "--level demanding --source direction-length --source rays");
@@ -64,8 +64,8 @@ TEST(Contracts, that_demand_unit_directions_are_asked_about_no_others) {
                {"demands unit directions: 1 direction of the scene made unit"});
 }
 
-/// The commonest epsilon of all.
-TEST(Contracts, may_end_in_scene_lengths) {
+/// The commonest epsilon.
+TEST(Contracts, may_have_ends_in_scene_lengths) {
   const std::string roots = "roots=rc.Roots('()', 1e-3, float('inf'), 'length', 'none')";
   const std::string epsilon = tracer("epsilon.py", "s * length > 1e-3", "(s, point)", roots);
   const json laws = laws_of(epsilon, "--source direction-length --source surface --source rays");
@@ -77,7 +77,7 @@ TEST(Contracts, may_end_in_scene_lengths) {
   EXPECT_GT(judged(scene, tracer("wrong.py", "s > 1e-3", "(s, point)", roots))["discrepancies"], 0);
 }
 
-TEST(Contracts, may_be_of_lines) {
+TEST(Contracts, may_be_for_lines) {
   const std::string roots = "roots=rc.Roots('[]', float('-inf'), float('inf'), 'absolute', 'none')";
   const json laws = laws_of(tracer("line.py", "True", "(s, point)", roots), "--source rays");
   EXPECT_EQ(finding(laws, "class"), "holds");
@@ -86,7 +86,7 @@ TEST(Contracts, may_be_of_lines) {
   EXPECT_EQ(finding(laws_of(ray, "--filter class --source rays", 1), "class"), "broken");
 }
 
-/// An end as declared is exact: next to the float 0.001f there are floats between it and 0.001.
+/// Declared ends are exact doubles: the float 0.001f is not 0.001.
 TEST(Contracts, in_floats_keep_their_ends_in_doubles) {
   const std::string scene =
       temporary_file("float-end.toml", ray_text("0, 0, 0", "1, 0, 0") +
@@ -97,8 +97,8 @@ TEST(Contracts, in_floats_keep_their_ends_in_doubles) {
   expect_values(report, {{"discrepancies", 0}, {"precision", "single"}});
 }
 
-/// A class alone tells no s, which no end can exclude: inputs close by are what decides.
-TEST(Contracts, of_a_class_alone_are_undecided_at_an_end) {
+/// A class without s cannot be excluded by an end: nearby inputs decide.
+TEST(Contracts, of_only_a_class_are_undecided_at_an_end) {
   const std::string scene =
       temporary_file("exit.toml", ray_text("0, 0, 0", "1, 0, 0") + ray_text("0, 0, 0", "0, 1, 0") +
                                       sphere_text("-1, 0, 0", "2"));
@@ -110,12 +110,12 @@ TEST(Contracts, of_a_class_alone_are_undecided_at_an_end) {
   EXPECT_EQ(report["discrepancies_by_standing"]["undecided"], 1);
   const std::string text = run("check " + scene + " --candidate '" + closed + "'").out;
   EXPECT_TRUE(text.find("got   a hit\n") != std::string::npos) << text;
-  // s itself is excluded by its own word.
+  // Its s is excluded by its declared interval.
   EXPECT_EQ(check(scene, tracer("s.py", "s >= 1", "s", "returns='parameter', " + roots)).exit_code,
             1);
 }
 
-/// Whoever misses tangents where only back faces count: no witness is looked for there.
+/// It misses tangents where only back faces count: there no witness is searched.
 TEST(Contracts, that_leave_a_law_undecided_show_the_case) {
   const std::string tracing =
       tracer("back.py", "s >= 0 and under > 0 and s == max(q / a, other)", "(s, point)",
@@ -132,8 +132,8 @@ TEST(Contracts, that_leave_a_law_undecided_show_the_case) {
   }
 }
 
-/// What it says first is no praise where nothing was decided.
-TEST(Contracts, are_told_first_what_matters_most) {
+/// The first line is not praise if nothing was decided.
+TEST(Contracts, have_the_most_important_finding_first) {
   const auto first = [](const std::string& candidate, const std::string& more = "") {
     const std::string out =
         run("properties --cases 60 " + more + " --candidate '" + candidate + "'").out;
@@ -143,7 +143,7 @@ TEST(Contracts, are_told_first_what_matters_most) {
                {"(mine): right on ordinary cases"});
   expect_parts(first(tracer("no_hit.py", "False", "(s, point)", "lengths=(1e-300, 1e-299)")),
                {"nothing judged: no case lies within the lengths that it declares"});
-  // In C++, where shrinking what they break takes next to no time.
+  // In C++, where shrinking is fast.
   const auto in_cpp = [&](const std::string& name, const std::string& body) {
     return first(compiled(temporary_file(name + ".cpp", R"(#include <raycheck/candidate.hpp>
 #include <stdexcept>
@@ -162,8 +162,8 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::hit, .intersect = 
                {"answers nothing: ", "not yet"});
 }
 
-/// The textbook's difference, on the unit directions that it demands.
-TEST(Contracts, of_unit_directions_are_not_named_as_a_mistake) {
+/// The textbook's difference, with required unit directions.
+TEST(Contracts, of_unit_directions_are_not_reported_as_a_mistake) {
   const std::string source = temporary_file("unit.cpp", R"(#include <cmath>
 #include <raycheck/candidate.hpp>
 using namespace raycheck;
@@ -187,7 +187,7 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect
   EXPECT_FALSE(has(outcome.out, "directions are taken for unit ones"));
 }
 
-/// Nothing decides whether a missed root within a rounding of the declared end counts.
+/// It is undecided whether a missed root within a rounding of the declared end counts.
 TEST(Contracts, show_the_case_that_is_left_undecided) {
   const std::string misses = tracer("misses.py", "s > 1.0000000000000002 ", "(s, point)",
                                     "roots=rc.Roots('[]', 1.0, float('inf'), 'absolute', 'none')");
@@ -198,7 +198,7 @@ TEST(Contracts, show_the_case_that_is_left_undecided) {
   expect_parts(outcome.out, {"undecided"});
 }
 
-TEST(Completed, IsWhatWasReturnedAndWhatFollows) {
+TEST(Completed, AddsDerivedValues) {
   using properties::Returns;
   const scene::Ray ray{{1, 0, 0}, {4, 0, 0}};
   const scene::Sphere sphere{{9, 0, 0}, 4};  // from s = 1 on
@@ -217,7 +217,7 @@ TEST(Completed, IsWhatWasReturnedAndWhatFollows) {
   EXPECT_TRUE(std::isnan(of(Returns::kSquaredDistance, {-1, {}}).parameter));
 }
 
-TEST(RoundedCase, MakesDirectionsUnitWhereTheyHaveToBe) {
+TEST(RoundedCase, MakesDirectionsUnitIfRequired) {
   using scene::Precision;
   properties::Case one;
   one.scene.rays = {{{}, {0.6, 0, 0.8}}, {{}, {0x1p900, 0x1p900, 0}}, {{}, {0x1p-1074, 0, 0}}};

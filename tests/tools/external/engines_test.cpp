@@ -5,7 +5,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// Hits are right on a plain scene, in the precision that it states.
+/// Hits are right on a plain scene, in the declared precision.
 void expect_judged(const std::string& library, const std::string& precision) {
   const json report = judged("scene/examples/ten-spheres.toml", "library:" + library);
   EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 0) << report.dump(2);
@@ -26,14 +26,14 @@ std::vector<std::string> shown_below(const std::string& command) {
   return lines;
 }
 
-/// A line but for what differs by machine: who isolates a candidate, and the last bits of Embree,
-/// whose roots and reciprocals begin with the estimates of the processor at hand.
+/// A line without the parts that differ by machine: the isolation, and the last bits of Embree,
+/// whose roots and reciprocals start from the processor's estimates.
 std::string on_any_machine(const std::string& line) {
   static const std::regex figures("isolated by: .*| +[0-9.]+ +[0-9.]+ +88  ulp of float  .*");
   return std::regex_replace(line, figures, "");
 }
 
-/// Runs what the page shows, beside a library of that name, and compares what is printed.
+/// Runs a command of the page, beside a library of that name, and compares the output.
 void expect_as_shown(const std::string& library, const std::string& name,
                      const std::string& command) {
   const fs::path folder = temporary_folder("engine");
@@ -67,7 +67,7 @@ class Engines : public testing::TestWithParam<Engine> {
   }
 };
 
-TEST_P(Engines, are_right_on_a_plain_scene_under_what_they_declare) {
+TEST_P(Engines, are_right_on_a_plain_scene_under_their_declarations) {
   expect_judged(GetParam().library(), GetParam().precision);
 }
 
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Each, Engines,
                                          kVecgeom),
                          [](const auto& one) { return one.param.name; });
 
-TEST(Shaders, of_a_module_with_a_string_that_does_not_end_are_read) {
+TEST(Shaders, in_a_module_with_an_unterminated_string_are_read) {
   std::string module = "`float hit;`\n\"";
   for (int k = 0; k < 100; ++k) module += "\\\n";
   const std::string shader = temporary_file(

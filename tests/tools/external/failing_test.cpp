@@ -30,7 +30,7 @@ int cases(const json& report, const std::string& quantity) {
   return found.is_null() ? 0 : found["cases"].get<int>();
 }
 
-TEST(FailingCandidate, is_told_the_one_question_whichever_way_it_fails) {
+TEST(FailingCandidate, is_reported_with_the_failing_question_for_every_kind_of_failure) {
   const json right = judged(kTenSpheres, fails_by("none none"));
   ASSERT_EQ(right["discrepancies"], 0);
   // Who hangs is waited for beside the others.
@@ -53,7 +53,7 @@ TEST(FailingCandidate, is_told_the_one_question_whichever_way_it_fails) {
   }
 }
 
-TEST(FailingCandidate, fails_on_the_scene_that_it_is_told) {
+TEST(FailingCandidate, fails_on_the_reported_scene) {
   const json report = judged(kTenSpheres, fails_by("exit one"));
   const std::string scene =
       temporary_file("question.toml", report["worst"][0]["failed"]["scene"].get<std::string>());
@@ -63,7 +63,7 @@ TEST(FailingCandidate, fails_on_the_scene_that_it_is_told) {
   EXPECT_EQ(judged(scene, fails_by("none none"))["discrepancies"], 0);
 }
 
-TEST(FailingCandidate, is_told_the_pixel_whose_ray_it_fails_to_make) {
+TEST(FailingCandidate, is_reported_with_the_pixel_whose_ray_fails) {
   const json report = judged(kTenSpheres, fails_by("exit made"));
   ASSERT_EQ(report["discrepancies"], 1) << report["worst"].dump(2);
   expect_values(report["worst"][0], {{"pixel", json{5, 7}}, {"sphere", nullptr}});
@@ -71,7 +71,7 @@ TEST(FailingCandidate, is_told_the_pixel_whose_ray_it_fails_to_make) {
   EXPECT_EQ(cases(report, "class"), 2550);
 }
 
-TEST(FailingCandidate, is_not_sought_without_end) {
+TEST(FailingCandidate, is_searched_with_a_limit) {
   const json report = judged(kTenSpheres, fails_by("exit lower"), "--top 100");
   EXPECT_EQ(report["failures"]["found"], properties::kMostFailuresSought);
   const std::vector<json> among = blaming(report, "among");
@@ -84,7 +84,7 @@ TEST(FailingCandidate, is_not_sought_without_end) {
   EXPECT_EQ(cases(report, "class"), 1280);
 }
 
-TEST(FailingCandidate, that_fails_for_no_question_is_told_so) {
+TEST(FailingCandidate, that_fails_for_no_single_question_is_reported_as_such) {
   const json report = judged(kTenSpheres, fails_by("once one"), "--top 100");
   EXPECT_EQ(report["failures"]["found"], 0);
   EXPECT_GE(report["failures"]["together"], properties::kMostFailuresSought);
@@ -92,20 +92,20 @@ TEST(FailingCandidate, that_fails_for_no_question_is_told_so) {
   EXPECT_GT(cases(report, "class"), 1000);
 }
 
-TEST(FailingCandidate, that_is_silent_is_not_waited_for_without_end) {
+TEST(FailingCandidate, that_times_out_is_dropped) {
   const json report = judged(kTenSpheres, fails_by("hang all"), "--timeout 0.5 --top 100");
   EXPECT_EQ(cases(report, "class"), 0);
   EXPECT_EQ(blaming(report, "question").size(), 1u);
   EXPECT_EQ(blaming(report, "anything").size(), 1u);
 }
 
-TEST(FailingCandidate, is_reported_alike_by_any_number_of_threads) {
+TEST(FailingCandidate, is_reported_alike_with_any_number_of_threads) {
   const std::string many = "check " + kTenSpheres + " --top 50 --format json --candidate '" +
                            fails_by("error one") + "' --threads ";
   EXPECT_EQ(run(many + "1").out, run(many + "4").out);
 }
 
-TEST(FailingCandidate, is_told_one_question_by_properties_and_a_replay) {
+TEST(FailingCandidate, is_reported_with_one_question_by_properties_and_a_replay) {
   for (const std::string how : {"exit lower", "hang lower"}) {
     const json campaign =
         report_of("properties --filter class --source cameras --cases 20 --timeout 0.5",
@@ -128,7 +128,7 @@ struct Place {
   int line = 0;
 };
 
-/// The lines that bear a name, "// dies: NAME" or "// dies: NAME; NAME".
+/// The lines with a name, "// dies: NAME" or "// dies: NAME; NAME".
 std::map<std::string, Place> named_lines() {
   std::map<std::string, Place> found;
   for (const char* const file : {kDies.c_str(), "tests/candidates/dies_elsewhere.h"}) {
@@ -151,7 +151,7 @@ void write(const std::string& path, const std::string& text) {
   fs::rename(temporary_file("part", text), path);
 }
 
-/// A scene of rays that meet nothing, whose origins have these x.
+/// A scene of rays that hit nothing, whose origins have these x.
 std::string scene_of(int first, int last) {
   std::string text = sphere_text("1000, 1000, 1000", "1");
   for (int k = first; k <= last; ++k) {
@@ -160,33 +160,33 @@ std::string scene_of(int first, int last) {
   return text;
 }
 
-/// The ways of dies.cpp in its order, and how a death of each is called.
+/// The ways of dies.cpp in its order, and the message for each.
 struct Way {
   std::string name, words;
 };
 const std::array kWays = {
-    Way{"writes nowhere", "it was killed by signal 11"},
-    Way{"reads behind a file", "it was killed by signal 7"},
+    Way{"writes to an invalid address", "it was killed by signal 11"},
+    Way{"reads beyond a file", "it was killed by signal 7"},
     Way{"divides by zero", "it was killed by signal 8"},
-    Way{"does what is no instruction", "it was killed by signal 4"},
+    Way{"executes an invalid instruction", "it was killed by signal 4"},
     Way{"asserts", "it was killed by signal 6"},
     Way{"aborts", "it was killed by signal 6"},
-    Way{"throws what is no exception", "it was killed by signal 6"},
+    Way{"throws an int", "it was killed by signal 6"},
     Way{"throws", "it says: it is?so"},
-    Way{"asks a list for what it has not", "it says: vector::_M_range_check"},
+    Way{"reads beyond a list", "it says: vector::_M_range_check"},
     Way{"uses up its stack", "it was killed by signal 11"},
     Way{"raises", "it was killed by signal 8"},
-    Way{"sorts what is not there", "it was killed by signal 11"},
-    Way{"sorts by what dies", "it was killed by signal 11"},
-    Way{"frees what it has not", "it was killed by signal 6"},
-    Way{"throws where it may not", "it was killed by signal 6"},
+    Way{"sorts invalid memory", "it was killed by signal 11"},
+    Way{"sorts by a crashing comparison", "it was killed by signal 11"},
+    Way{"frees an invalid pointer", "it was killed by signal 6"},
+    Way{"throws in a noexcept function", "it was killed by signal 6"},
     Way{"smashes its stack", "it was killed by signal 11"},
     Way{"in an inlined function of another file", "it was killed by signal 8"},
 };
 
-TEST(FailingLine, is_told_whichever_way_it_dies) {
+TEST(FailingLine, is_reported_for_every_kind_of_crash) {
   const auto lines = named_lines();
-  constexpr int kAtATime = 6;  // fewer than are sought
+  constexpr int kAtATime = 6;  // fewer than are searched for
   const int all = static_cast<int>(kWays.size());
   int told = 0;
   for (int first = 0; first < all; first += kAtATime) {
@@ -212,7 +212,7 @@ TEST(FailingLine, is_told_whichever_way_it_dies) {
   EXPECT_EQ(told, all);
 }
 
-TEST(FailingLine, is_told_of_what_cmake_builds) {
+TEST(FailingLine, is_reported_for_cmake_builds) {
   const std::string folder = temporary_folder("lines_of_cmake");
   fs::create_directory(folder + "/src");
   fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/dies.cpp", folder + "/src/dies.cxx");
@@ -230,15 +230,15 @@ TEST(FailingLine, is_told_of_what_cmake_builds) {
   EXPECT_EQ(at["line"], named_lines()["in an inlined function of another file"].line);
 }
 
-TEST(FailingLine, is_none_of_what_only_ends) {
+TEST(FailingLine, is_missing_for_exits) {
   const json report =
       judged(temporary_file("ends.toml", scene_of(1, 1)), "source:tests/candidates/exits.cpp");
   ASSERT_EQ(report["discrepancies"], 1);
   EXPECT_TRUE(report["worst"][0]["failed"]["at"].is_null());
 }
 
-/// Candidates whose tables of lines say that they died elsewhere.
-TEST(HostileLines, OfTheCandidatesOwnFolderAloneAreBelieved) {
+/// Candidates whose line tables claim that they died elsewhere.
+TEST(HostileLines, AreAcceptedOnlyInTheCandidatesFolder) {
   const std::string folder = temporary_folder("claimed") + "/", own = folder + "own/";
   fs::create_directories(own);
   write(folder + "outside.h", "what is outside\n");
@@ -248,7 +248,7 @@ TEST(HostileLines, OfTheCandidatesOwnFolderAloneAreBelieved) {
       "1 \"" + own + "gone.h\"",  "1 \"" + own + "../outside.h\"", "1 \"/etc/passwd\"",
       "1 \"" + folder + "own\""};
   ASSERT_LT(claims.size(), properties::kMostFailuresSought);
-  // A function for each, which is called from where it says that it is.
+  // A function for each claim, called from the claimed line.
   std::string functions, calls;
   for (std::size_t k = 0; k < claims.size(); ++k) {
     const std::string number = std::to_string(k), line = "\n#line " + claims[k] + "\n";
@@ -275,7 +275,7 @@ std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray, const raycheck:
   }
 }
 
-TEST(HostileLines, OfFramesAreReadWhereTheyHaveTheirFormAlone) {
+TEST(HostileLines, OfFramesAreReadOnlyInTheirExactForm) {
   using tools::frames_in;
   using Frames = std::vector<std::uint64_t>;
   EXPECT_EQ(frames_in("frames 1f 2\n"), (Frames{0x1f, 2}));

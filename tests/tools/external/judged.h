@@ -4,11 +4,11 @@
 
 namespace raycheck::tests {
 
-/// For root, who has to say so.
+/// As root --i-know is required.
 inline const std::string kUnkept =
     std::string(" --sandbox none") + (geteuid() == 0 ? " --i-know" : "");
 
-/// What `check` says of someone else's candidate on a scene.
+/// The JSON report of `check` for a candidate on a scene.
 inline Outcome check(const std::string& scene, const std::string& candidate,
                      const std::string& more = "") {
   return run("check " + scene + " --format json " + more + " --candidate '" + candidate + "'");
@@ -24,20 +24,19 @@ inline json judged(const std::string& scene, const std::string& candidate,
   return json::parse(outcome.out)["candidates"][0];
 }
 
-/// What `check` says of one quantity; null: nothing.
+/// The report of one quantity; null if it is missing.
 inline json quantity_of(const json& quantities, const std::string& name) {
   return found(quantities, "name", name);
 }
 
-/// What a command says as JSON, which ends with this.
+/// The JSON report of a command with this exit code.
 inline json report_of(const std::string& arguments, const std::string& candidate, int exit_code) {
   const Outcome outcome = run(arguments + " --format json --candidate '" + candidate + "'");
   EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.out << outcome.err;
   return json::parse(outcome.out, nullptr, false);
 }
 
-/// A renderer of these lines of Python, which comes after imports; these words are before its
-/// files.
+/// A renderer made of these lines of Python, after imports; `words` come before its file arguments.
 inline std::string python_renderer(const std::string& lines, const std::string& words = "") {
   static int count = 0;
   const std::string path =
@@ -46,8 +45,8 @@ inline std::string python_renderer(const std::string& lines, const std::string& 
   return "renderer:python3 " + path + " " + words + (words.empty() ? "" : " ") + "{scene} {image}";
 }
 
-/// A tracer in Python that is right about both roots, by the cross product: of those for which
-/// `counts` holds the first becomes what it `returns`, and it `says` this of itself.
+/// A tracer in Python that computes both roots correctly, by the cross product. The first root for
+/// which `counts` is true is returned as `returns`; `says` are its declarations.
 inline std::string tracer(const std::string& name, const std::string& counts,
                           const std::string& returns, const std::string& says) {
   return "command:python3 " + temporary_file(name, R"(import math, raycheck_candidate as rc
@@ -71,7 +70,7 @@ rc.run('mine', intersect=intersect, root='nearest', **{'tangent': 'either'} | di
                                                        says + "))\n");
 }
 
-/// The processes whose command line has this text.
+/// The processes whose command line contains this text.
 inline std::vector<pid_t> processes_with(const std::string& text) {
   std::vector<pid_t> found;
   for (const auto& entry : fs::directory_iterator("/proc")) {

@@ -6,19 +6,19 @@
 
 namespace raycheck::tests {
 
-/// Words that run others as a user who owns nothing, and where bubblewrap does not run.
+/// Prefixes that run a command as a user that owns nothing, and without bubblewrap.
 inline constexpr const char* kAsNobody = "setpriv --reuid 65534 --regid 65534 --clear-groups ";
 inline constexpr const char* kWithoutBubblewrap =
     "unshare -m sh -c 'mount --bind /dev/null /usr/bin/bwrap && exec \"$@\"' sh ";
 
-/// A machine that has this much to keep programs by.
+/// A machine with these means of isolation.
 struct Machine {
   const char* name;
   bool is_root, has_bubblewrap;
   std::string words() const {
     return std::string(has_bubblewrap ? "" : kWithoutBubblewrap) + (is_root ? "" : kAsNobody);
   }
-  /// What it is then; a control group may come to it.
+  /// Its isolation; a control group may be added.
   std::string isolation() const {
     return std::string(is_root ? "own user, " : "") + "seccomp, " +
            (has_bubblewrap ? "bubblewrap" : "Landlock");

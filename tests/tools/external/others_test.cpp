@@ -1,5 +1,5 @@
-// Other people's candidates where raycheck's methods are compared: stress, worst, tradeoff, explain
-// and image.
+// External candidates in the commands that compare raycheck's methods: stress, worst, tradeoff,
+// explain and image.
 
 #include "tests/tools/external/judged.h"
 
@@ -34,12 +34,12 @@ TEST(OthersWorst, are_searched_by_the_stage_of_the_quantity) {
   EXPECT_EQ(failing["failures"]["first"], "intersect: it exited with 3");
 }
 
-TEST(OthersTradeoff, are_timed_in_this_process_alone_and_otherwise_told_why_not) {
+TEST(OthersTradeoff, are_timed_only_in_process_and_otherwise_a_reason_is_given) {
   const std::string arguments = "tradeoff --cases 40 --method direct,cross";
   const json kept = report_of(arguments, right_library(), 0);
   const json& judged = kept["intersections"][1];
   expect_values(judged, {{"batch", nullptr}, {"called_in_process", false}});
-  expect_parts(judged["note"], {"kept in a sandbox"});
+  expect_parts(judged["note"], {"runs in a sandbox"});
   EXPECT_GT(judged["inside"].size(), 0u);
   const json here = report_of(arguments + kUnkept, right_library(), 0);
   for (const char* stage : {"rays", "intersections"}) {
@@ -49,12 +49,12 @@ TEST(OthersTradeoff, are_timed_in_this_process_alone_and_otherwise_told_why_not)
     EXPECT_GT(timed["call"]["median_ns"], 0) << stage;
     EXPECT_EQ(here[stage][0]["called_in_process"], false);
   }
-  // How it is kept does not change what is judged.
+  // The isolation does not change the results.
   EXPECT_EQ(judged["inside"], here["intersections"][1]["inside"]);
 }
 
-TEST(OthersTradeoff, are_not_timed_where_they_answer_otherwise_or_fail) {
-  // Which process it is in shows by whether raycheck's own symbols are there.
+TEST(OthersTradeoff, are_not_timed_if_they_answer_differently_or_fail) {
+  // The name of the program shows in which process it runs.
   const std::string source = temporary_file("otherwise.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <unistd.h>
@@ -75,15 +75,15 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
     return report_of("tradeoff --family distance --cases 20" + kUnkept, candidate,
                      0)["intersections"][0]["note"];
   };
-  expect_parts(note("command:python3 tests/candidates/meets.py none"), {"it is no library"});
+  expect_parts(note("command:python3 tests/candidates/meets.py none"), {"it is not a library"});
   expect_parts(note("source:" + source), {"it answers differently in the calls to be timed"});
   const std::string failing =
       temporary_file("failing.cpp", "#define FAILS\n#include \"" + source + "\"\n");
   expect_parts(note("source:" + failing), {"not timed: intersect: it exited with 3"});
 }
 
-/// Headers of version 3 have them behind the conventions.
-TEST(OthersTradeoff, are_told_which_roots_count_where_they_are_timed) {
+/// Since version 3 of the header they follow the conventions.
+TEST(OthersTradeoff, receive_the_valid_roots_when_they_are_timed) {
   const std::string source = temporary_file("roots.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <cmath>
@@ -99,7 +99,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)
   EXPECT_EQ(told["called_in_process"], true) << told["note"];
 }
 
-TEST(OthersExplain, stand_beside_the_exact_value_of_every_step_that_they_offer) {
+TEST(OthersExplain, are_shown_beside_the_exact_value_of_every_implemented_step) {
   const std::string pixel = "explain " + kSpheresScene + " --pixel 11,7 --sphere 2";
   const json report = report_of(pixel, right_library(), 0);
   const auto steps_of = [](const json& methods) {
@@ -120,7 +120,7 @@ TEST(OthersExplain, stand_beside_the_exact_value_of_every_step_that_they_offer) 
   EXPECT_EQ(failed["methods"].back()["failed"], "intersect: it exited with 3");
 }
 
-TEST(OthersExplain, are_explained_by_their_own_conventions) {
+TEST(OthersExplain, are_explained_under_their_declared_conventions) {
   const std::string source = temporary_file("top_first.cpp", R"(
 #include <raycheck/candidate.hpp>
 using namespace raycheck;
@@ -138,7 +138,7 @@ TEST(OthersImage, have_a_picture_of_their_error) {
   const json right = report_of(image, right_library(), 0);
   EXPECT_EQ(right["error"]["candidate"], right_library());
   EXPECT_EQ(right["error"]["failed"]["pixels"], 0);
-  // Who ranks no spheres, and who makes no rays, is shown too.
+  // Candidates without nearest() or without rays are shown, too.
   EXPECT_EQ(report_of(image, kFailing + "none none", 0)["error"]["wrong"]["defect"]["pixels"], 0);
   EXPECT_GT(report_of(image, kFarRoot, 1)["error"]["wrong"]["defect"]["pixels"], 0);
   const json failed = report_of(image, kFailing + "exit one", 1);

@@ -8,7 +8,7 @@
 namespace raycheck::tools {
 namespace {
 
-TEST(Introduction, SaysWhatIsOfferedAndFixed) {
+TEST(Introduction, ListsFunctionsAndConventions) {
   const Introduction found = parse_introduction(
       "raycheck 1 mine\r\nfunction intersect\nfunction nearest\nconvention rows top-first\n"
       "convention tangent either\nready\n");
@@ -21,7 +21,7 @@ TEST(Introduction, SaysWhatIsOfferedAndFixed) {
   EXPECT_EQ(found.smallest_length, 0);
 }
 
-TEST(Introduction, StatesALevelADomainOfLengthsAndAPrecision) {
+TEST(Introduction, DeclaresLevelLengthsAndPrecision) {
   const auto stating = [](const std::string& lines) {
     return parse_introduction("raycheck 1 mine\nfunction intersect\n" + lines + "ready\n");
   };
@@ -34,19 +34,19 @@ TEST(Introduction, StatesALevelADomainOfLengthsAndAPrecision) {
   EXPECT_EQ(stating("precision single\n").precision, scene::Precision::kSingle);
 }
 
-TEST(Introduction, ThatIsNoneNamesItsLine) {
+TEST(Introduction, ThatIsInvalidIsRefusedWithItsLine) {
   const std::string mine = "raycheck 1 mine\n";
   std::vector<std::pair<std::string, std::string>> wrong = {
       {"", "introduce"},
       {"hello\n", "line 1"},
       {"raycheck 2 mine\n", "another version"},
       {mine + "function fly\n", "line 2"},
-      {mine + "convention rows up\n", "no such convention"},
-      {mine + "level easy\n", "no such level"},
-      {mine + "precision half\n", "no such precision"},
+      {mine + "convention rows up\n", "unknown convention"},
+      {mine + "level easy\n", "unknown level"},
+      {mine + "precision half\n", "unknown precision"},
       {"raycheck 1 mine too\n", "too many words"}};
   for (const char* lengths : {"2 1", "-1 1", "nan 1", "0 nan"}) {
-    wrong.emplace_back(mine + "lengths " + lengths + "\n", "no range of lengths");
+    wrong.emplace_back(mine + "lengths " + lengths + "\n", "invalid range of lengths");
   }
   for (const auto& [lines, why] : wrong) {
     const std::string said =
@@ -55,7 +55,7 @@ TEST(Introduction, ThatIsNoneNamesItsLine) {
   }
 }
 
-TEST(Reply, ReadsDecimalsHexfloatsAndWhatIsNotFinite) {
+TEST(Reply, ReadsDecimalsHexfloatsAndNonFiniteNumbers) {
   const auto hits =
       Reply("reply a\n1 0 0x1.8p+1 1e-3 -0 nan\n0 0 2 inf -inf 5\nend a\n", "a").hits(2, 1);
   ASSERT_EQ(hits.at(0).size(), 2u);
@@ -69,13 +69,13 @@ TEST(Reply, ReadsDecimalsHexfloatsAndWhatIsNotFinite) {
   EXPECT_FALSE(nearest.at(1));
 }
 
-TEST(Reply, ThatIsNoneSaysWhy) {
+TEST(Reply, ThatIsInvalidIsRefusedWithAReason) {
   for (const auto& [lines, why] :
        {std::pair("0 0 1 2 3\n", "line 2 of its reply has too few words"),
         {"0 0 1 2 3 4 5\n", "too many words"},
-        {"0 0 1 2 3 four\n", "no number"},
-        {"2 0 1 2 3 4\n", "index 2 of 2"},
-        {"-1 0 1 2 3 4\n", "no index"},
+        {"0 0 1 2 3 four\n", "not a number"},
+        {"2 0 1 2 3 4\n", "index 2, but there are only 2"},
+        {"-1 0 1 2 3 4\n", "negative index"},
         {"0 0 1 2 3 4\n0 0 1 2 3 4\n", "two hits"}}) {
     const std::string said = thrown_by<std::runtime_error>(
         [&] { Reply("reply a\n" + std::string(lines) + "end a\n", "a").hits(2, 1); });
@@ -89,14 +89,14 @@ TEST(Reply, ThatIsNoneSaysWhy) {
   }
 }
 
-TEST(Reply, EndsWithItsOwnIdAlone) {
+TEST(Reply, EndsOnlyWithItsOwnId) {
   for (const char* line : {"end 12", "error 12 no", "end 12\r"})
     EXPECT_TRUE(ends_reply(line, "12"));
   for (const char* line : {"end 123", "end 1", "ends 12"}) EXPECT_FALSE(ends_reply(line, "12"));
 }
 
-TEST(SpentTime, IsTheSameWhateverWasSpentBefore) {
-  // A sum of doubles would grow by less than 3 from most of these.
+TEST(SpentTime, DoesNotDependOnEarlierSums) {
+  // With most of these a sum of doubles would grow by less than 3.
   for (double before : {0.0, 0.007, 0.031, 0.111, 0.188, 1e6}) {
     SpentTime spent;
     spent.add(before);
@@ -120,8 +120,8 @@ TEST(SphereColours, AreAllDifferentAndNoneIsBlack) {
   }
 }
 
-/// As highlights and reflections do near silhouettes.
-TEST(SphereColours, WithWhiteAddedAreNoOthers) {
+/// Highlights and reflections add white.
+TEST(SphereColours, WithWhiteAddedAreNotThoseOfOtherSpheres) {
   constexpr std::size_t kPure = 9, kMixed = 8, kShown = kPure + kMixed;
   const auto mixed = [](std::uint8_t channel, std::size_t share) {
     return static_cast<std::uint8_t>(channel + (255 - channel) * share / (kMixed + 1));
@@ -147,7 +147,7 @@ TEST(SphereColours, WithWhiteAddedAreNoOthers) {
       ASSERT_TRUE(is_own || k % kShown >= kPure) << count << ", " << k;
       others += is_own || *answer[k] == properties::kSomeSphere ? 0 : 1;
     }
-    // Of those with white added.
+    // Among the pixels with white added.
     EXPECT_LE(others, count <= 12 ? 0 : count * kMixed / 10) << count;
   }
 }
@@ -161,7 +161,7 @@ TEST(PictureReader, ReadsPpmsWithCommentsAndOtherMaxima) {
   EXPECT_EQ(parse_picture("P6\r\n1 1\r\n255\r\nabc", 100).pixels, binary.pixels);
 }
 
-TEST(PictureReader, ReadsOfAnotherSizeThanIsWantedNoMoreThanTheHeader) {
+TEST(PictureReader, ReadsOnlyTheHeaderIfTheSizeIsWrong) {
   for (const char* bytes : {"P3\n9 7\n", "P6\n9 7\n255\nabc"}) {
     const auto other = parse_picture(bytes, 100, PictureSize{7, 9});
     EXPECT_TRUE(other.has_size({9, 7})) << bytes;
@@ -170,7 +170,7 @@ TEST(PictureReader, ReadsOfAnotherSizeThanIsWantedNoMoreThanTheHeader) {
   }
 }
 
-TEST(PictureReader, RefusesWhatIsNoPicture) {
+TEST(PictureReader, RefusesInvalidPictures) {
   for (const char* bytes : {"", "P5\n1 1\n255\na", "P3\n2 2\n255\n1 2 3\n", "P6\n2 2\n255\nabc",
                             "P3\n0 1\n255\n", "P3\n1000 1000\n255\n", "P3\n1 1\n0\n1 1 1",
                             "P3\n1 1\n9\n1 1 10", "\x89PNG nonsense", "P3"}) {

@@ -11,13 +11,13 @@ std::string renderer(const std::string& mistake) {
   return "renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}";
 }
 
-TEST(Renderer, of_one_colour_is_said_not_to_be_judged_by_sphere) {
+TEST(Renderer, with_one_colour_is_reported_as_not_judged_by_sphere) {
   const json report = judged(kProbeScene, renderer("grey"));
   EXPECT_EQ(report["discrepancies"], 0);
   expect_parts(report["left_out"].dump(), {"a colour is none of the spheres'"});
 }
 
-TEST(Renderer, is_right_on_every_scene_that_its_driver_can_hold) {
+TEST(Renderer, is_right_on_every_scene_that_driver_files_can_express) {
   for (const char* scene : {"probe", "ten-spheres", "example-4", "sphere-around-eye",
                             "sphere-between-eye-and-plane", "far-sphere"}) {
     const json report = judged("scene/examples/" + std::string(scene) + ".toml", renderer("right"));
@@ -28,12 +28,12 @@ TEST(Renderer, is_right_on_every_scene_that_its_driver_can_hold) {
   }
 }
 
-TEST(Renderer, whose_colours_are_dimmed_still_has_its_mask_judged) {
+TEST(Renderer, with_dimmed_colours_still_has_its_mask_judged) {
   EXPECT_EQ(judged(kProbeScene, renderer("dim"))["discrepancies"], 0);
   EXPECT_GT(judged(kProbeScene, renderer("dim-upside-down"))["discrepancies"], 0);
 }
 
-TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
+TEST(Renderer, without_a_picture_fails_with_the_reason) {
   const auto expect_said = [](const std::string& mistake, const std::string& what) {
     const json report = judged(kProbeScene, renderer(mistake), "--timeout 1");
     EXPECT_GT(report["discrepancies"], 0);
@@ -44,34 +44,34 @@ TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
   expect_said("huge", "its picture has 8192 x 8192 pixels, the scene 40 x 26");
   expect_said("half", "its PPM has a word that is no number, or ends");
   expect_said("crash", "exited with 1");
-  expect_said("hang", "did not end, and computed next to nothing for 1 s");
-  expect_said("link", "its picture {image} is no file");
+  expect_said("hang", "did not end, and used almost no CPU time for 1 s");
+  expect_said("link", "its picture {image} is not a file");
 }
 
-TEST(Renderer, that_says_that_its_form_cannot_express_a_scene_is_not_judged_on_it) {
+TEST(Renderer, whose_format_cannot_express_a_scene_is_not_judged_on_it) {
   const std::string unsaid = python_renderer("sys.exit(77)");
   const Outcome outcome = check(kProbeScene, unsaid);
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
   const json report = json::parse(outcome.out)["candidates"][0];
   EXPECT_EQ(report["discrepancies"], 0);
-  expect_parts(report["left_out"].dump(), {"its form cannot say the scene"});
+  expect_parts(report["left_out"].dump(), {"its input format cannot express the scene"});
   const json campaign =
       report_of("properties --filter image --source crowds --cases 3", unsaid, 4)["campaigns"][1];
   EXPECT_EQ(campaign["left_out"], 3);
-  EXPECT_EQ(campaign["reason_left_out"], "its form cannot say the scene");
+  EXPECT_EQ(campaign["reason_left_out"], "its input format cannot express the scene");
   // A picture counts, whatever the exit code.
   const json drawn = judged(kProbeScene, python_renderer("open(sys.argv[2], 'w').write('P3 40 26 "
                                                          "255 ' + '0 ' * 3120)\nsys.exit(77)"));
   EXPECT_GT(drawn["discrepancies"], 0);
 }
 
-/// A campaign on a renderer, right or wrong.
+/// A campaign on a renderer.
 Outcome tried(const std::string& built, const std::string& more) {
   return run("properties --filter image --cases 40 " + more + " --candidate 'renderer:" + built +
              " {scene} {image}'");
 }
 
-TEST(Renderer, keeps_the_law_of_images_or_is_tried_on_the_other_sources_and_told_why) {
+TEST(Renderer, keeps_the_law_of_images_or_is_tried_on_all_sources_and_explained) {
   const std::string folder = temporary_folder("renderers");
   const Outcome right = tried(built_submission("rt.cpp", "none", folder), "--source crowds");
   EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
@@ -88,8 +88,8 @@ TEST(Renderer, keeps_the_law_of_images_or_is_tried_on_the_other_sources_and_told
   expect_parts(words.out, {"columns are mirrored: ", "{image}' --image-change 1e-05 --replay '"});
 }
 
-/// Of 128 cases each of two threads takes a half: its first waits until both have begun.
-TEST(Renderer, is_started_by_each_thread_without_waiting_for_the_others) {
+/// Each of two threads takes half of 128 cases; its first run waits until both have started.
+TEST(Renderer, is_started_by_each_thread_without_waiting_for_other_threads) {
   const std::string folder = temporary_folder("started");
   const std::string meets = temporary_file("meets.sh", "cd " + folder + R"(
 [ -e both ] && exit 77
@@ -106,7 +106,7 @@ done
   EXPECT_EQ(outcome.exit_code, 4) << outcome.out << outcome.err;
 }
 
-/// Few pictures that a renderer in Python draws break no law; the right and wrong ones of them.
+/// The right and wrong pixels of a few pictures, which are too few to break a law.
 json tally_of(const std::string& mistake, const std::string& more) {
   const json report = printed_json("properties --filter image --source crowds --cases 4 " + more +
                                    " --candidate '" + renderer(mistake) + "'");
@@ -115,7 +115,7 @@ json tally_of(const std::string& mistake, const std::string& more) {
   return report["campaigns"][1]["quantities"][0];
 }
 
-TEST(Renderer, is_judged_from_where_its_rays_are_said_to_start) {
+TEST(Renderer, is_judged_with_the_given_ray_origin) {
   EXPECT_GT(judged(kProbeScene, renderer("from-eye"))["discrepancies"], 0);
   EXPECT_EQ(judged(kProbeScene, renderer("from-eye"), "--origin focal")["discrepancies"], 0);
   EXPECT_GT(judged(kProbeScene, renderer("right"), "--origin focal")["discrepancies"], 0);
@@ -124,11 +124,11 @@ TEST(Renderer, is_judged_from_where_its_rays_are_said_to_start) {
 
 TEST(Renderer, is_tried_in_its_dialect_and_within_its_threshold) {
   tally_of("dialect-c", "--dialect C");
-  // Which without it would be defects, as below.
+  // Without the option these would be defects, as below.
   EXPECT_GT(tally_of("threshold", "--t-threshold 0.5")["wrong_by_standing"]["excused"], 0);
 }
 
-TEST(Renderer, is_given_a_driver_file_of_the_scenes_own_dialect_unless_told_otherwise) {
+TEST(Renderer, receives_driver_files_in_the_dialect_of_the_scene_by_default) {
   const std::string a = "scene/examples/driver-a.txt";
   EXPECT_EQ(judged(a, renderer("dialect-a"))["discrepancies"], 0);
   EXPECT_GT(judged(a, renderer("right"))["discrepancies"], 0);
@@ -137,7 +137,7 @@ TEST(Renderer, is_given_a_driver_file_of_the_scenes_own_dialect_unless_told_othe
 }
 
 TEST(Renderer, is_excused_for_hits_within_its_threshold) {
-  // It takes no hit below 0.5: the sphere that the image plane cuts.
+  // It ignores hits below 0.5: those of the sphere that the image plane cuts.
   EXPECT_FALSE(judged(kProbeScene, renderer("threshold"))["discrepancies"] == 0);
   const json report = judged(kProbeScene, renderer("threshold"), "--t-threshold 0.5");
   EXPECT_EQ(report["discrepancies"], report["discrepancies_by_standing"]["excused"]);

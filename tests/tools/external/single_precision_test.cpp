@@ -1,5 +1,5 @@
-// Candidates that declare single precision, in every form, through the built program: their errors
-// count ulp and u of float, and what they are asked are floats.
+// Candidates that declare single precision, of every kind, through the built program: their errors
+// count ulp and u of float, and their inputs are floats.
 
 #include "properties/case.h"
 #include "scene/files/scene_file.h"
@@ -15,26 +15,26 @@ namespace {
 const std::string& float_tracer() { return compiled("tests/submissions/float_rays.cpp"); }
 const std::string& float_textbook() { return compiled("tests/candidates/float_quadratic.cpp"); }
 
-TEST(SinglePrecision, passes_all_laws_where_floats_are_good_of_their_kind) {
+TEST(SinglePrecision, passes_all_laws_with_careful_float_code) {
   const std::string said =
       run("properties --cases 300 --candidate source:tests/submissions/float_rays.cpp", 0).out;
   EXPECT_FALSE(has(said, "0 comparisons, 100 left out"));
 }
 
-TEST(SinglePrecision, tells_a_textbook_formula_in_its_own_units) {
+TEST(SinglePrecision, judges_a_textbook_formula_in_ulp_of_float) {
   const json campaign = report_of("properties --filter parameter --level demanding",
                                   float_textbook(), 1)["campaigns"][0];
   expect_values(
       campaign,
       {{"finding", "broken"}, {"precision", "single"}, {"quantities/0/unit", "ulp of float"}});
-  // Its class holds on what is far from the limits of floats.
+  // Its class is right far from the limits of floats.
   report_of("properties --filter class --source rays", float_textbook(), 0);
 }
 
-TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_says_so) {
+TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats) {
   const std::string scene = temporary_file(
       "tenths.toml", ray_text("0, 0.1, 0", "1, 0, 0") + sphere_text("3, 0.1, 0.3", "0.7"));
-  // Beside a candidate in doubles each is judged on what it was asked.
+  // Beside a candidate in doubles each is judged on its own inputs.
   const json both = report_of("check " + scene + " --rays direct", float_tracer(), 0)["candidates"];
   ASSERT_EQ(both.size(), 2u);
   expect_values(both,
@@ -45,14 +45,14 @@ TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_sa
       {"4 numbers of the scene are no floats: asked and judged on the scene rounded to floats"});
 }
 
-TEST(SinglePrecision, is_not_judged_where_floats_cannot_hold_the_scene) {
+TEST(SinglePrecision, is_not_judged_if_floats_cannot_represent_the_scene) {
   const std::string scene =
       temporary_file("wide.toml", ray_text("0, 0, 0", "1, 0, 0") + sphere_text("1e60, 0, 0", "1"));
   const Outcome words = run("check " + scene + " --candidate " + float_tracer(), 4);
   expect_parts(words.out, {"not judged here: rounded to floats: 1e+60 leaves their range"});
 }
 
-TEST(SinglePrecision, has_certificates_that_hold) {
+TEST(SinglePrecision, has_valid_certificates) {
   const std::string scene = temporary_file(
       "far.toml", ray_text("0, 0, 0", "1, 0.1, 0") + ray_text("0, 1, 0", "1, 0, 0") +
                       sphere_text("300, 30, 0.3", "0.7") + sphere_text("3, 0, 0.3", "0.5"));
@@ -80,7 +80,7 @@ void expect_floats(const std::string& toml) {
   EXPECT_TRUE(properties::is_of_format(scene, scene::Precision::kSingle)) << toml;
 }
 
-TEST(OwnUnits, AreThoseOfStress) {
+TEST(OwnUnits, AreUsedByStress) {
   const std::string distance = "stress --family distance --severity 0..2 --cases 40";
   const json good = report_of(distance, float_tracer(), 0)["families"][0]["methods"][0];
   expect_values(
@@ -111,7 +111,7 @@ TEST(OwnUnits, AreThoseOfStress) {
   }
 }
 
-TEST(OwnUnits, OfDoublesDoNotChangeBesideFloats) {
+TEST(OwnUnits, OfDoublesAreUnchangedBesideFloats) {
   const std::string stress = "stress --family distance --severity 1 --cases 20 --method cross";
   const Outcome alone = run(stress + " --format json");
   const json beside = report_of(stress, float_tracer(), 0)["families"][0]["methods"];
@@ -121,7 +121,7 @@ TEST(OwnUnits, OfDoublesDoNotChangeBesideFloats) {
                {"judged in single precision: u = 2^-24, ulp of float", "ulp of float\n"});
 }
 
-TEST(OwnUnits, LeaveOutWhatFloatsCannotHoldAndCountIt) {
+TEST(OwnUnits, LeaveOutAndCountCasesThatFloatsCannotRepresent) {
   const std::string scale = "stress --family scale --cases 10";
   const json method = report_of(scale, float_tracer(), 0)["families"][0]["methods"].back();
   EXPECT_GT(method["severities"].back()["left_out"], 0);
@@ -130,7 +130,7 @@ TEST(OwnUnits, LeaveOutWhatFloatsCannotHoldAndCountIt) {
                {"left out, whose numbers floats cannot hold"});
 }
 
-TEST(OwnUnits, AreThoseOfWorst) {
+TEST(OwnUnits, AreUsedByWorst) {
   const std::string few = "worst --cases 60 --steps 200 --family ";
   const json good = report_of(few + "distance", float_tracer(), 0);
   expect_values(good, {{"unit", "ulp of float"}, {"precision", "single"}});
@@ -146,7 +146,7 @@ TEST(OwnUnits, AreThoseOfWorst) {
   expect_floats(bad["scene"]);
 }
 
-TEST(OwnUnits, AreThoseOfTradeoff) {
+TEST(OwnUnits, AreUsedByTradeoff) {
   const std::string arguments = "tradeoff --family distance@4 --cases 60 --method cross";
   const json report = report_of(arguments, float_textbook(), 0);
   const json& mine = report["intersections"][1];
@@ -162,8 +162,8 @@ TEST(OwnUnits, AreThoseOfTradeoff) {
        "backward u of float", "u and ulp are those of float, 2^29 times those of double"});
 }
 
-/// It ends where it is asked anything but floats.
-TEST(OwnUnits, AreAskedAboutFloatsAlone) {
+/// It exits if an input is not a float.
+TEST(OwnUnits, ReceiveOnlyFloats) {
   const std::string library = compiled(temporary_file("floats_alone.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <unistd.h>
@@ -199,7 +199,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single)
   }
 }
 
-TEST(OwnUnits, AreThoseOfExplain) {
+TEST(OwnUnits, AreUsedByExplain) {
   const std::string far = "explain --ray 0,0.1,0,1,0,0 --sphere 3000,0.1,0.3,0.7";
   const std::string near = "explain --ray 0,0.1,0,1,0,0 --sphere 3,0.1,0.3,0.7";
   const json good = report_of(near, float_tracer(), 0);
@@ -215,7 +215,7 @@ TEST(OwnUnits, AreThoseOfExplain) {
   EXPECT_LT(bad["ulp_error"], 1e8);
   expect_parts(run(near + " --candidate " + float_tracer()).out,
                {"4 numbers of the scene are no floats", " ulp of float\n"});
-  // Of a camera: every step that it offers.
+  // With a camera: every step that it implements.
   const json pixel = report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2",
                                float_tracer(), 0);
   for (const json& step : pixel["ray_methods"].back()["steps"]) {
@@ -224,7 +224,7 @@ TEST(OwnUnits, AreThoseOfExplain) {
   }
 }
 
-TEST(OwnUnits, AreThoseOfPicturesOfErrors) {
+TEST(OwnUnits, AreUsedByErrorPictures) {
   const std::string picture = temporary_file("floats.png", "");
   const std::string scene = "scene/examples/ten-spheres.toml";
   const std::string image = "image " + scene + " --what error --out " + picture;
@@ -235,14 +235,14 @@ TEST(OwnUnits, AreThoseOfPicturesOfErrors) {
   EXPECT_EQ(steps[steps.size() - 2]["pixels"], 0);  // up to 65536
   EXPECT_GT(steps[0]["pixels"].get<int>() + steps[1]["pixels"].get<int>(), 0);
   expect_parts(run(image + " --candidate " + float_tracer()).out, {"up to 0.5 ulp of float"});
-  // Who makes no rays is given raycheck's, rounded to floats.
+  // Without rays it receives raycheck's, rounded to floats.
   const json textbook = report_of(image, float_textbook(), 0)["error"];
   EXPECT_EQ(textbook["failed"]["pixels"], 0);
   EXPECT_EQ(textbook["steps"].back()["pixels"], 0);
 }
 
-/// A chart has one unit: floats have one of their own.
-TEST(OwnUnits, HaveAChartOfTheirOwn) {
+/// A chart has one unit, so that floats have a separate chart.
+TEST(OwnUnits, HaveASeparateChart) {
   const auto expect_units = [](const tools::ViewDocument& document) {
     const auto chart = chart_json(document.chart.value());
     std::set<std::string> units;
@@ -262,9 +262,7 @@ TEST(OwnUnits, HaveAChartOfTheirOwn) {
              mine.name = "floats";
              return judged_in(scene::Precision::kSingle, std::move(mine));
            },
-       .in_process = []() -> tools::InProcess {
-         throw std::invalid_argument("nobody's is timed from here");
-       }});
+       .in_process = []() -> tools::InProcess { throw std::invalid_argument("not timed"); }});
   options.cases = 5;
   options.severities = {{0, 1}};
   expect_units(stress_document(run_stress(options)));
@@ -273,7 +271,7 @@ TEST(OwnUnits, HaveAChartOfTheirOwn) {
   tradeoff.implementations = options.implementations;
   tradeoff.cases = 10;
   tools::TradeoffReport report = run_tradeoff(tradeoff);
-  report.intersections[1].batch = report.intersections[0].batch;  // nobody's is timed from here
+  report.intersections[1].batch = report.intersections[0].batch;  // not timed
   expect_units(tradeoff_document(report));
   // Ranked in one unit: an ulp of float is 2^29 of double.
   const auto& costs = report.intersections;

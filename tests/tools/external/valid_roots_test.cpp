@@ -12,7 +12,7 @@ std::string with_ends(const std::string& name, const std::string& counts,
   return tracer(name, counts, "(s, point)", "tangent='hit', roots=" + roots);
 }
 
-/// Roots from there on, without their end.
+/// Roots beyond that end, which is excluded.
 std::string beyond(const std::string& end) {
   return "rc.Roots('()', " + end + ", float('inf'), 'absolute', 'none')";
 }
@@ -20,7 +20,7 @@ std::string beyond(const std::string& end) {
 const std::string kThreeRays = ray_text("0, 0, 0", "1, 0, 0") + ray_text("1.75, 0, 0", "1, 0, 0") +
                                ray_text("3.75, 0, 0", "1, 0, 0") + sphere_text("3, 0, 0", "1");
 
-/// Whether inputs close by make that right is not decided: no success, and strictly a failure.
+/// Undecided whether nearby inputs make that right: not a success, and with --strict a failure.
 void expect_off_at_the_ends(const std::string& scene, const std::string& candidate) {
   const Outcome outcome = check(scene, candidate);
   EXPECT_EQ(outcome.exit_code, 4) << outcome.out << outcome.err;
@@ -28,8 +28,8 @@ void expect_off_at_the_ends(const std::string& scene, const std::string& candida
   EXPECT_EQ(check(scene, candidate, "--strict").exit_code, 1);
 }
 
-/// Who declares that next to no root counts is right to miss, and has shown nothing.
-TEST(ValidRoots, that_nothing_reaches_are_no_success) {
+/// If hardly any root counts by declaration, missing all is right, but shows nothing.
+TEST(ValidRoots, that_nothing_reaches_do_not_count_as_success) {
   const std::string candidate =
       with_ends("misses.py", "False", beyond("1e9") + ", lengths=(1e-3, 1e3)");
   const json checked =
@@ -39,13 +39,13 @@ TEST(ValidRoots, that_nothing_reaches_are_no_success) {
   EXPECT_EQ(report["campaigns"][0]["finding"], "too few judged");
 }
 
-TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
+TEST(ValidRoots, that_are_declared_are_judged_and_their_cost_is_reported) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
   const std::string candidate = with_ends("eps.py", "s > 0.5", beyond("0.5"));
   const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
   expect_values(report["conventions"], {{"t_min", 0.5}, {"interval", "(t_min, t_max)"}});
-  // Roots 2 and 4; 1/4 and 9/4; 1/4 alone.
+  // Roots 2 and 4; 1/4 and 9/4; only 1/4.
   const json& excluded = report["excluded"];
   expect_values(excluded, {{"hits", 3}, {"excluded", 1}, {"moved", 1}, {"spheres/0/excluded", 1}});
   ASSERT_EQ(excluded["worst"].size(), 1u);
@@ -56,7 +56,7 @@ TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
                 "excluded: ray 2, sphere 0 at s = 0.25"});
 }
 
-/// One of a line, behind: only its interval has it.
+/// A root behind the origin, which counts only by the declared interval.
 TEST(ValidRoots, behind_the_origin_are_exact_hits) {
   const std::string scene = temporary_file("behind.toml",
                                            "sphere = [{centre = [-5, 0, 0], radius = 1}]\n"
@@ -65,17 +65,17 @@ TEST(ValidRoots, behind_the_origin_are_exact_hits) {
   expect_values(report, {{"discrepancies", 0}, {"excluded/hits", 1}, {"excluded/excluded", 0}});
 }
 
-TEST(ValidRoots, that_are_declared_but_not_kept_are_defects) {
+TEST(ValidRoots, that_are_declared_but_not_followed_are_defects) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
   const std::string candidate = with_ends("none.py", "s >= 0", beyond("0.5"));
   const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 2) << report.dump(2);
-  // Who says nothing is judged by every root >= 0.
+  // Without a declaration every root >= 0 counts.
   const std::string silent = with_ends("silent.py", "s >= 0", "None");
   expect_values(judged(scene, silent), {{"discrepancies", 0}, {"excluded", nullptr}});
 }
 
-TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
+TEST(ValidRoots, of_a_scene_are_sent_to_candidates_that_follow_them) {
   const std::string scene =
       temporary_file("asked.toml",
                      "[conventions]\nt_min = 0.25\nt_max = 2.25\ninterval = \"(t_min, t_max]\"\n"
@@ -86,11 +86,11 @@ TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
   const json report = judged(scene, right);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
   expect_values(report, {{"conventions/t_unit", "radius"}, {"excluded/moved", 1}});
-  // < for <= misses what inputs close by may miss.
+  // < for <= misses hits that nearby inputs may miss.
   const std::string off =
       with_ends("off.py", "unit * roots.t_min < s < unit * roots.t_max", "'as-asked'");
   expect_off_at_the_ends(scene, off);
-  // <= for < answers what the interval excludes.
+  // <= for < returns roots that the interval excludes.
   const std::string closed =
       with_ends("closed.py", "unit * roots.t_min <= s <= unit * roots.t_max", "'as-asked'");
   EXPECT_EQ(check(scene, closed).exit_code, 1);
@@ -118,8 +118,8 @@ RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)
   expect_off_at_the_ends(scene, wrong);
 }
 
-/// >= for > at an end: a defect that no witness excuses, in doubles as in floats.
-TEST(ValidRoots, that_a_candidate_excludes_by_its_own_word_are_defects) {
+/// >= for > at an end: a defect that no witness excuses, in doubles and in floats.
+TEST(ValidRoots, that_the_declared_interval_excludes_are_defects) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
   const std::string mutant = with_ends("at_end.py", "s >= 2", beyond("2"));
   const Outcome outcome = run("check " + scene + " --candidate '" + mutant + "'", 1);
@@ -144,7 +144,7 @@ TEST(ValidRoots, that_a_candidate_excludes_by_its_own_word_are_defects) {
   }
 }
 
-/// What `explain` says under the interval that a candidate declares.
+/// `explain` under the interval that a candidate declares.
 TEST(ValidRoots, are_explained_as_check_judges_them) {
   const std::string right = with_ends("eps.py", "s > 0.5", beyond("0.5"));
   const std::string wrong = with_ends("none.py", "s >= 0", beyond("0.5"));
@@ -155,7 +155,7 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
       {{"class", "miss"}, {"left_out/0/why", "before t_min"}, {"left_out/0/s", "0x1p-2"}});
   const json& miss = report["methods"].back();
   expect_values(miss, {{"hit", false}, {"class_error", false}, {"goes_wrong_at", nullptr}});
-  // raycheck's own count every root >= 0, and are judged so.
+  // For raycheck's methods every root >= 0 counts.
   EXPECT_EQ(report["exact"]["by_every_root"]["s"], "0x1p-2");
   for (const json& method : report["methods"]) {
     EXPECT_EQ(method["class_error"], false) << method["name"];
@@ -168,7 +168,7 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
                 "false hit, which its own interval (0.5, inf) excludes; goes wrong at s"});
 }
 
-/// The reasons that a root has not to count, each under a scene's own conventions.
+/// The reasons why a root does not count, each under a scene's conventions.
 TEST(ValidRoots, that_do_not_count_are_explained) {
   const auto says = [](const std::string& conventions, const std::string& part) {
     const std::string scene =
@@ -187,8 +187,8 @@ TEST(ValidRoots, that_do_not_count_are_explained) {
   says("culling = \"back-faces\"\nt_min = 3", "s = 6 lies on a back face, which is culled");
 }
 
-/// What is seen under an interval, where the nearest sphere of those that count is another.
-TEST(ValidRoots, make_the_picture_that_errors_are_held_against) {
+/// The picture under an interval, where another sphere is the nearest one that counts.
+TEST(ValidRoots, define_the_reference_picture_of_errors) {
   const std::string scene =
       temporary_file("seen.toml", camera_text(9, 9, 0.25) + sphere_text("0, 0, -2", "0.5") +
                                       sphere_text("0, 0, -10", "1.5"));
@@ -204,7 +204,7 @@ TEST(ValidRoots, make_the_picture_that_errors_are_held_against) {
   EXPECT_GT(shown("s >= 0", 1)["error"]["wrong"]["defect"]["pixels"], 20);
 }
 
-TEST(ValidRoots, are_introduced_in_a_line) {
+TEST(ValidRoots, are_declared_in_a_line) {
   using tools::parse_introduction;
   const auto declared = [](const std::string& line) {
     return parse_introduction("raycheck 1 mine\nfunction frame\n" + line + "ready\n")

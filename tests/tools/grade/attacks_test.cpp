@@ -18,7 +18,7 @@ const std::vector<Attack> kAttacks = {
     {"none", kDeserved, ""},
     {"exit_in_call", 0, "intersect: it exited with 0"},
     {"boasts", 0, "class, ray 0, sphere 0: false hit"},
-    {"forges_replies", 0, "it said more than it was asked"},
+    {"forges_replies", 0, "it wrote more after its reply"},
     {"hangs", 0, "gave no reply within"},
     {"crashes", 0, "intersect: it was killed by signal 11"},
     {"fork_bomb", 0, "gave no reply within"},
@@ -176,12 +176,12 @@ TEST_F(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
                                  "#include <unistd.h>\nint main() { for (;;) pause(); }\n")});
   const json hangs = grading.result("hangs");
   EXPECT_EQ(hangs["score"], 0);
-  expect_parts(hangs.dump(), {"did not end, and computed next to nothing for 1 s"});
+  expect_parts(hangs.dump(), {"did not end, and used almost no CPU time for 1 s"});
   EXPECT_EQ(item(hangs, "whole scenes")["reason"], json({{"kind", "time is up"}, {"seconds", 3}}));
   const json never = grading.result("never");
   EXPECT_EQ(never["score"], 0);
   expect_parts(never["refused"]["why"],
-               {"did not end, and computed next to nothing for 1 s (reply_seconds)"});
+               {"did not end, and used almost no CPU time for 1 s (reply_seconds)"});
 }
 
 TEST_F(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {

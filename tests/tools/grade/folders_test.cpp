@@ -181,7 +181,7 @@ const InRunFolder kInRunFolder[] = {
      "",
      "'output/deep/image.ppm'",
      {},
-     {"it writes image.ppm whatever name it is given"}},
+     {"it writes image.ppm and ignores the given file name"}},
     {"has files",
      "assert open('config/size.txt').read() == 'large'\n"
      "assert len(open('config/table.txt').read()) == 300000\n",
@@ -216,7 +216,7 @@ const InRunFolder kInRunFolder[] = {
       {"image.ppm/a.txt", "P3 1 1 255 0 0 0\n"},
       {"scene.txt/b", "P3 1 1 255 0 0 0\n"},
       {"mine.ppm", "P3 1 1 255 0 0 0\n"}},
-     {"it writes mine.ppm whatever name it is given"}}};
+     {"it writes mine.ppm and ignores the given file name"}}};
 
 TEST(HostileRunFolder, IsThatOfTheHandInAndNothingElse) {
   const Grading grading;

@@ -114,7 +114,7 @@ inline const std::string kPixelZeroZero =
     item_of("pixel (0, 0)", "points = 4",
             functions("pixel-zero-zero", "course", 6) + pictures("lecture7/orientation.toml"));
 inline const std::string kNearestRoot = item_of(
-    "nearest root", "points = 10\nhint = \"What does your code do where s = v - d is negative?\"",
+    "nearest root", "points = 10\nhint = \"What does your code do if s = v - d is negative?\"",
     "[item.functions]\nlaws = [\"class\", \"nearest-root\", \"parameter\"]\n"
     "sources = [\"course-behind\"]\ncases = 6\n" +
         (kGivenRays + pictures("lecture7/behind.toml")));

@@ -258,7 +258,7 @@ const std::vector<Brought> kRefused = {
     refused("has_too_many_files", {{"1.py", ""}, {"2.py", ""}, {"3.py", ""}, {"4.py", ""}},
             {"it has more than 3 files (files)"}, kLimits),
     refused("is_built_too_slowly", {{"Makefile", "rt:\n\tsleep 30\n"}},
-            {"did not end, and computed next to nothing for 1 s (build_seconds)"},
+            {"did not end, and used almost no CPU time for 1 s (build_seconds)"},
             "[limits]\nbuild_seconds = 1\n")};
 
 void bring(const Grading& grading, const std::string& name, const Files& files) {
@@ -408,7 +408,7 @@ TEST_F(LongIntake, shows_what_a_program_says_where_it_comes_farthest) {
       replaced(full_rubric(1, "[limits]\nreply_seconds = 1\n"), "\"B\"", "\"auto\"");
   grading.grade(grading.write("far.toml", rubric), {grading.path("class/far")});
   EXPECT_EQ(grading.result("far")["refused"]["why"],
-            "it did not end, and computed next to nothing for 1 s (reply_seconds)");
+            "it did not end, and used almost no CPU time for 1 s (reply_seconds)");
 }
 
 }  // namespace

@@ -142,7 +142,7 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
   if (GetParam().has_bubblewrap) return;
   expect_parts(outcome.err,
                {"sandbox require: not available here: bubblewrap", "bwrap: Permission denied",
-                "sandbox available, which goes on with what does: ", GetParam().isolation()});
+                "sandbox available, which uses only what works: ", GetParam().isolation()});
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
   run_bash(
       GetParam().words() + "'" RAYCHECK_BINARY "' grade '" + rubric + "' '" + right + "' --probe\n",
@@ -241,13 +241,14 @@ TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
   const Grading grading;
   const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
-  const TriedFolder folders[] = {{"plain-1.2_b+c", 0755, ""},
-                                 {"a b", 0755, "its name has ' '"},
-                                 {"a[b", 0755, "its name has '['"},
-                                 {"a(b", 0755, "its name has '('"},
-                                 {"a:b", 0755, "its name has ':'"},
-                                 {"a\nb", 0755, "its name has a control character"},
-                                 {"closed", 0700, "other users may not enter it"}};
+  const TriedFolder folders[] = {
+      {"plain-1.2_b+c", 0755, ""},
+      {"a b", 0755, "its name contains ' '"},
+      {"a[b", 0755, "its name contains '['"},
+      {"a(b", 0755, "its name contains '('"},
+      {"a:b", 0755, "its name contains ':'"},
+      {"a\nb", 0755, "its name contains a control character"},
+      {"closed", 0700, "candidates run as other users, who may not enter it"}};
   const auto grade_in = [&](const std::string& path) {
     return run_bash("export TMPDIR='" + path + "'\n'" RAYCHECK_BINARY "' " +
                     grading.arguments(rubric, {right}, "out") + "\n");
@@ -263,7 +264,7 @@ TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
     EXPECT_EQ(fs::exists(grading.path("out/right/result.json")), *said == 0) << name;
     fs::remove_all(grading.path("out"));
   }
-  expect_parts(grade_in("relative").err, {"has to begin with /"});
+  expect_parts(grade_in("relative").err, {"it must begin with /"});
   expect_parts(grade_in(grading.path("nowhere")).err, {"there is no such folder"});
 }
 

@@ -58,7 +58,7 @@ TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
   EXPECT_FALSE(fs::exists(grading_.path("out"))) << "nothing is graded";
   expect_parts(
       outcome.out,
-      {"  2018   out.ppm  spheres\n    it writes out.ppm whatever name it is given\n",
+      {"  2018   out.ppm  spheres\n    it writes out.ppm and ignores the given file name\n",
        "\n    offers focal_ray, frame, intersect, nearest, pixel_point, pixel_ray\n",
        "could not be judged: 'g++ -O2 -std=c++20 rt.cpp' exited with 1\n",
        "error: expected ';' before '}' token\n", "3 submissions tried, 1 could not be judged\n"});
@@ -120,7 +120,7 @@ TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
   expect_parts(all[1]["refused"].dump(), {"wrote it"});
   EXPECT_TRUE(all[2]["refused"].is_null()) << all[2];
   EXPECT_EQ(all[2]["dry_run"]["shows_a_sphere"], false);
-  expect_parts(all[3]["refused"].dump(), {"its background is not of one colour"});
+  expect_parts(all[3]["refused"].dump(), {"its background has more than one colour"});
   const std::string black =
       probe(one_form(), {grading_.hand_in("black", "rt.sh", kBlackPicture)}).out;
   expect_parts(black, {"    it said:\n      line 4: I do not know that word\n",
@@ -138,7 +138,7 @@ TEST_F(Probe, lists_what_is_done_where_nobody_watches_and_tries_again_alone_what
             "submissions: 1 of 2 tried: draws\nsubmissions: 2 of 2 tried: waits\n"
             "submissions: tried again, alone: waits\n");
   EXPECT_EQ(json::parse(outcome.out)["submissions"][1]["refused"]["why"],
-            "it did not end, and computed next to nothing for 1 s (reply_seconds)");
+            "it did not end, and used almost no CPU time for 1 s (reply_seconds)");
 }
 
 TEST_F(Probe, names_the_form_that_is_read_where_another_is_asked_for) {
@@ -190,7 +190,7 @@ for j in range(h):
 }
 
 TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_shown) {
-  const std::string note = "its colours do not tell which sphere is seen";
+  const std::string note = "its colours do not identify the spheres";
   const auto drawing = [&](const std::string& name, const std::string& shown,
                            const std::string& seen) {
     return grading_.hand_in(
@@ -218,7 +218,7 @@ TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
           "    if line.startswith('light'): [int(x) for x in line.split()[1:]]\n"))})[0];
   EXPECT_EQ(lit["dry_run"]["driver"]["light"], "none") << lit;
   expect_parts(lit["notes"].dump(),
-               {"it fails where there is a light, so its driver files have none"});
+               {"it fails on driver files with a light, so it is given files without"});
 }
 
 TEST_F(Probe, prefers_of_the_forms_that_are_read_the_one_that_leaves_nothing_unsaid) {
@@ -235,7 +235,7 @@ TEST_F(Probe, says_what_draws_differently_each_time) {
   const json unsteady = probed({grading_.hand_in("unsteady", "rt.py", renderer_in_python(black))},
                                one_form("2019"))[0];
   EXPECT_EQ(unsteady["dry_run"]["shows_a_sphere"], true);
-  expect_parts(unsteady["notes"].dump(), {"it draws differently each time", "not initialised"});
+  expect_parts(unsteady["notes"].dump(), {"differently each time", "not initialised"});
 }
 
 TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
@@ -265,7 +265,7 @@ TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
 TEST_F(Probe, is_the_first_step_of_grading_whose_table_has_its_notes) {
   const std::string draws = grading_.hand_in("draws", "rt.py", renderer_in_python());
   expect_parts(grading_.grade(one_form(), {of_class("farid"), draws}).out,
-               {"    it writes out.ppm whatever name it is given\n"});
+               {"    it writes out.ppm and ignores the given file name\n"});
 }
 
 TEST_F(Probe, reads_what_the_dialect_says_in_place_of_the_rubrics) {

@@ -10,12 +10,11 @@ import java.util.List;
 
 /**
  * A candidate for raycheck in Java: a class that overrides some of these functions, and whose
- * main() calls run(). Of Java's own library alone. Compile both files and
+ * main() calls run(). Needs only Java's library. Compile both files and
  *
  * <pre>raycheck check SCENE --candidate "command:java -cp FOLDER Mine"</pre>
  *
- * What the functions print goes to the standard error. The lines exchanged are those of
- * docs/candidates.md.
+ * Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
  */
 public abstract class RaycheckCandidate {
   public record Vector(double x, double y, double z) {}
@@ -27,7 +26,7 @@ public abstract class RaycheckCandidate {
   public record Sphere(Vector centre, double radius) {}
   /** At origin + s direction. */
   public record Hit(double s, Vector point) {}
-  /** Words as scenes have them: "top-first", "centres", "focal", "smaller", "miss", ... */
+  /** Words as in scene files: "top-first", "centres", "focal", "smaller", "miss", ... */
   public record Conventions(
       String rows, String samples, String origin, String root, String tangent) {}
 
@@ -53,26 +52,26 @@ public abstract class RaycheckCandidate {
   public int nearest(Ray ray, List<Sphere> spheres, Conventions asked) {
     throw new UnsupportedOperationException();
   }
-  /** Conventions that the functions fix: "rows top-first", and so on. */
+  /** Fixed conventions: "rows top-first", and so on. */
   public List<String> declared() { return List.of(); }
-  /** Up to which cases it is to be right: "ordinary", "demanding" or "extreme"; null: ordinary. */
+  /** The level on which it is judged: "ordinary", "demanding" or "extreme"; null: ordinary. */
   public String level() { return null; }
-  /** Scenes with a nonzero length that is smaller or larger are not judged; null: all are. */
+  /** The range of lengths; scenes with a nonzero length outside are not judged; null: any. */
   public double[] lengths() { return null; }
   /**
-   * The format that it computes in: "double" or "single"; null: double. Of single all numbers that
-   * it is given are floats, and its errors count those of float.
+   * The format that it computes in: "double" or "single"; null: double. With single, all inputs
+   * are floats, and errors are counted in units of float.
    */
   public String precision() { return null; }
   /**
    * Which roots count: "() 1e-4 100 absolute none" (ends, t_min, t_max, "absolute", "radius" or
-   * "length", culling); null: every one that is 0 or more.
+   * "length", culling); null: every root >= 0.
    */
   public String roots() { return null; }
-  /** "unit" if it is to be given unit directions alone; null: any. */
+  /** "unit" if it requires unit directions; null: any. */
   public String directions() { return null; }
   /**
-   * What it returns of a hit, "parameter", "point", "distance", "squared-distance" or "class"
+   * What it returns for a hit: "parameter", "point", "distance", "squared-distance" or "class"
    * (the rest of a Hit means nothing then); null: s and the point.
    */
   public String returns() { return null; }
@@ -101,7 +100,7 @@ public abstract class RaycheckCandidate {
         new BufferedReader(new InputStreamReader(System.in, StandardCharsets.US_ASCII));
     String greeting = lines.readLine();
     if (greeting == null || !greeting.startsWith("raycheck ")) {
-      throw new IOException("not spoken to by raycheck");
+      throw new IOException("not started by raycheck: expected 'raycheck 1' on standard input");
     }
     StringBuilder said = new StringBuilder("raycheck 1 " + name + "\n");
     for (Name function : FUNCTIONS) {
@@ -171,7 +170,7 @@ public abstract class RaycheckCandidate {
           request.asked = new Conventions(words[1], words[2], words[3], words[4], words[5]);
           break;
         case "roots":
-          break;  // declared ones are known to who declares them
+          break;  // the candidate has declared them itself
         case "camera":
           request.camera = new Camera(vector(words, 1), vector(words, 4), vector(words, 7),
               number(words[10]), number(words[11]), number(words[12]), number(words[13]),

@@ -1,4 +1,4 @@
-// A candidate for raycheck in JavaScript (Node 18 or later), of nothing but Node itself.
+// A candidate for raycheck in JavaScript (Node 18 or later), without dependencies.
 //
 //     import { run } from "./raycheck_candidate.mjs";
 //
@@ -15,19 +15,19 @@
 //     pixelRay(camera, conventions, pixel) -> { origin, direction }   from P, direction unit
 //     focalRay(camera, conventions, pixel) -> { origin, direction }   from the eye
 //     intersect(ray, sphere, conventions) -> { s, point } or null
-//     intersectBatch(rays, sphere, conventions) -> an array of the same, one a ray; instead of `intersect`
+//     intersectBatch(rays, sphere, conventions) -> an array of the same, one for each ray; instead of `intersect`
 //     nearest(ray, spheres, conventions) -> index or null
 //
 // Vectors are arrays [x, y, z], pixels [i, j], a ray { origin, direction }, a sphere { centre, radius }, a camera { eye,
-// lookAt, up, near, left, right, bottom, top, width, height }. Any of the functions may be async. Conventions that they
-// fix are declared beside them: run("mine", { rows: "top-first", intersect }); so are `level`, `lengths: [1e-100, 1e100]`,
+// lookAt, up, near, left, right, bottom, top, width, height }. Any of the functions may be async. Fixed conventions are
+// declared beside them: run("mine", { rows: "top-first", intersect }); so are `level`, `lengths: [1e-100, 1e100]`,
 // `precision: "single"`, and the roots that count, `roots: { ends: "()", tMin: 1e-4 }` (ends, tMin, tMax, unit: "absolute",
-// "radius" or "length", culling), or "as-asked". `directions: "unit"` asks for unit directions alone. What `intersect`
-// returns other than s and the point is declared, and returned as it is: with returns: "parameter", "distance" or
-// "squared-distance" a number, with "point" a vector, with "class" true or false; null, undefined and false are misses.
-// What the functions print goes to the standard error. The lines exchanged are those of docs/candidates.md.
+// "radius" or "length", culling), or "as-asked". `directions: "unit"` requests unit directions only. If `intersect` does not
+// return s and the point, declare what it returns: returns: "parameter", "distance" or "squared-distance" for a number,
+// "point" for a vector, "class" for true or false; null, undefined and false are misses.
+// Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 const reply = process.stdout.write.bind(process.stdout);
-process.stdout.write = process.stderr.write.bind(process.stderr); // that of console.log, too
+process.stdout.write = process.stderr.write.bind(process.stderr); // also for console.log
 console.log = console.info = console.debug = console.error;
 
 const protocolNames = {
@@ -96,7 +96,7 @@ async function readRequest(lines, first) {
   }
 }
 
-// s and Q of a hit as the reply's line has them: 0 for what is not returned; null for a miss.
+// s and Q of a hit for the reply: 0 for values that are not returned; null for a miss.
 function hitWords(hit, returns) {
   if (hit === null || hit === undefined || hit === false) return null;
   if (returns === "class" && hit !== true) throw new TypeError(`neither true nor false: ${hit}`);
@@ -149,7 +149,7 @@ export async function run(name, given) {
   if (directions) said.push(`directions ${directions}`);
   if (returns !== "hit") said.push(`returns ${returns}`);
   const lines = linesOf(process.stdin);
-  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: not spoken to by raycheck");
+  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input");
   reply(`${[...said, "ready"].join("\n")}\n`);
   for (let first = await lines.next(); !first.done; first = await lines.next()) {
     const request = await readRequest(lines, first.value);
@@ -157,7 +157,7 @@ export async function run(name, given) {
     let last = `end ${request.id}`;
     try {
       body = await answer(given, returns, request);
-    } catch (error) { // the engine's; what it says belongs in the report
+    } catch (error) { // of the functions: its message belongs in the report
       last = `error ${request.id} ${String(error).split(/\s+/).join(" ")}`;
     }
     reply(`${[`reply ${request.id}`, ...body, last].join("\n")}\n`);

@@ -1,4 +1,4 @@
-"""A candidate for raycheck in Python, of the standard library alone.
+"""A candidate for raycheck in Python; needs only the standard library.
 
     import raycheck_candidate as rc
 
@@ -15,22 +15,20 @@ and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The funct
     pixel_ray(camera, conventions, pixel) -> (P, direction) from P, direction unit
     focal_ray(camera, conventions, pixel) -> (E, direction) from the eye
     intersect(ray, sphere, conventions) -> (s, point) or None
-    intersect_batch(rays, sphere, conventions) -> a list of the same, one a ray; instead of intersect
+    intersect_batch(rays, sphere, conventions) -> a list of the same, one for each ray; instead of intersect
     nearest(ray, spheres, conventions) -> index or None
 
 Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
-Conventions that the functions fix are declared: rc.run("mine", rows="top-first", ...). So may be
-up to which cases they are to be right, level="ordinary" (the default), "demanding" or "extreme",
-and between which lengths, lengths=(1e-100, 1e100). Who computes in floats (of struct or numpy) says
-precision="single": all numbers that it is given are floats then, and its errors count those of
-float. Who does not take every root >= 0 says which: roots=Roots("()", 1e-4, 100, "absolute", "none")
-(ends, t_min, t_max, "absolute", "radius" or "length", culling), or follows conventions.roots:
-"as-asked". directions="unit" asks for unit directions alone. What intersect returns other than s and
-the point is declared, and returned as it is: with returns="parameter", "distance" or
-"squared-distance" a number, with "point" a vector, with "class" True or False; None and False are
-misses.
-What the functions print goes to the standard error. The lines exchanged are those of
-docs/candidates.md.
+Fixed conventions are declared: rc.run("mine", rows="top-first", ...). So are the level, "ordinary"
+(the default), "demanding" or "extreme", and the range of lengths, lengths=(1e-100, 1e100), on which
+the functions are judged. precision="single" declares that they compute in floats (of struct or
+numpy): all numbers that they receive are then floats, and errors are counted in units of float. If
+not every root >= 0 counts: roots=Roots("()", 1e-4, 100, "absolute", "none") (ends, t_min, t_max,
+"absolute", "radius" or "length", culling), or "as-asked" to follow conventions.roots.
+directions="unit" requests unit directions only. If intersect does not return s and the point,
+declare what it returns: returns="parameter", "distance" or "squared-distance" for a number, "point"
+for a vector, "class" for True or False; None and False are misses.
+Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 """
 import collections
 import sys
@@ -88,11 +86,11 @@ def _read(lines, first):
                              else [(row[:3], row[3]) for row in rows])
         else:
             raise ValueError(f"no such part of a request: {kind}")
-    raise ValueError("a request without an end")
+    raise ValueError("the input ends within a request")
 
 
 def _hit(hit, returns):
-    """s and Q of a hit as the reply's line has them: 0 for what is not returned."""
+    """s and Q of a hit for the reply: 0 for values that are not returned."""
     if returns == "class":
         return 0, (0, 0, 0)
     if returns == "point":
@@ -143,7 +141,7 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
     replies, sys.stdout = sys.stdout, sys.stderr
     lines = iter(sys.stdin)
     if not next(lines, "").startswith("raycheck "):
-        sys.exit("raycheck_candidate.run: not spoken to by raycheck")
+        sys.exit("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input")
     declared = {"rows": rows, "samples": samples, "origin": origin, "root": root,
                 "tangent": tangent}
     said = [f"raycheck 1 {name}"]
@@ -164,7 +162,7 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
         try:
             body = _answer(functions, returns, request)
             last = f"end {request['id']}"
-        except Exception as error:  # the student's; what it says belongs in the report
+        except Exception as error:  # of the functions: its message belongs in the report
             said = " ".join(f"{type(error).__name__}: {error}".split())
             body, last = [], f"error {request['id']} {said}"
         print("\n".join([f"reply {request['id']}"] + body + [last]), file=replies, flush=True)

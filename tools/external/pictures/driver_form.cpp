@@ -62,8 +62,8 @@ int sphere_numbers_of(std::string_view part) {
   const auto* const known = std::ranges::find_if(
       kSphereNumbers, [&](int numbers) { return std::to_string(numbers) == part; });
   if (known == kSphereNumbers.end()) {
-    throw std::invalid_argument(
-        fmt::format("{} numbers: a sphere has one of {}", part, fmt::join(kSphereNumbers, ", ")));
+    throw std::invalid_argument(fmt::format("{} numbers: a sphere line has one of {}", part,
+                                            fmt::join(kSphereNumbers, ", ")));
   }
   return *known;
 }
@@ -81,7 +81,7 @@ std::vector<std::string> order_of(std::string_view part, scene::Dialect dialect)
   const std::vector<std::string> usual = usual_order(dialect);
   if (!std::ranges::is_permutation(order, usual)) {
     throw std::invalid_argument(
-        fmt::format("'{}' must have each of these once: {}", part, fmt::join(usual, ",")));
+        fmt::format("'{}' must list each of these once: {}", part, fmt::join(usual, ",")));
   }
   return order;
 }

@@ -12,10 +12,10 @@
 namespace raycheck::tools {
 namespace {
 
-/// A frame this uniform in colour is a background.
+/// If this share of the frame has one colour, that is the background.
 constexpr double kBackgroundShare = 0.9;
 
-/// A frame with at least this many colours, none of them on more than this share of it, is a sky.
+/// A frame with this many colours, each on at most this share of it, is a shaded sky.
 constexpr std::size_t kShadedColours = 12;
 constexpr double kShadedShare = 0.3;
 

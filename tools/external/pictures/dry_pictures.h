@@ -8,31 +8,32 @@
 
 namespace raycheck::tools {
 
-/// Five equal spheres ahead, in a cross; the same behind the eye and between it and the image
-/// plane, so that programs that see these show the same picture. The plane is at distance 1, where
-/// directions are nearly unit vectors and programs that misread d are right. The spheres ahead have
-/// whole numbers, which every program reads. The picture is the same turned and mirrored.
+/// Five equal spheres ahead, in a cross; the same behind the eye and between the eye and the image
+/// plane, so that programs that wrongly draw those show the same picture. The plane is at distance
+/// 1, where directions are nearly unit vectors and programs that misread d are right. The spheres
+/// ahead have whole numbers, which every program reads. Rotated by 90 degrees or mirrored, the
+/// picture is the same.
 scene::Scene symmetric_scene();
 
-/// The same ten times as large, all its numbers whole.
+/// The same scene, ten times as large; all its numbers are integers.
 scene::Scene whole_scene();
 
-/// A few scenes as they are judged, with fractions, and spheres behind the eye.
+/// A few ordinary scenes, with fractions and spheres behind the eye.
 std::vector<scene::Scene> ordinary_scenes();
 
 /// The middle sphere of each cross.
 scene::Scene middle_spheres();
 
-/// The colour of nearly all of a picture's frame; black if it has no such colour, or the picture
-/// shows nothing else.
+/// The background colour: that of nearly all pixels on a picture's border. Black if no colour is
+/// that frequent, or if the whole picture has one colour.
 Colour background_of(const ReadPicture& picture);
 
-/// Whether the background changes from pixel to pixel, as a sky does: then it cannot be told from a
-/// sphere.
+/// Whether the background is shaded, like a sky: then spheres cannot be told from it.
 bool is_shaded_around(const ReadPicture& picture);
 
-/// Of the pixels in which a picture or the truth shows a sphere, the share in which both do; 0 of a
-/// picture of another size. Domain: a picture without pixels, or as many as the truth has.
+/// The likeness of a picture to the truth: pixels where both show a sphere, divided by pixels where
+/// at least one does. 0 for a picture without pixels (of another size). Domain: a picture without
+/// pixels, or with as many as the truth.
 double likeness(const ReadPicture& picture, const properties::ImageAnswer& truth);
 
 }  // namespace raycheck::tools

@@ -14,13 +14,13 @@
 namespace raycheck::tools {
 namespace {
 
-/// How much longer a picture may take than the rubric allows.
+/// The factor by which a second attempt may exceed the rubric's time limit.
 constexpr double kMoreTime = 4;
 
-/// A program whose picture is this much like the truth reads the form.
+/// With this likeness to the truth the program surely reads the form.
 constexpr double kSurelyAlike = 0.95;
 
-/// The other channels of a pure colour are at most this part of the largest.
+/// In a pure colour the other channels are at most this share of the largest.
 constexpr double kNoChannel = 0.4;
 
 /// The result of drawing the symmetric scene in one form.
@@ -61,13 +61,13 @@ class DryRunner {
     }
     if (unsteady_) {
       found.notes.push_back(
-          fmt::format("it draws differently each time driver files of form {}: something is not "
-                      "initialised",
+          fmt::format("it draws the same driver file of form {} differently each time: a variable "
+                      "is not initialised",
                       unsteady_->text()));
     }
     if (!chosen.made->other_name.empty()) {
       found.notes.push_back(
-          fmt::format("it writes {} whatever name it is given", chosen.made->other_name));
+          fmt::format("it writes {} and ignores the given file name", chosen.made->other_name));
     }
     if (!chosen.made->ended.empty()) {
       found.notes.push_back(
@@ -77,8 +77,8 @@ class DryRunner {
       if (chosen.made->picture.pixels.empty()) return found;
       if (is_shaded_around(chosen.made->picture)) {
         found.refusal = Refusal{
-            "its background is not of one colour: where a ray meets nothing every pixel has to "
-            "show the same, or nobody can tell what shows a sphere",
+            "its background has more than one colour: all pixels whose rays hit nothing must "
+            "have the same colour, or spheres cannot be told from the background",
             {}};
       } else if (is_uniform(chosen.made->picture) && !other) {
         found.shows_nothing =
@@ -112,7 +112,7 @@ class DryRunner {
     if (kind == FailureKind::kTimeUp) return Progress::kTimeUp;
     return kind == FailureKind::kBadReply ? Progress::kNoPicture : Progress::kFailed;
   }
-  /// A line that it said stands in the reason, more of them stand below it.
+  /// A single line of output is part of the reason; more lines follow below it.
   static Refusal refusal_of(const ProcessFailure& failure) {
     if (failure.said().find('\n') == std::string::npos) return {failure.what(), {}};
     return {failure.why(), failure.said()};
@@ -123,7 +123,7 @@ class DryRunner {
     ++tried_;
     return attempt_of(scene_, form);
   }
-  /// A scene that looks the same.
+  /// Draws a scene that looks like the symmetric one.
   Attempt attempt_of(const scene::Scene& scene, const DriverForm& form) {
     Attempt made;
     made.form = form;
@@ -138,7 +138,7 @@ class DryRunner {
       made.failure = refusal_of(failure);
       made.progress = progress_of(failure.kind());
       timed_out_ += made.progress == Progress::kTimeUp ? 1 : 0;
-    } catch (const std::system_error& error) {  // of the machine, which is blamed
+    } catch (const std::system_error& error) {  // the machine's fault, recorded in surroundings
       made.failure = {error.what(), {}};
       made.progress = Progress::kNoPicture;
     }
@@ -152,8 +152,9 @@ class DryRunner {
     return rule_.tries_others ? best_of_all(std::move(first)) : first;
   }
 
-  /// Of a form that is surely read the fullest like it that is, too (what a program does not find
-  /// it may not initialise), or itself; empty if none is drawn twice alike.
+  /// If a form is surely read: the fullest similar form that is also read (a program may not
+  /// initialise values that it does not find), or the form itself. Empty if it is not surely read,
+  /// or if repeated pictures differ.
   std::optional<Attempt> steady(const Attempt& read) {
     if (!read.is_sure()) return {};
     if (rule_.tries_others && !(rule_.is_asked_for && read.form == rule_.form)) {
@@ -167,7 +168,7 @@ class DryRunner {
     return {};
   }
 
-  /// Whether the picture of a form that is surely read shows the scene when it is drawn again, too.
+  /// Whether a second picture of the same driver file shows the scene, too.
   bool is_drawn_again(const DriverForm& form) {
     const std::vector<Colour> white(scene_.spheres.size(), {255, 255, 255});
     try {
@@ -175,14 +176,13 @@ class DryRunner {
       return likeness(again.picture, truth_) >= kSurelyAlike;
     } catch (const ProcessFailure&) {
       return false;
-    } catch (const std::system_error&) {  // of the machine, which is blamed
+    } catch (const std::system_error&) {  // the machine's fault, recorded in surroundings
       return false;
     }
   }
 
-  /// The first form that is surely read, and drawn alike twice; else the one in which the picture
-  /// is most alike; where that is nowhere, the one in which it comes farthest, the rule's before
-  /// others.
+  /// The first form that is surely read and drawn alike twice; else the one with the best likeness;
+  /// if no form is read, the one with the most progress. Ties go to the rule's form.
   Attempt best_of_all(Attempt best) {
     for (const DriverForm& form : known_forms(rule_.form)) {
       if (form == rule_.form) continue;
@@ -195,7 +195,7 @@ class DryRunner {
     return best;
   }
 
-  /// The form read, where the rule's form alone counts.
+  /// The form that is read, if the rule allows only one that is not.
   std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
     if (rule_.tries_others || chosen.reads() || chosen.progress == Progress::kTimeUp) {
       return {};
@@ -209,15 +209,14 @@ class DryRunner {
                        rule_.form.text(), other.text());
   }
 
-  /// Why a picture is not made in time, and whether more time helps.
+  /// Why a picture times out, and whether more time helps.
   Refusal with_more_time(const Attempt& slow, DryRun& found) {
     const double seconds = renderer_.program.limits.seconds;
     renderer_.program.limits.seconds = kMoreTime * seconds;
     const auto began = std::chrono::steady_clock::now();
     const Attempt again = attempt(slow.form);
     if (!again.made) return slow.failure;
-    // A program stopped before it used its CPU time was stopped for waiting: it needs the time that
-    // passed.
+    // A program stopped before its CPU time was used up was waiting: it needs wall time.
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
     const double needed = again.seconds > seconds ? again.seconds : passed.count();
     found.needed_seconds = needed;
@@ -227,7 +226,7 @@ class DryRunner {
             {}};
   }
 
-  /// The colour in which it shows spheres of a colour; empty if it fails or shows none.
+  /// The colour in which it draws spheres of a given colour; empty if it fails or draws none.
   std::optional<Colour> shown(const Colour& colour, const DryRun& found) {
     const scene::Scene scene = middle_spheres();
     const std::vector<Colour> colours(scene.spheres.size(), colour);
@@ -242,8 +241,8 @@ class DryRunner {
     }
   }
 
-  /// Which channels show red, green and blue. A program that shows no sphere in any colour has
-  /// another fault, which says nothing of its colours.
+  /// Finds which channels show red, green and blue. If no sphere is drawn in any colour, the fault
+  /// is another one, and nothing is concluded.
   void find_colours(DryRun& found) {
     constexpr std::array<Colour, 3> kPure = {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
     std::array<std::optional<Colour>, 3> seen;
@@ -266,14 +265,14 @@ class DryRunner {
         channels[0] != channels[1] && channels[1] != channels[2] && channels[0] != channels[2];
     found.colours.tells_spheres = found.colours.tells_spheres && all_differ;
     if (!found.colours.tells_spheres) {
-      found.notes.emplace_back("its colours do not tell which sphere is seen");
+      found.notes.emplace_back("its colours do not identify the spheres");
     } else if (channels != ColourHabit{}.channels) {
       found.colours.channels = channels;
       found.notes.emplace_back("it exchanges red, green and blue");
     }
   }
 
-  /// Whether a program that makes no picture makes one where no number has a fraction.
+  /// Whether a program that makes no picture makes one of a scene whose numbers are all integers.
   bool fails_by_fractions() {
     constexpr std::size_t kMostForms = 30;
     const scene::Scene whole = whole_scene();
@@ -301,7 +300,7 @@ class DryRunner {
     }
   }
 
-  /// Nothing is asked about the light, so what fails by it alone is no fault.
+  /// Drops the light if the program fails because of it: the light is not judged.
   void leave_out_light(DryRun& found) {
     if (!rule_.tries_others || found.driver.light == DriverLight::kNone) return;
     DriverForm unlit = found.driver;
@@ -311,12 +310,13 @@ class DryRunner {
       if (!fails_on(scene, found.driver)) continue;
       if (fails_on(scene, unlit) || !attempt(unlit).reads()) return;
       found.driver = unlit;
-      found.notes.emplace_back("it fails where there is a light, so its driver files have none");
+      found.notes.emplace_back(
+          "it fails on driver files with a light, so it is given files without");
       return;
     }
   }
 
-  /// The number of pictures not made in time after which no further form is tried.
+  /// After this many time-outs no further form is tried.
   static constexpr int kMostTimeouts = 3;
 
   Renderer renderer_;
@@ -326,7 +326,7 @@ class DryRunner {
   const PictureSize size_ = {scene_.camera->width, scene_.camera->height};
   const properties::ImageAnswer truth_ = properties::exact_image(scene_, scene_.conventions);
   int tried_ = 0, timed_out_ = 0;
-  std::optional<DriverForm> unsteady_;  ///< The last that is not drawn alike twice.
+  std::optional<DriverForm> unsteady_;  ///< The last form whose two pictures differ.
 };
 
 }  // namespace

@@ -21,18 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Reads an ended program's file. `most`: the largest size of its files.
+/// Reads a picture after the program has ended. `most`: its limit on file sizes.
 std::string read_made(const fs::path& path, std::uint64_t most) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
-    throw PictureError("its picture {image} is no file");
+    throw PictureError("its picture {image} is not a file");
   }
-  // A picture that the program closed is not the machine's failure.
+  // If the program made it unreadable, that is not the machine's failure.
   chmod(path.c_str(), S_IRUSR | S_IWUSR);
   return file_bytes(path, most);
 }
 
-/// While it lives, this thread's CPU time is charged to the candidate.
+/// Charges this thread's CPU time to the candidate during its lifetime.
 class ComputedFor {
  public:
   explicit ComputedFor(SpentTime& spent) : spent_(spent), before_(computed()) {}
@@ -51,7 +51,7 @@ class ComputedFor {
   double before_;
 };
 
-/// The stems of pictures, in their order: those of the driver file's own name, then usual ones.
+/// Stems of picture names, in order of preference: from the driver file's name, then common ones.
 constexpr std::array<std::string_view, 7> kStems = {"scene", "scene.txt", "out",   "output",
                                                     "image", "picture",   "result"};
 
@@ -66,9 +66,8 @@ struct FoundPicture {
   bool is_named = true;
 };
 
-/// The picture that a program left in its folder, which held the driver file and no picture: the
-/// one with the requested name; else one of kStems; else the newest. PPM and PNG count, links do
-/// not. Empty if there is none.
+/// The picture in a program's folder, which contained none before: the one with the requested name;
+/// else one of kStems; else the newest. PPM and PNG files, no links. Empty without a picture.
 std::optional<FoundPicture> found_picture(const fs::path& folder) {
   const fs::path named = folder / kImageFile;
   if (fs::exists(fs::symlink_status(named))) return FoundPicture{named, true};
@@ -96,7 +95,7 @@ std::optional<FoundPicture> found_picture(const fs::path& folder) {
   return FoundPicture{best->path, false};
 }
 
-/// A picture as text, stored between runs, and read back.
+/// Serialises a picture for the answer store, and reads it back.
 std::string stored_text(const MadePicture& made) {
   const auto& [width, height, pixels] = made.picture;
   std::string text = fmt::format("{} {} {} {} {}\n", width, height, pixels.size(),
@@ -122,7 +121,7 @@ MadePicture stored_picture(const std::string& text) {
   return made;
 }
 
-/// The program with a driver file in its folder and the names of its files in its words.
+/// The program with the driver file in its folder and the file names in its arguments.
 Confined given(Confined program, const std::string& driver) {
   program.files = {{kSceneFile, driver}};
   for (std::string& word : program.arguments) {
@@ -132,7 +131,7 @@ Confined given(Confined program, const std::string& driver) {
   return program;
 }
 
-/// Whether a wrapper says that its form cannot express a scene.
+/// Whether the wrapper exits with kCannotSay for this driver file, too.
 bool cannot_say(const std::optional<Confined>& wrapper, const std::string& driver) try {
   return wrapper && Process(given(*wrapper, driver)).finish() == kCannotSay;
 } catch (const ProcessFailure& failure) {
@@ -165,7 +164,7 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
     }
   }
   if (code == kCannotSay && cannot_say(renderer.wrapper, driver)) {
-    throw ProcessFailure(FailureKind::kCannotSay, "its form cannot say the scene");
+    throw ProcessFailure(FailureKind::kCannotSay, "its input format cannot express the scene");
   }
   if (failure) {
     throw ProcessFailure(

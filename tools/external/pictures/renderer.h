@@ -14,63 +14,63 @@
 
 namespace raycheck::tools {
 
-/// The number of silences after which an implementation is no longer asked.
+/// The number of time-outs after which a candidate is dropped.
 inline constexpr int kMostSilences = 3;
 
-/// Pixels that a picture has at most, whatever the size of the scene.
+/// The most pixels of a picture, whatever the size of the scene.
 inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
 /// The names of the driver file and the picture in the folder of a run.
 inline constexpr const char* kSceneFile = "scene.txt";
 inline constexpr const char* kImageFile = "image.ppm";
 
-/// The exit code of a command whose form of scene files cannot express the scene, as Automake has
-/// tests skipped.
+/// The exit code of a command whose input format cannot express the scene: Automake's code for
+/// skipped tests.
 inline constexpr int kCannotSay = 77;
 
 /// A finished renderer: its command line, run once per picture; {scene} stands for a driver file
 /// and {image} for the picture to make (PPM or PNG).
 struct Renderer {
   Confined program;
-  /// The command whose exit code kCannotSay is believed: where `program` ends with it and makes no
-  /// picture, this is run on the same scene and has to say so, too. Empty: it is a failure.
+  /// The command whose exit code kCannotSay is trusted: if `program` exits with it and makes no
+  /// picture, this command is run on the same scene and must exit with it, too. Empty: that is a
+  /// failure.
   std::optional<Confined> wrapper = {};
   DriverForm driver = {};
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
   double threshold = 0;                      ///< Hits with an s of at most this are not judged.
-  std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as asked.
-  /// The number of pictures not made in time after which it is no longer started.
+  std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
+  /// The number of time-outs after which it is no longer started.
   int most_silences = kMostSilences;
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
 };
 
-/// The driver file of a scene for a renderer: the spheres' colours tell which is seen. Domain: a
-/// scene with a camera.
+/// The driver file of a scene, with colours that identify the spheres. Domain: it has a camera.
 std::string driver_text(const scene::Scene& scene, const DriverForm& form);
 
-/// What the pixels show: nothing if they look like the background, a sphere if they have nearly its
-/// colour, kSomeSphere otherwise. Errors: PictureError if the size is wrong.
+/// The sphere that each pixel shows: empty for the background colour, a sphere if it has nearly its
+/// colour, else kSomeSphere. Errors: properties::OtherSize if the size is wrong.
 properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Camera& camera,
                                      scene::Rows rows, std::size_t spheres,
                                      const ColourHabit& habit = {});
 
-/// A picture that a renderer made, and how.
+/// A renderer's picture.
 struct MadePicture {
   ReadPicture picture;
-  std::string other_name;  ///< Where it was found; empty: where requested.
-  std::string ended;       ///< "exited with 1"; empty: as it should.
+  std::string other_name;  ///< The file name; empty: the requested one.
+  std::string ended;       ///< "exited with 1"; empty: normally.
   std::string said;        ///< On standard error, else on standard output.
 };
 
-/// Runs the program once for a driver file, or takes its stored picture: of the `nth` run. A
-/// complete picture counts, whatever the program's exit code; one of the wrong size has no pixels.
-/// Reading it counts as the program's time. Errors: ProcessFailure (kCannotSay where the wrapper
-/// says so), and std::runtime_error with what is wrong with the picture.
+/// Runs the program on a driver file, or takes the stored picture of the `nth` run. A complete
+/// picture counts, whatever the program's exit code; one of the wrong size has no pixels. The time
+/// to read it is charged to the program. Errors: ProcessFailure (kCannotSay if the wrapper confirms
+/// it), and std::runtime_error with the fault of the picture.
 MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
                      int nth = 1);
 
-/// What the picture of a scene shows. Errors: as rendered() and image_answer().
+/// Draws a scene and returns the sphere of each pixel. Errors: as rendered() and image_answer().
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
                                scene::Rows rows);
 

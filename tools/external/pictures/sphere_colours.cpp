@@ -8,12 +8,12 @@ namespace {
 
 constexpr double kFull = 255;
 
-/// A channel this near to a level counts as that level, in steps between levels.
+/// A channel within this distance of a level, in steps between levels, counts as that level.
 constexpr double kNearLevel = 0.25;
-/// If channels are all or nothing, there is room for the effect of a gamma or an offset.
+/// With only two levels there is room for a gamma or an offset.
 constexpr double kNearAllOrNothing = 0.4;
 
-/// A share of a channel's full value by which hues of one sphere differ, but for their rounding.
+/// Hues of one sphere differ by at most this share of a channel's full value, apart from rounding.
 constexpr double kSameHue = 0.02;
 
 /// A colour as shares of its largest channel.
@@ -24,9 +24,9 @@ std::array<double, 3> hue_of(const Colour& colour) {
 
 std::size_t power_of_3(std::size_t base) { return base * base * base; }
 
-/// Up to this many spheres have colours with an empty channel, so that no highlight or reflection,
-/// which adds white, makes one sphere's colour another's; more would take more levels, which a
-/// gamma exchanges.
+/// Up to this many spheres have colours with an empty channel, so that a highlight or reflection,
+/// which adds white, does not turn one sphere's colour into another's. More would need more levels,
+/// which a gamma correction confuses.
 constexpr std::size_t kMostPure = 12;
 constexpr std::size_t kPureOfLevel = 6;
 
@@ -52,7 +52,7 @@ SphereColours::SphereColours(std::size_t count) : levels_(levels_for(count)) {
         std::lround(kFull * static_cast<double>(level) / static_cast<double>(levels - 1)));
   };
   for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t code = codes_[k % codes_.size()];  // beyond 195,000 some are equal
+    const std::size_t code = codes_[k % codes_.size()];  // beyond 195,000 spheres colours repeat
     colours_.push_back(
         {channel(code / levels / levels), channel(code / levels % levels), channel(code % levels)});
   }
@@ -68,7 +68,7 @@ std::optional<std::size_t> SphereColours::sphere_of(const Colour& colour,
   for (const std::size_t channel : habit.channels) {
     const double at = shown[channel] / most * static_cast<double>(levels_ - 1);
     const double nearest = std::round(at);
-    // With this many levels every byte is near one.
+    // With more levels every byte is near one.
     if (std::abs(at - nearest) > near && levels_ <= 128) return {};
     code = code * levels_ + static_cast<std::size_t>(nearest);
   }

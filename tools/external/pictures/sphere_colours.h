@@ -9,8 +9,8 @@
 
 namespace raycheck::tools {
 
-/// Up to this many spheres have colours whose channels are all or nothing: what dims them, bends
-/// them by a gamma or cuts them to whole numbers leaves their hues.
+/// Up to this many spheres have colours whose channels are 0 or full: dimming, a gamma correction
+/// or rounding to whole numbers keeps their hues.
 inline constexpr std::size_t kMostSaturated = 6;
 
 /// How a renderer shows colours.
@@ -18,31 +18,30 @@ struct ColourHabit {
   Colour background = {};  ///< Where it shows no sphere.
   /// Which channels of the picture show a sphere's red, green and blue.
   std::array<std::size_t, 3> channels = {0, 1, 2};
-  bool tells_spheres = true;  ///< The hues of its pictures are those of the spheres.
+  bool tells_spheres = true;  ///< The hues in its pictures identify the spheres.
 
   friend bool operator==(const ColourHabit&, const ColourHabit&) = default;
 };
 
-/// A pixel, by its place in an image, and the colour that it shows.
+/// A pixel: its index in the image, and its colour.
 struct ShownPixel {
   std::size_t at = 0;
   Colour colour = {};
 };
 
-/// A colour for each sphere, each with a full channel, so that none is near black even if colours
-/// are read as whole numbers, and none is grey, which would look like a lost colour. Of few spheres
-/// each has an empty channel, too: white added to one's colour makes no other's.
+/// A colour for each sphere. Each has a full channel, so that no colour is near black even if
+/// colours are read as integers; none is grey, which would look like a lost colour. If there are
+/// few spheres, each also has an empty channel: adding white to one colour does not make another.
 class SphereColours {
  public:
   explicit SphereColours(std::size_t count);
 
   const std::vector<Colour>& all() const { return colours_; }
-  /// The sphere whose colour a pixel shows, however dimmed; empty if it is near no sphere's:
-  /// kSomeSphere.
+  /// The sphere whose colour a pixel shows, however dimmed; empty (kSomeSphere) if no sphere's
+  /// colour is near.
   std::optional<std::size_t> sphere_of(const Colour& shown, const ColourHabit& habit) const;
-  /// With more spheres than have pure colours, white added to one colour can make another: removes
-  /// from each sphere's pixels those whose hue differs from the median. They show only a hit.
-  /// `pixels`: by sphere.
+  /// With many spheres, adding white to one colour can make another: removes from each sphere's
+  /// pixels those whose hue differs from the median. These show only a hit.
   void keep_usual(std::vector<std::vector<ShownPixel>>& pixels) const;
 
  private:

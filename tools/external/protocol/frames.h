@@ -1,8 +1,8 @@
 #pragma once
 
-// The line in which raycheck-worker says where in its own code a library died or threw: "frames"
-// and the innermost frames first, hexadecimal offsets in the library's file. What writes it runs in
-// the candidate's process.
+// The line in which raycheck-worker reports where a library crashed or threw: "frames", then
+// hexadecimal offsets in the library's file, the innermost frame first. It is written in the
+// candidate's process.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,29 +14,28 @@
 namespace raycheck::tools {
 
 inline constexpr std::string_view kFramesWord = "frames";
-/// Frames of library headers may lie inside those of the candidate, as in a comparison called by
-/// std::sort; this many frames reach its own code.
+/// The innermost frames may belong to library headers, as in a comparison called by std::sort; this
+/// many frames reach the candidate's code.
 inline constexpr std::size_t kMostFrames = 16;
-/// An offset takes a space and at most 16 digits.
+/// Each offset takes a space and at most 16 digits.
 inline constexpr std::size_t kMostFramesLine = kFramesWord.size() + 17 * kMostFrames + 1;
 
-/// The frames in the last such line of what a worker wrote; empty without such a line, or if it is
-/// malformed, since the candidate may write there, too.
+/// The frames in the last such line of a worker's output; empty if there is no such line or it is
+/// malformed (the candidate may write there, too).
 std::vector<std::uint64_t> frames_in(std::string_view text);
 
-/// From now on what dies of SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP or SIGABRT first writes a line
-/// to `descriptor`, and then dies of the same signal: "frames OFFSET OFFSET ...", the innermost
-/// frames of the library that is followed, at most kMostFrames, as hexadecimal offsets
-/// in its file. Nothing is written where there are none. On a stack of its own in the thread that
-/// calls this, so that a stack that is used up has its line, too.
+/// Installs handlers for SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP and SIGABRT that write a line
+/// "frames OFFSET OFFSET ..." to `descriptor` before the process dies of the signal: the innermost
+/// frames of the followed library, at most kMostFrames, as hexadecimal offsets in its file; nothing
+/// without such frames. The handlers use a separate stack in the calling thread, so that stack
+/// overflows are reported, too.
 void report_deaths(int descriptor);
 
-/// Whose frames to report.
-/// Domain: what dlopen() returned.
+/// The library whose frames are reported. Domain: a handle from dlopen().
 void follow(void* library);
 
-/// The same line for where an exception was thrown; empty if unknown: it was not thrown by the
-/// library's code, or others were thrown since.
+/// The same line for the place where an exception was thrown; empty if it was not thrown by the
+/// library's code, or if another exception was thrown since.
 std::string frames_of_throw(const std::exception& error);
 
 }  // namespace raycheck::tools

@@ -18,16 +18,16 @@
 namespace raycheck::tools {
 namespace {
 
-/// Frames of any library; deeper ones are ignored.
+/// The most frames examined, of any library.
 constexpr std::size_t kMostWalked = 256;
 /// Unwinding takes some KiB.
 constexpr std::size_t kAlternateStack = std::size_t{1} << 16;
 constexpr std::array kDeadly = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
 
-/// The library that is followed.
+/// The library whose frames are reported.
 const link_map* followed = nullptr;
 int descriptor = -1;
-/// The signal it dies of; 0 while it lives.
+/// The signal of the crash; 0 before it.
 volatile std::sig_atomic_t deadly_signal = 0;
 
 /// Frames of the library's code, the innermost first. Nothing here allocates memory: it is used in
@@ -59,7 +59,7 @@ struct Frames {
 };
 Frames of_death;
 
-/// The line with the frames, built in place: without memory, too.
+/// The line with the frames, also built without allocating memory.
 class Line {
  public:
   explicit Line(const Frames& frames) {
@@ -92,7 +92,7 @@ void on_death(int signal) {
   }
   const Line line(of_death);
   if (write(descriptor, line.text().data(), line.text().size()) < 0) {
-    // Nobody is listening.
+    // The reader has closed the pipe.
   }
   sigset_t one;
   sigemptyset(&one);
@@ -136,9 +136,9 @@ std::string frames_of_throw(const std::exception& error) {
 
 }  // namespace raycheck::tools
 
-/// In place of that of the C++ library, which it calls: the frames that an exception unwinds are
+/// Replaces __cxa_throw of the C++ library, and calls it: the frames that an exception unwinds are
 /// gone when it is caught.
-// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): it has that name.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): the ABI's name.
 extern "C" [[noreturn, gnu::visibility("default")]] void __cxa_throw(void* object,
                                                                      std::type_info* type,
                                                                      void (*destroy)(void*)) {

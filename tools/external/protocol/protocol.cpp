@@ -28,21 +28,21 @@ std::vector<std::string_view> lines_of(std::string_view text) {
 
 std::size_t index(Words& words, std::size_t count) {
   const std::int64_t value = words.integer();
-  if (value < 0) words.fail("has no index");
+  if (value < 0) words.fail("has a negative index");
   if (static_cast<std::uint64_t>(value) >= count) {
-    words.fail(fmt::format("has the index {} of {}", value, count));
+    words.fail(fmt::format("has index {}, but there are only {}", value, count));
   }
   return static_cast<std::size_t>(value);
 }
 
-/// The next word, one of these names in the order of an enumeration.
+/// Reads a word that must be one of these names, in the order of the enumeration.
 template <class Enum>
 Enum choose(Words& words, std::span<const std::string_view> names, const char* otherwise) {
   return static_cast<Enum>(words.place_in(names, otherwise));
 }
 
 std::optional<scene::ValidRoots> read_roots(Words& words) {
-  constexpr const char* kOtherwise = "declares no such roots";
+  constexpr const char* kOtherwise = "declares unknown roots";
   scene::Conventions conventions;
   scene::ValidRoots& valid = conventions.valid;
   const std::size_t ends = words.place_in(kEndsWords, kOtherwise);
@@ -52,12 +52,12 @@ std::optional<scene::ValidRoots> read_roots(Words& words) {
   valid.t_max = words.number();
   valid.unit = choose<scene::TUnit>(words, scene::kTUnitNames, kOtherwise);
   valid.culling = choose<scene::Culling>(words, scene::kCullingNames, kOtherwise);
-  if (!scene::defects(conventions).empty()) words.fail("declares no interval");
+  if (!scene::defects(conventions).empty()) words.fail("declares an invalid interval");
   return valid;
 }
 
 void read_convention(Words& words, properties::DeclaredConventions& declared) {
-  constexpr const char* kOtherwise = "declares no such convention";
+  constexpr const char* kOtherwise = "declares an unknown convention";
   const std::string_view which = words.word();
   bool is_known = false;
   scene::for_each_choice(declared, [&](std::string_view name, auto& choice) {
@@ -69,36 +69,36 @@ void read_convention(Words& words, properties::DeclaredConventions& declared) {
   if (!is_known) words.fail(kOtherwise);
 }
 
-/// What a line of that kind states.
+/// Reads a line of that kind.
 void read_statement(std::string_view kind, Words& words, Introduction& introduction) {
   if (kind == "function") {
     introduction.functions.emplace(
-        kFunctions[words.place_in(kFunctions, "offers no such function")]);
+        kFunctions[words.place_in(kFunctions, "offers an unknown function")]);
   } else if (kind == "convention") {
     read_convention(words, introduction.declared);
   } else if (kind == "precision") {
     introduction.precision =
-        choose<scene::Precision>(words, scene::kPrecisionNames, "states no such precision");
+        choose<scene::Precision>(words, scene::kPrecisionNames, "states an unknown precision");
   } else if (kind == "roots") {
     introduction.declared.valid = read_roots(words);
   } else if (kind == "directions") {
     introduction.unit_directions =
-        words.place_in(kDirectionsWords, "states no such directions") == 1;
+        words.place_in(kDirectionsWords, "states unknown directions") == 1;
   } else if (kind == "returns") {
     introduction.returns = choose<properties::Returns>(words, properties::kReturnsNames,
-                                                       "states that it returns no such thing");
+                                                       "states an unknown kind of answer");
   } else if (kind == "level") {
     introduction.level =
-        choose<properties::Level>(words, properties::kLevelNames, "states no such level");
+        choose<properties::Level>(words, properties::kLevelNames, "states an unknown level");
   } else if (kind == "lengths") {
     introduction.smallest_length = words.number();
     introduction.largest_length = words.number();
     if (!(introduction.smallest_length >= 0 &&
           introduction.smallest_length < introduction.largest_length)) {
-      words.fail("states no range of lengths");
+      words.fail("states an invalid range of lengths");
     }
   } else {
-    words.fail("is no part of an introduction");
+    words.fail("does not belong to an introduction");
   }
 }
 
@@ -118,14 +118,14 @@ Introduction parse_introduction(std::string_view text) {
     const std::string_view kind = words.word();
     if (k == 0) {
       if (kind != "raycheck") words.fail("does not begin with 'raycheck 1'");
-      if (words.word() != std::to_string(kProtocolVersion)) words.fail("is of another version");
+      if (words.word() != std::to_string(kProtocolVersion)) words.fail("has another version");
       introduction.name = words.word();
     } else {
       read_statement(kind, words, introduction);
     }
     words.end();
   }
-  if (lines.size() < 2) throw ProtocolError("it did not introduce itself by 'raycheck 1 NAME'");
+  if (lines.size() < 2) throw ProtocolError("it did not introduce itself with 'raycheck 1 NAME'");
   return introduction;
 }
 
@@ -134,7 +134,7 @@ Request::Request(std::string id, std::string_view function, const scene::Convent
       body_(fmt::format("{}\nconventions {} {} {} {} {}\n", function, name(conventions.rows),
                         name(conventions.samples), name(conventions.origin), name(conventions.root),
                         name(conventions.tangent))) {
-  // Candidates that do not know it are asked under the usual roots only.
+  // The line is left out for the usual roots, so that candidates need not read it.
   if (!conventions.valid.is_usual()) body_ += roots_line(conventions.valid);
 }
 
@@ -202,7 +202,7 @@ void Reply::require_count(std::size_t count) const {
 
 namespace {
 
-/// Reads lines of equal format, after the two lines of the reply's head.
+/// Reads lines of equal format. Numbered from 2: line 1 is the reply's first line.
 template <class Read>
 auto read_lines(const std::vector<std::string_view>& lines, const Read& read) {
   std::vector<decltype(read(std::declval<Words&>()))> result;

@@ -18,11 +18,11 @@ namespace raycheck::tools {
 
 inline constexpr int kProtocolVersion = 1;
 
-/// What a candidate says about itself.
+/// A candidate's introduction.
 struct Introduction {
-  std::string name;  ///< "-": none
+  std::string name;  ///< "-": without a name
   std::set<std::string> functions;
-  /// Every root >= 0 counts unless it says otherwise.
+  /// By default every root >= 0 counts.
   properties::DeclaredConventions declared = {.rows = {},
                                               .samples = {},
                                               .origin = {},
@@ -30,10 +30,10 @@ struct Introduction {
                                               .tangent = {},
                                               .valid = scene::ValidRoots{}};
   scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
-  bool unit_directions = false;  ///< It is given rays with unit directions alone.
+  bool unit_directions = false;  ///< It is given rays with unit directions only.
   properties::Returns returns = properties::Returns::kHit;
   std::optional<properties::Level> level;  ///< The level that it must reach.
-  /// It is judged on scenes whose nonzero lengths lie between these.
+  /// It is judged only on scenes whose nonzero lengths lie between these.
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();
 };
@@ -68,7 +68,7 @@ class Request {
 bool ends_reply(std::string_view line, std::string_view id);
 
 /// The lines between "reply ID" and "end ID".
-/// Errors: ProtocolError, also with the candidate's message where that is an error.
+/// Errors: ProtocolError, also with the candidate's message for "error ID ...".
 class Reply {
  public:
   Reply(std::string_view text, std::string_view id);
@@ -85,7 +85,7 @@ class Reply {
   std::vector<std::string_view> lines_;
 };
 
-/// An upper bound on the bytes of an honest reply of `lines` lines, at most kMostBytes.
+/// An upper bound on the bytes of a reply with `lines` lines, at most kMostBytes.
 inline constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 constexpr std::size_t most_bytes(std::size_t lines) {
   return lines < kMostBytes / 320 ? 4096 + 320 * lines : kMostBytes;

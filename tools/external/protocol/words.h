@@ -1,7 +1,7 @@
 #pragma once
 
 // The words of the lines that raycheck and a candidate's process exchange (docs/candidates.md).
-// Both sides read them by this header: raycheck-worker links no other room.
+// Both sides read them with this header, so that raycheck-worker links nothing else.
 
 #include <algorithm>
 #include <array>
@@ -34,20 +34,19 @@ inline constexpr std::array<ConventionWords, 5> kConventionWords = {
      {"root", scene::kRootNames},
      {"tangent", scene::kTangentNames}}};
 
-/// The ends of an interval in one word, in the order of scene::Ends; or that every interval is
-/// taken.
+/// The ends of an interval as one word, in the order of scene::Ends; or "as-asked": any interval.
 inline constexpr std::array<std::string_view, 5> kEndsWords = {"[]", "[)", "(]", "()", "as-asked"};
 
 /// Which directions are accepted.
 inline constexpr std::array<std::string_view, 2> kDirectionsWords = {"any", "unit"};
 
-/// A malformed line: what() says which one and how.
+/// A malformed line: what() names it and the fault.
 class ProtocolError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A line as errors may show it: without terminal control sequences.
+/// A line for error messages, without terminal control sequences.
 inline std::string shown(std::string_view line) {
   constexpr std::size_t kShown = 60;
   std::string text(line.substr(0, kShown));
@@ -70,10 +69,10 @@ class Words {
   }
   double number() {
     const auto value = scene::parse_number(word());
-    if (!value) fail("has a word that is no number");
+    if (!value) fail("has a word that is not a number");
     return *value;
   }
-  std::int64_t integer(const char* otherwise = "has no index") {
+  std::int64_t integer(const char* otherwise = "has no valid index") {
     const std::string_view text = word();
     std::int64_t value = 0;
     const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -85,7 +84,7 @@ class Words {
     const double x = number(), y = number(), z = number();
     return {x, y, z};
   }
-  /// Which of these names the next word is.
+  /// The index of the next word in `names`.
   std::size_t place_in(std::span<const std::string_view> names, const char* otherwise) {
     const auto found = std::ranges::find(names, word());
     if (found == names.end()) fail(otherwise);

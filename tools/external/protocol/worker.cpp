@@ -1,10 +1,10 @@
 // raycheck-worker LIBRARY.so
 //
-// Speaks the protocol of docs/candidates.md for the functions of <raycheck/candidate.h>: requests
-// come on the standard input, replies go where the standard output was. What the library itself
-// prints goes to the standard error. Where it dies, or throws what becomes an error, a line before
-// that says where in its code that was (frames.h). Exits with 2, after a line about it, on a
-// file that is no library.
+// Implements the protocol of docs/candidates.md with the functions of a library
+// (<raycheck/candidate.h>): requests come on standard input, replies go to the original standard
+// output. Output of the library itself goes to standard error. If the library crashes or throws, a
+// line reports the place in its code (frames.h). Exits with 2 and a message if the file is not such
+// a library.
 
 #include <dlfcn.h>
 #include <raycheck/candidate.h>
@@ -49,11 +49,11 @@ std::optional<Words> next_line() {
 }
 Words require_line() {
   const std::optional<Words> line = next_line();
-  if (!line) give_up("a request without an end");
+  if (!line) give_up("the input ends within a request");
   return *line;
 }
 
-/// What is written, numbers as shortest decimals.
+/// Builds a reply, with numbers as shortest decimals.
 class Reply {
  public:
   explicit Reply(std::FILE* to) : to_(to) {}
@@ -93,7 +93,7 @@ struct Request {
 };
 
 std::int32_t place(Words& words, std::span<const std::string_view> names) {
-  return static_cast<std::int32_t>(words.place_in(names, "has no such name"));
+  return static_cast<std::int32_t>(words.place_in(names, "has an unknown name"));
 }
 
 template <class Item, class Read>
@@ -154,7 +154,7 @@ std::optional<Request> read_request() {
   if (!first) return {};
   Request request;
   request.asked.valid.t_max = std::numeric_limits<double>::infinity();
-  if (first->word() != "request") give_up("not a request");
+  if (first->word() != "request") give_up("expected a request");
   request.id = first->word();
   request.function = first->word();
   for (;;) {
@@ -223,7 +223,7 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
   }
 }
 
-/// The name of an enumerator, the first of which has the value `first`.
+/// The name of an enumerator; the first one has the value `first`.
 std::string_view name_in(std::span<const std::string_view> names, std::int32_t value,
                          std::string_view what, std::int32_t first = 0) {
   const std::int64_t index = std::int64_t{value} - first;
@@ -302,10 +302,10 @@ const raycheck_candidate& load(const char* path) {
       reinterpret_cast<Functions>(dlsym(library, "raycheck_candidate_functions"));
   if (functions == nullptr) give_up("the library has no raycheck_candidate_functions()");
   const raycheck_candidate* const candidate = functions();
-  if (candidate == nullptr) give_up("raycheck_candidate_functions() returns nothing");
+  if (candidate == nullptr) give_up("raycheck_candidate_functions() returns null");
   if (candidate->version < 1 || candidate->version > RAYCHECK_CANDIDATE_VERSION) {
-    give_up("the library is for version " + std::to_string(candidate->version) +
-            " of <raycheck/candidate.h>, this is for those up to " +
+    give_up("the library was built for version " + std::to_string(candidate->version) +
+            " of <raycheck/candidate.h>, raycheck-worker supports versions up to " +
             std::to_string(RAYCHECK_CANDIDATE_VERSION));
   }
   return *candidate;
@@ -322,7 +322,7 @@ int main(int argc, char** argv) {
   raycheck::tools::report_deaths(replies);
   const raycheck_candidate& candidate = load(argv[1]);
   if (std::optional<Words> first = next_line(); !first || first->word() != "raycheck") {
-    give_up("not spoken to by raycheck");
+    give_up("not started by raycheck: expected 'raycheck 1' on standard input");
   }
   introduce(candidate, reply);
   while (const std::optional<Request> request = read_request()) {

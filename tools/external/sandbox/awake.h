@@ -5,17 +5,17 @@
 
 namespace raycheck::tools {
 
-/// How often to look for a reply, or the next request, before waiting for it asleep: to be woken up
-/// takes longer than most answers.
+/// The number of polls for a reply, or the next request, before waiting asleep: waking up takes
+/// longer than most answers.
 inline constexpr int kLooksAwake = 30;
 
-/// Whether another process can run meanwhile.
+/// Whether there is another processor, on which the other process can run.
 inline bool has_other_processor() {
   cpu_set_t usable;
   return sched_getaffinity(0, sizeof usable, &usable) != 0 || CPU_COUNT(&usable) > 1;
 }
 
-/// poll(2) for a short while, awake: 0 if nothing has happened.
+/// poll(2) for a short while, without sleeping: 0 if nothing has happened.
 inline int poll_awake(pollfd* streams, nfds_t count) {
   static const bool is_worth_it = has_other_processor();
   int ready = 0;

@@ -26,9 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kGroupPrefix = "raycheck-", kLeafPrefix = "judge-";
-/// What bubblewrap adds to a program's processes: one waits outside, one inside takes orphans.
+/// The processes that bubblewrap adds: one waits outside, one inside adopts orphans.
 constexpr std::uint64_t kOfBubblewrap = 2;
-/// How often, and after how many microseconds, it is checked that all in a group have died.
+/// Checks whether all processes of a group have died: their number, and microseconds between.
 constexpr int kMostLooks = 10000;
 constexpr useconds_t kLookPause = 500;
 
@@ -53,10 +53,10 @@ std::uint64_t value_of(const std::string& text, const std::string& name) {
   return value;
 }
 
-/// In a single write, as the kernel requires.
+/// Writes a value with a single write(), as the kernel requires.
 void write_value(const fs::path& path, const std::string& value) {
   const Descriptor file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  // Names of groups differ from run to run, error messages must not.
+  // Error messages must not contain names of groups, which differ from run to run.
   if (!file.is_open() || write(file.number(), value.data(), value.size()) < 0) {
     throw std::system_error(errno, std::generic_category(), path.filename());
   }
@@ -95,16 +95,16 @@ std::string unescaped(const std::string& text) {
   return result;
 }
 
-/// A group's folder, opened and locked by its owner until that ends, in whatever way.
+/// Opens and locks a group's folder: locked until its owner ends, in whatever way.
 Descriptor held_folder(const fs::path& group, int how) {
   Descriptor folder(open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (flock(folder.number(), how | LOCK_NB) != 0) folder.close();
   return folder;
 }
 
-/// Removes groups whose process is dead, as far as this one can see, and that nobody holds: other
-/// namespaces have other ids. A group with this process's own id was an earlier one's. Groups that
-/// still have processes stay.
+/// Removes groups of dead processes: their id is unknown here and their folder is not locked (ids
+/// differ between namespaces). A group with this process's own id is left from an earlier process.
+/// Groups that still have processes stay.
 void remove_dead_groups(const fs::path& own) {
   std::error_code error;
   for (fs::directory_iterator at(own, error), end; !error && at != end; at.increment(error)) {
@@ -122,13 +122,14 @@ void remove_dead_groups(const fs::path& own) {
   }
 }
 
-/// The groups of this run.
+/// The control groups of this run.
 class RunGroups {
  public:
   RunGroups()
       : own_(own_control_group(text_of("/proc/self/mountinfo"), text_of("/proc/self/cgroup"))) {
     remove_dead_groups(own_);
-    // Only the root group has no type, and may hold processes beside groups with controllers.
+    // Only the root group has no type; only it may hold processes and have subgroups with
+    // controllers.
     if (fs::exists(own_ / "cgroup.type")) move_to_leaf();
     const std::string offered = text_of(own_ / "cgroup.controllers");
     for (const char* name : {"memory", "pids", "cpu"}) {
@@ -139,7 +140,7 @@ class RunGroups {
     }
   }
   ~RunGroups() {
-    // In the root group other runs may use what this one has enabled.
+    // In the root group other runs may use the controllers that this run enabled.
     if (leaf_.empty()) return;
     for (const std::string& name : enabled_) try_value(own_ / kControllers, "-" + name);
     try_value(own_ / kProcesses, "0");
@@ -159,7 +160,7 @@ class RunGroups {
 
   std::string controllers() const { return text_of(own_ / kControllers); }
 
-  /// A group whose subgroups have controllers may not hold processes.
+  /// Moves raycheck to a subgroup: a group whose subgroups have controllers may not hold processes.
   void move_to_leaf() {
     for (const std::string& one : words_of(text_of(own_ / kProcesses))) {
       if (one == std::to_string(getpid())) continue;
@@ -200,7 +201,7 @@ fs::path own_control_group(const std::string& mountinfo, const std::string& cgro
   for (std::string line; std::getline(mounts, line);) {
     if (line.find(" - cgroup2 ") == std::string::npos) continue;
     is_mounted = true;
-    // ID, parent, device, which folder of it is mounted, where.
+    // Fields: id, parent, device, mounted folder, mount point.
     constexpr std::size_t kRoot = 3, kPoint = 4;
     const std::vector<std::string> fields = words_of(line);
     const std::string root = unescaped(fields.at(kRoot));
@@ -212,12 +213,12 @@ fs::path own_control_group(const std::string& mountinfo, const std::string& cgro
   }
   throw std::runtime_error(
       is_mounted && !own.empty()
-          ? fmt::format("raycheck's own control group, {}, is mounted nowhere", own)
+          ? fmt::format("raycheck's own control group, {}, is not mounted", own)
           : "this machine has no control groups of version 2");
 }
 
 bool has_met_memory_limit(const std::string& events) {
-  // Kills are counted whatever their cause; "oom" is counted in the group whose limit was met.
+  // "oom_kill" counts all kills; "oom" is counted only in the group whose limit was met.
   return value_of(events, "oom") > 0 && value_of(events, "oom_kill") > 0;
 }
 

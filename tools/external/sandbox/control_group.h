@@ -9,28 +9,29 @@
 namespace raycheck::tools {
 
 /// The folder of a process's own control group (version 2), from the texts of its
-/// /proc/self/mountinfo and /proc/self/cgroup: cgroups(7), proc(5).
-/// Errors: std::runtime_error that says why there is none.
+/// /proc/self/mountinfo and /proc/self/cgroup: cgroups(7), proc(5). Errors: std::runtime_error with
+/// the reason if there is none.
 std::filesystem::path own_control_group(const std::string& mountinfo, const std::string& cgroup);
 
-/// What the kernel limits in this run's groups. In each it measures time and kills all at once.
+/// The limits that the kernel enforces in this run's groups. In each group it also measures CPU
+/// time and can kill all processes at once.
 struct GroupLimits {
   bool memory = false, processes = false;
 };
 
 /// Prepares raycheck's own group to hold the groups of this run, moves raycheck out of it if the
-/// kernel requires that, and removes what dead runs left there.
-/// Errors: std::runtime_error that says why not; then nothing has changed.
+/// kernel requires that, and removes groups left by dead runs. Errors: std::runtime_error with the
+/// reason; then nothing has changed.
 GroupLimits begin_control_groups();
-/// Undoes begin_control_groups(), as does the end of raycheck.
+/// Undoes begin_control_groups(); also done when raycheck ends.
 void end_control_groups();
 
-/// Whether something was killed because the group met its own memory limit, by the text of its
-/// memory.events; not if the machine, or a parent group, ran out of memory.
+/// Whether a process was killed because the group met its own memory limit, from the text of its
+/// memory.events; false if the machine, or a parent group, ran out of memory.
 bool has_met_memory_limit(const std::string& events);
 
-/// The control group of a program and all that it starts, with their limits together: it ends
-/// with the object, and kills them. Domain: the groups have begun.
+/// The control group of a program and all its descendants, with limits on their total. The
+/// destructor kills them and removes the group. Domain: after begin_control_groups().
 class ControlGroup {
  public:
   /// Errors: std::system_error if it cannot be made with all limits that `layers` names.
@@ -40,16 +41,16 @@ class ControlGroup {
   ControlGroup& operator=(const ControlGroup&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// The CPU time of everything that ever ran in it.
+  /// The CPU time of all processes that ever ran in it.
   double cpu_seconds() const;
-  /// Whether it has met its memory limit, by its memory.events.
+  /// Whether it has met its memory limit.
   bool has_met_memory_limit() const;
   /// Kills all processes in it. False if the kernel cannot (before 5.14).
   bool kill() const;
 
  private:
   std::filesystem::path path_;
-  Descriptor folder_;  ///< Locked, so that no other run takes it for a dead run's.
+  Descriptor folder_;  ///< Locked, so that other runs do not remove the group.
 };
 
 }  // namespace raycheck::tools

@@ -12,7 +12,7 @@
 
 namespace raycheck::tools {
 
-/// An open file, closed with the object; -1: none. Closing leaves errno as it is.
+/// Owns a file descriptor; -1: none. Closing preserves errno.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -37,10 +37,10 @@ class Descriptor {
   int number_;
 };
 
-/// The entries of a folder, which is closed with them; null if it cannot be read.
+/// An open folder, closed by the destructor; null if it cannot be read.
 using FolderEntries = std::unique_ptr<DIR, int (*)(DIR*)>;
 
-/// Both ends of a pipe, closed in other programs. Errors: std::system_error.
+/// Both ends of a pipe, with close-on-exec. Errors: std::system_error.
 struct Pipe {
   Descriptor read, write;
   Pipe() {

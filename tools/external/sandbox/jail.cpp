@@ -1,20 +1,19 @@
 // raycheck-jail LIMIT=VALUE ... -- PROGRAM ARGUMENT ...
 //
-// Becomes PROGRAM, which then may not do what the limits forbid:
-//   cpu=SECONDS memory=BYTES file=BYTES files=COUNT processes=COUNT   its resources
-//   supervise=1            as a child of this process, which ends when nothing of it is left
-//   group=PATH             the child begins in this control group; only with supervise
-//   user=ID                as that user and group, and no other group; only for root
-//   seccomp=1              without sockets, without looking into other processes (jail_rules.h)
-//   judge=PROCESS          its user has other processes, which it could reach by their numbers;
-//                          this one above all it may not
-//   reads=PATH writes=PATH hidden=PATH   by Landlock no other files than these (jail_rules.h); each
-//                          any number of times
-//   error=DESCRIPTOR       PROGRAM's standard error; until a NUL byte on the present one says that
-//                          all is in place, that takes what goes wrong
-// Always: no more privileges than it has, no core file, a group of its own, nothing open but the
-// standard streams and descriptor 3, killed when its parent dies. Exits with 125, after a line
-// about it, when it cannot.
+// Executes PROGRAM in this process, under the given limits:
+//   cpu=SECONDS memory=BYTES file=BYTES files=COUNT processes=COUNT   resource limits
+//   supervise=1            in a child process; this process ends once all descendants have ended
+//   group=PATH             the child starts in this control group; only with supervise
+//   user=ID                as this user and group, without other groups; only for root
+//   seccomp=1              no sockets, no access to other processes (jail_rules.h)
+//   judge=PROCESS          the user has other processes, this one (raycheck) among them: PROGRAM
+//                          may not signal or change them
+//   reads=PATH writes=PATH hidden=PATH   access to no other files, by Landlock (jail_rules.h); each
+//                          may be repeated
+//   error=DESCRIPTOR       PROGRAM's standard error; errors of raycheck-jail go to its own, then
+//                          a NUL byte once all limits are in place
+// Always: no new privileges, no core file, a separate process group, no open descriptors but the
+// standard streams and 3, killed when its parent dies. Exits with 125 and a message on failure.
 
 #include <grp.h>
 #include <linux/close_range.h>
@@ -98,7 +97,7 @@ void read_limit(std::string_view argument, Limits& limits) {
     path->second->emplace_back(value);
   } else {
     const auto number = numbers.find(name);
-    if (number == numbers.end()) give_up(argument, "no such limit");
+    if (number == numbers.end()) give_up(argument, "unknown limit");
     const auto [end, error] =
         std::from_chars(value.data(), value.data() + value.size(), *number->second);
     if (error != std::errc() || end != value.data() + value.size()) {
@@ -117,7 +116,7 @@ void keep(const Limits& limits) {
                                 static_cast<pid_t>(limits.judge));
 }
 
-/// All is in place: what is written from now on is the program's.
+/// Reports that all limits are in place: later output is the program's.
 void say_ready(std::uint64_t error) {
   const auto descriptor = static_cast<int>(error);
   require(write(STDERR_FILENO, "", 1) == 1 && dup2(descriptor, STDERR_FILENO) >= 0, "error");
@@ -131,14 +130,14 @@ constexpr int kSignalled = 128;
   _exit(WIFSIGNALED(status) ? kSignalled + WTERMSIG(status) : WEXITSTATUS(status));
 }
 
-/// Ends all that is left. If that fails it kills itself, so that it shows.
+/// Kills all remaining descendants. If that fails, kills this process, so that raycheck notices.
 void end_all() {
   if (!raycheck::tools::end_children()) kill(getpid(), SIGKILL);
 }
 
-/// Waits for the child, then kills what that left.
+/// Waits for the child, then kills its remaining descendants.
 [[noreturn]] void wait_for(pid_t child, const sigset_t& awaited) {
-  // When the child closes these, its output must end.
+  // Closed here, so that the streams end when the child closes them.
   const int nothing = open("/dev/null", O_RDWR);
   for (int stream = 0; stream < 3; ++stream) dup2(nothing, stream);
   close_range(3, ~0U, 0);
@@ -156,7 +155,7 @@ void end_all() {
   }
 }
 
-/// fork() into a control group: moving there later would wait for all processors.
+/// fork() into a control group: moving a process later would wait for all processors.
 pid_t fork_into(const std::string& group) {
   if (group.empty()) return fork();
   const Descriptor folder(open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -168,10 +167,10 @@ pid_t fork_into(const std::string& group) {
   return static_cast<pid_t>(syscall(SYS_clone3, &how, sizeof how));
 }
 
-/// Continues as a child of this process, which stays to collect what the child leaves behind: it
-/// ends as the child did, once nothing that the child started is left, and kills all of it when its
-/// own parent dies. `group`: the folder of the child's control group; empty: that of this process.
-/// On failure returns false, with errno.
+/// Continues in a child of this process. This process stays as the supervisor: it adopts orphans,
+/// kills them when the child ends, and then ends with the child's status; when its own parent dies,
+/// it kills all. `group`: the folder of the child's control group; empty: that of this process. On
+/// failure returns false, with errno.
 bool supervise(const std::string& group) {
   sigset_t awaited, before;
   sigemptyset(&awaited);
@@ -196,15 +195,16 @@ int main(int argc, char** argv) {
   require(prctl(PR_SET_PDEATHSIG, SIGKILL) == 0, "die with the parent");
   if (getpgrp() != getpid()) require(setpgid(0, 0) == 0, "group");
   require(close_range(kFirstClosed, ~0U, CLOSE_RANGE_UNSHARE) == 0, "close");
-  // Only supervisors outlive what they start, to kill all of it: they need a separate group.
+  // Only the supervisor outlives the child, to kill all descendants: it needs a separate process
+  // group.
   if (limits.supervise != 0) {
     require(supervise(limits.group), "supervise");
     require(setpgid(0, 0) == 0, "supervise");
   }
-  // raycheck ignores this signal, but reports that it ended a program.
+  // raycheck ignores this signal, but must report programs that it killed.
   require(std::signal(SIGXFSZ, SIG_DFL) != SIG_ERR, "file");
   limit(RLIMIT_CORE, 0, "core");
-  // It is killed one second later: the signal before that tells the reason.
+  // The hard limit kills it one second later: SIGXCPU before that shows the reason.
   if (limits.cpu != 0) limit(RLIMIT_CPU, limits.cpu, "cpu", limits.cpu + 1);
   if (limits.memory != 0) limit(RLIMIT_AS, limits.memory, "memory");
   if (limits.file != 0) limit(RLIMIT_FSIZE, limits.file, "file");
@@ -212,13 +212,13 @@ int main(int argc, char** argv) {
   // Before the limit on processes, which does not apply to root.
   if (limits.user != 0) become(limits.user);
   if (limits.processes != 0) limit(RLIMIT_NPROC, limits.processes, "processes");
-  // A change of user resets both.
+  // Changing the user resets both.
   require(prctl(PR_SET_PDEATHSIG, SIGKILL) == 0, "die with the parent");
   require(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0, "no new privileges");
   try {
     keep(limits);
   } catch (const std::exception& error) {
-    give_up("cannot be kept", error.what());
+    give_up("cannot be confined", error.what());
   }
   if (limits.error != 0) say_ready(limits.error);
   execvp(argv[k], argv + k);

@@ -47,12 +47,12 @@ constexpr std::initializer_list<std::uint64_t> kNamespaces = {
     CLONE_NEWIPC,  CLONE_NEWUTS, CLONE_NEWCGROUP};
 
 /// For fcntl() and ioctl(): signals from a stream to any process, and input injected into a
-/// terminal. Headers define the first two for other sources only.
+/// terminal. The headers define the first two only with other feature macros.
 constexpr std::uint64_t kSetSignal = 10, kSetOwnerOfKind = 15, kSetOwnerOfStream = 0x8901,
                         kSetGroupOfSocket = 0x8902;
 
-/// For ioctl(): older forms of fallocate(), which reserve disk space beyond a file's limit. Headers
-/// define them for XFS programs only.
+/// For ioctl(): older forms of fallocate(), which reserve disk space beyond a file's limit. They
+/// are defined only in headers for XFS programs.
 struct Room {
   std::array<char, 48> bytes;
 };
@@ -63,7 +63,7 @@ constexpr std::array<std::uint64_t, 3> kReserve = {_IOW('X', 40, Room), _IOW('X'
 constexpr std::array kOfAProcess = {"prlimit64",      "sched_setaffinity", "sched_setscheduler",
                                     "sched_setparam", "sched_setattr",     "migrate_pages",
                                     "move_pages"};
-/// Calls whose second argument is an id, and whose first is its kind; this value means a user.
+/// Calls whose first argument is the kind of the id in the second; `user` is the kind for users.
 struct OfAKind {
   const char* name;
   std::uint64_t user;
@@ -79,7 +79,8 @@ class Filter {
   Filter(const Filter&) = delete;
   Filter& operator=(const Filter&) = delete;
 
-  /// Without conditions: always. Calls that this machine lacks are skipped.
+  /// Forbids a call if all conditions hold; without conditions always. Calls that this architecture
+  /// lacks are skipped.
   void forbid(const char* name, std::initializer_list<scmp_arg_cmp> where = {},
               int answer = EPERM) const {
     const int call = seccomp_syscall_resolve_name(name);
@@ -102,7 +103,7 @@ class Filter {
   scmp_filter_ctx context_;
 };
 
-/// The kernel uses only the lower half of a 32-bit argument.
+/// Of a 32-bit argument the kernel uses only the lower half of the register.
 constexpr std::uint64_t kLowerHalf = 0xffffffff;
 
 scmp_arg_cmp is(unsigned argument, std::uint64_t value) {
@@ -112,8 +113,8 @@ scmp_arg_cmp is_not(unsigned argument, std::uint64_t value) {
   return {argument, SCMP_CMP_NE, value, 0};
 }
 
-/// Allows kill() and rt_sigqueueinfo() to itself and its group only. A separate filter: the
-/// library's rules compare an argument only once.
+/// Allows kill() and rt_sigqueueinfo() only to itself and its group. A separate filter, because
+/// libseccomp compares an argument only once per rule.
 void keep_signals_in() {
   const auto own = static_cast<std::uint32_t>(getpid());
   constexpr std::uint32_t kTarget = offsetof(seccomp_data, args);  // its lower half
@@ -140,9 +141,10 @@ void forbid_calls(Reach reach, pid_t judge) {
   for (const std::uint64_t flag : kNamespaces) {
     filter.forbid("clone", {{0, SCMP_CMP_MASKED_EQ, flag, flag}});
   }
-  // Its flags are in memory, where no filter sees them; libraries then use clone().
+  // Its flags are in memory, which filters cannot read; libraries fall back to clone().
   filter.forbid("clone3", {}, ENOSYS);
-  // Java's files need a pair of stream sockets, which lead nowhere else; datagrams could.
+  // Java's file functions need a pair of stream sockets, which reach nothing else; datagram sockets
+  // could.
   filter.forbid("socketpair", {is_not(1, SOCK_STREAM)});
   for (const std::uint64_t command : {std::uint64_t{F_SETOWN}, kSetSignal, kSetOwnerOfKind}) {
     filter.forbid("fcntl", {is(1, command)});
@@ -151,7 +153,7 @@ void forbid_calls(Reach reach, pid_t judge) {
        {kSetOwnerOfStream, kSetGroupOfSocket, std::uint64_t{TIOCSTI}, std::uint64_t{TIOCLINUX}}) {
     filter.forbid("ioctl", {is(1, request)});
   }
-  // Its open files are counted by a process that may inspect it.
+  // raycheck inspects it to count its open files.
   filter.forbid("prctl", {is(0, PR_SET_DUMPABLE)});
   // The file size limit does not apply to these, and they reserve disk space at once.
   for (const std::uint64_t mode :
@@ -184,7 +186,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As in kernels newer than these headers: fields that are zero need not be known.
+/// landlock_ruleset_attr of newer kernels than these headers: older kernels accept fields that are
+/// zero.
 struct Attributes {
   std::uint64_t files = 0, network = 0, scopes = 0;
 };
@@ -200,7 +203,7 @@ constexpr std::uint64_t kAbstractSocketsAndSignals = 3;
 
 constexpr std::uint64_t kReads =
     LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
-/// The rights that files have; the others are for folders only.
+/// The rights that apply to files; the others are for folders only.
 constexpr std::uint64_t kOfFiles = LANDLOCK_ACCESS_FS_EXECUTE | LANDLOCK_ACCESS_FS_WRITE_FILE |
                                    LANDLOCK_ACCESS_FS_READ_FILE | kTruncate | kDevices;
 
@@ -237,7 +240,7 @@ class Ruleset {
     }
   }
 
-  /// For a folder with hidden parts, allows everything else in it one by one.
+  /// Allows reading a path. In a folder with hidden parts, allows all other entries one by one.
   void allow_reads(const fs::path& path, const std::vector<fs::path>& hidden) const {
     if (std::ranges::find(hidden, path) != hidden.end()) return;
     const std::string below = path.string() + "/";

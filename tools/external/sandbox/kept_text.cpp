@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Bytes kept of the beginning, and of the end.
+/// The bytes kept of the beginning, and again of the end.
 constexpr std::size_t kKept = 16384;
 constexpr std::size_t kLines = 12;
 constexpr std::size_t kLongestLine = 400;
@@ -63,7 +63,7 @@ std::string KeptText::excerpt() const {
   std::size_t count = first.size();
   if (dropped_ != 0) {
     last = lines_of(end_);
-    // The line is cut where text is missing.
+    // The lines around the gap are incomplete.
     first.pop_back();
     last.erase(last.begin());
     count = lines_ + (end_.ends_with('\n') ? 0 : 1);

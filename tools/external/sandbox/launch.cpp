@@ -64,12 +64,12 @@ namespace {
 
 /// Holds the program's standard error until all layers are in place; raycheck-jail leaves it open.
 constexpr int kKeptDescriptor = 3;
-/// Layers are in place after this many seconds, however busy the machine is, and say no more of why
-/// they are not.
+/// The longest time to set up all layers, even on a busy machine, and the longest error text read
+/// from them.
 constexpr int kStartSeconds = 60;
 constexpr std::size_t kMostSaid = 4096;
 
-/// By default Java would reserve more address space than one process may.
+/// By default Java reserves more address space than the limit of a process.
 constexpr const char* kJava =
     "JAVA_TOOL_OPTIONS=-Xmx512m -XX:+UseSerialGC -XX:ReservedCodeCacheSize=64m";
 
@@ -100,9 +100,9 @@ std::uint64_t tasks_of_user() {
   return tasks;
 }
 
-/// The process limit for the kernel. It counts all of the user's processes, per namespace if it
-/// can; if it cannot, also those of candidates that run at the same time. How many the user had
-/// before any candidate is determined once: else each would raise the limit of the next.
+/// The process limit for the kernel, which counts all processes of the user, per namespace if it
+/// can; else those of candidates that run in parallel count, too. The user's processes before the
+/// first candidate are counted once: otherwise each candidate would raise the limit of the next.
 std::uint64_t most_processes(const Confined& confined, std::uint64_t user) {
   const bool counts_its_own = user != 0 || (confined.layers.bubblewrap && counts_by_namespace());
   if (counts_its_own) return confined.limits.processes;
@@ -110,7 +110,7 @@ std::uint64_t most_processes(const Confined& confined, std::uint64_t user) {
   return others + confined.limits.processes * (1 + std::thread::hardware_concurrency());
 }
 
-/// Arguments that make bubblewrap bind files, and hide some.
+/// Adds bubblewrap's arguments for the files that the program may read, and for hidden ones.
 void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
           std::vector<std::string>& arguments) {
   const auto add = [&](std::initializer_list<std::string> more) {
@@ -118,8 +118,8 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   };
   std::vector<fs::path> shown = system_paths();
   for (const fs::path& path : shown) add({"--ro-bind-try", path, path});
-  // Folders come before what they contain. bubblewrap would list the folders around those that it
-  // binds, which run folders must not show: if their parent is visible, an empty one replaces it.
+  // Folders come before their contents. The folder that contains all run folders must not list
+  // them: if it is visible, an empty one replaces it.
   std::vector<fs::path> readable = confined.readable;
   std::ranges::sort(readable);
   const fs::path of_run = folder.parent_path();
@@ -130,7 +130,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
     add({"--tmpfs", of_run});
     is_emptied = true;
   }
-  // After that, because they may be copies inside it.
+  // After that, because these may be copies inside it.
   for (const fs::path& path : own_paths()) {
     add({"--ro-bind", path, path});
     shown.push_back(path);
@@ -139,13 +139,13 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   add({"--ro-bind", jail, jail});
   shown.insert(shown.end(), confined.readable.begin(), confined.readable.end());
   for (const fs::path& hidden : hidden_paths()) {
-    // Already closed to that user, and to bubblewrap, which runs as it.
+    // The user, and bubblewrap, which runs as that user, cannot enter it anyway.
     if (user != 0 && !others_may_enter(hidden.parent_path())) continue;
     for (const fs::path& one : shown) {
       std::error_code error;
       const fs::path real = fs::canonical(one, error);
       if (error || !(hidden.string() + "/").starts_with(real.string() + "/")) continue;
-      // A link outside, such as /bin, is a separate folder inside.
+      // A link outside, such as /bin, is bound as a separate folder inside.
       const fs::path path = (one / hidden.lexically_relative(real)).lexically_normal();
       fs::is_directory(hidden) ? add({"--tmpfs", path, "--remount-ro", path})
                                : add({"--ro-bind", "/dev/null", path});
@@ -155,7 +155,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
   if (is_emptied) add({"--remount-ro", of_run});
 }
 
-/// The same with Landlock.
+/// Adds raycheck-jail's arguments for the same with Landlock.
 void rule(const Confined& confined, const fs::path& folder, std::vector<std::string>& arguments) {
   const auto add = [&](const char* what, const fs::path& path) {
     arguments.push_back(what + path.string());
@@ -188,7 +188,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
   if (!group.empty()) add({"group=" + group.string()});
   if (user != 0) add({fmt::format("user={}", user)});
   if (layers.bubblewrap) {
-    // Each of the two places for files outside its folder gets half of its disk limit.
+    // /dev/shm and /tmp get half of its disk limit each.
     const std::string half = std::to_string(std::max<std::uint64_t>(1, limits.disk / 2));
     add({"--", "bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--proc", "/proc",
          "--dev", "/dev", "--remount-ro", "/dev", "--size", half, "--tmpfs", "/dev/shm", "--size",
@@ -196,7 +196,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
     bind(confined, folder, user, arguments);
     add({"--", jail});
   }
-  // In the user namespace that bubblewrap made: outside, the user's other processes count too.
+  // Applied inside bubblewrap's user namespace: outside, the user's other processes count, too.
   add({fmt::format("processes={}", most_processes(confined, user)),
        fmt::format("error={}", kKeptDescriptor)});
   if (layers.seccomp) add({"seccomp=1"});
@@ -208,7 +208,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
 }
 
 /// Waits until all layers are in place. On an error no process is left.
-/// Errors: ProcessFailure with what the layers said; scene::Interrupted.
+/// Errors: ProcessFailure with the layers' messages; scene::Interrupted.
 void await_start(pid_t pid, int said) try {
   std::string text;
   std::array<char, 4096> buffer{};
@@ -224,7 +224,7 @@ void await_start(pid_t pid, int said) try {
     if (!is_in_time) text += fmt::format("not within {} s", kStartSeconds);
     if (count <= 0) break;
     text.append(buffer.data(), static_cast<std::size_t>(count));
-    // From then on the output is a confined program's.
+    // After the NUL byte the output is that of the confined program.
     if (text.find('\0') != std::string::npos) return;
     if (text.size() > kMostSaid) break;
   }
@@ -248,7 +248,7 @@ pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t use
                                           "LANG=C.UTF-8",
                                           kJava,
                                           "PYTHONPATH=" + adapters().string()};
-  Pipe said;  // by the layers, before they are in place
+  Pipe said;  // messages of the layers, until all are in place
   std::vector<char*> argv, envp;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   for (std::string& entry : environment) envp.push_back(entry.data());
@@ -261,8 +261,8 @@ pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t use
   posix_spawn_file_actions_adddup2(&actions, streams.error, kKeptDescriptor);
   posix_spawn_file_actions_adddup2(&actions, said.write.number(), STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  // A new session and group from the start, so that it cannot join raycheck's, and no signal
-  // ignored or blocked as in raycheck.
+  // A new session and process group from the start, so that it cannot join raycheck's, and default
+  // signal handling.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none, all;

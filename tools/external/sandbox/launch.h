@@ -20,53 +20,53 @@
 
 namespace raycheck::tools {
 
-/// The layers of a candidate's isolation, beyond what it always has: its own session, folder and
-/// environment, closed descriptors and limits on its resources.
+/// The layers of a candidate's isolation, besides those that always apply: a separate session,
+/// folder and environment, closed descriptors and resource limits.
 struct Layers {
-  bool own_user = false;    ///< It runs as a user that owns nothing; raycheck is root.
+  bool own_user = false;    ///< It runs as an unused user id; needs root.
   bool seccomp = false;     ///< No sockets, no access to other processes.
-  bool landlock = false;    ///< Only the files that it needs; if bubblewrap is missing.
-  bool bubblewrap = false;  ///< Its own namespaces; only the files that it needs.
-  /// A control group of its own, in which all processes are counted, killed and, where the kernel
-  /// can do so, limited together.
+  bool landlock = false;    ///< Access only to needed files; without bubblewrap.
+  bool bubblewrap = false;  ///< Separate namespaces, with only the needed files.
+  /// A separate control group, in which all its processes are counted, killed and, if the kernel
+  /// can, limited together.
   bool control_group = false, group_memory = false, group_processes = false;
   /// "own user, seccomp, bubblewrap, control group (memory, processes)", or "limits only"
   std::string text() const;
 };
 
-/// A layer that a machine should have but that does not work.
+/// A required layer that does not work on this machine.
 struct MissingLayer {
   std::string name;
-  std::string why;  ///< The error message of what failed.
+  std::string why;  ///< The error message.
 };
 
-/// The layers that work here, found once by trying, and those that do not.
+/// The layers that work on this machine, found once by trying, and those that do not.
 struct LayersHere {
   Layers layers;
   std::vector<MissingLayer> missing;
-  /// Why there is no control group (most machines let nobody make one); empty: there is one, or
-  /// none was asked for.
+  /// Why there is no control group (most machines do not allow them); empty if there is one, or
+  /// without a sandbox.
   std::string no_control_group = {};
 };
 const LayersHere& layers_here();
 
 /// Which layers to use.
 enum class Sandbox {
-  kRequire,    ///< All that should be there: a user of its own if root, seccomp, bubblewrap.
-  kAvailable,  ///< Those that work here.
+  kRequire,    ///< All required ones: a separate user if root, seccomp, bubblewrap.
+  kAvailable,  ///< Those that work on this machine.
   kNone        ///< Only limits.
 };
-/// Errors: std::invalid_argument if `kRequire` needs a layer that does not work here, naming it,
-/// why, and what does; and if the folder for temporary files is unusable.
+/// Errors: std::invalid_argument if `kRequire` needs a layer that does not work, with the reason
+/// and the working layers; and if the folder for temporary files is unusable.
 LayersHere chosen_layers(Sandbox sandbox);
 
-/// A candidate's total CPU time, in whole nanoseconds: what was spent since some time does not
-/// depend on how much was before. A stored answer counts the time it took then, so that what is
-/// asked does not depend on what is stored. Shared by all its processes and threads.
+/// A candidate's total CPU time, in whole nanoseconds, so that differences do not depend on earlier
+/// sums. A stored answer counts with its original time, so that time limits do not depend on what
+/// is stored. Shared by all its processes and threads.
 class SpentTime {
  public:
   using Time = std::chrono::nanoseconds;
-  /// `seconds`: of what is not a time (it was stored), at most kMostSeconds are added.
+  /// `seconds`: clamped to 0 ... kMostSeconds, as stored values may be invalid.
   void add(double seconds) {
     const std::chrono::duration<double> added(std::clamp(seconds, 0.0, kMostSeconds));
     spent_.fetch_add(std::chrono::round<Time>(added).count());
@@ -81,8 +81,8 @@ class SpentTime {
   std::atomic<Time::rep> spent_{0};
 };
 
-/// Whether an error comes from the state of the machine (no room, too many open files) and not from
-/// what was asked for, so that it may not occur another time.
+/// Whether an error is temporary, from the state of the machine (no space, too many open files) and
+/// not from the request.
 inline bool is_of_the_machine(const std::error_code& error) {
   for (const std::errc of_it :
        {std::errc::no_space_on_device, std::errc::not_enough_memory, std::errc::io_error,
@@ -94,15 +94,15 @@ inline bool is_of_the_machine(const std::error_code& error) {
   return error == std::error_code(EDQUOT, std::generic_category());
 }
 
-/// Outside causes for which a candidate failed; if there is one, its answers do not count. Shared
+/// Records why a candidate failed if the cause is outside it; then its answers do not count. Shared
 /// by all its processes.
 class Surroundings {
  public:
-  /// `alone`: no other candidate runs beside it, so that whatever happens to it is its own fault,
-  /// as long as the machine has space.
+  /// `alone`: no other candidate runs in parallel, so that its failures are its own fault as long
+  /// as the machine has memory and disk space.
   explicit Surroundings(bool alone) : alone_(alone) {}
   bool alone() const { return alone_; }
-  /// The first cause is kept.
+  /// Records a cause; the first one is kept.
   void blame(const std::string& cause) {
     const std::lock_guard lock(mutex_);
     if (cause_.empty()) cause_ = cause;
@@ -119,13 +119,13 @@ class Surroundings {
   std::string cause_;
 };
 
-/// Why an implementation cannot be judged at all.
+/// Why a candidate cannot be judged at all.
 struct Refusal {
   std::string why;   ///< One line.
-  std::string said;  ///< What a compiler said about it, or empty.
+  std::string said;  ///< Output of a compiler or the program; may be empty.
 };
 
-/// The names of limits for those who set them, named when one is met; empty: not named.
+/// The names of limits in the user's input, for messages; empty: not mentioned.
 struct LimitNames {
   std::string seconds = {}, file = {}, memory = {}, processes = {}, disk = {};
 };
@@ -133,13 +133,13 @@ struct LimitNames {
 /// The name of a limit in parentheses, to follow its mention: " (file_mib)".
 std::string called(const std::string& limit);
 
-/// What one process, or a process and all that it starts, may use.
+/// Limits on a process, or on a process and all its descendants.
 struct Limits {
-  /// Of CPU time, from a request to the end of its reply, together; watch.h says what of
-  /// waiting counts.
+  /// CPU time of all of them, from a request to the end of its reply; watch.h defines how waiting
+  /// counts.
   double seconds = 10;
   std::uint64_t cpu_seconds = 600;
-  /// In bytes: of address space for each, of physical memory for all together.
+  /// In bytes: address space of each process, and physical memory of all together.
   std::uint64_t memory = std::uint64_t{4} << 30;
   std::uint64_t disk = std::uint64_t{1} << 30;   ///< In total, in bytes.
   std::uint64_t file = std::uint64_t{64} << 20;  ///< The largest file, in bytes.
@@ -148,38 +148,38 @@ struct Limits {
   LimitNames names = {};
 };
 
-/// A program to run, what it may read besides the system, and how it is isolated.
+/// A program to run, with the files that it may read besides the system's, and its isolation.
 struct Confined {
   std::vector<std::string> arguments;
   std::vector<std::filesystem::path> readable;
   Layers layers;
   Limits limits;
-  /// The files in its folder at the start.
+  /// Files in its folder at the start.
   std::vector<StartingFolder::File> files = {};
-  /// Further contents of it; null: none.
+  /// Further contents of its folder; may be null.
   std::shared_ptr<const StartingFolder> start = {};
-  /// Is told about failures with a cause outside the candidate; null: nobody is.
+  /// Records failures with a cause outside the candidate; may be null.
   std::shared_ptr<Surroundings> surroundings = {};
-  /// Where its time is added up, with that of its copies.
+  /// Its CPU time, shared with all copies of this struct.
   std::shared_ptr<SpentTime> spent = std::make_shared<SpentTime>();
 };
 
 /// How a candidate's process failed.
 enum class FailureKind {
-  kSystem,    ///< The system refused something: it could not be started, or not be reached.
+  kSystem,    ///< A system call failed: it could not be started, or not be reached.
   kEnded,     ///< It ended before it had finished its task.
-  kTimeUp,    ///< No reply, or no end, in time: asking again would cost as much.
-  kSaidMore,  ///< More output than asked for, or allowed.
-  kBadReply,  ///< What it sent is not a reply, or not a picture.
-  kNotAsked,  ///< It was silent too often to be asked again.
-  kCannotSay  ///< None: its form of input cannot express the question.
+  kTimeUp,    ///< It timed out.
+  kSaidMore,  ///< More output than requested, or allowed.
+  kBadReply,  ///< A malformed reply, or not a picture.
+  kNotAsked,  ///< It timed out too often and was dropped.
+  kCannotSay  ///< Not a failure: its input format cannot express the scene.
 };
 
-/// What a program said, as a clause after why it failed; empty if it said nothing.
+/// A program's output as a clause for error messages; empty without output.
 std::string said_text(const std::string& said);
 
-/// What went wrong with a candidate's process; in words "exited with 3", "was killed by signal 11
-/// (Segmentation fault)", "gave no reply within 10 s".
+/// A failure of a candidate's process: "exited with 3", "was killed by signal 11 (Segmentation
+/// fault)", "gave no reply within 10 s".
 class ProcessFailure : public std::runtime_error {
  public:
   /// `why`: one line. `said`: an excerpt of the output, or empty; what() has both.
@@ -194,52 +194,50 @@ class ProcessFailure : public std::runtime_error {
   std::string why_, said_;
 };
 
-/// Where programs named without a folder are searched.
+/// The folders in which programs are searched.
 inline constexpr std::array kProgramFolders = {"/usr/local/bin", "/usr/bin", "/bin"};
-/// The same as a PATH.
+/// The same as a value of PATH.
 std::string program_path();
 
-/// raycheck-jail or raycheck-worker.
+/// The path of raycheck-jail or raycheck-worker.
 std::filesystem::path helper(const std::string& name);
 
 /// The folder of this program and its helpers (raycheck-jail, raycheck-worker).
 std::filesystem::path program_folder();
-/// The prefix of an installed program, whose libexec/raycheck holds the programs.
+/// The prefix of the installation; its libexec/raycheck contains the programs.
 std::filesystem::path prefix();
 
-/// The folder of the adapters for other languages: beside an installed program, or in the sources
-/// it was built from.
+/// The folder of the adapters for other languages: of the installation, or else of the sources.
 std::filesystem::path adapters();
 
-/// A user id for each process that belongs to no account: made of this process's id and a counter
-/// where such large ids exist, else of 16 bits.
+/// A user id without an account, for a process: made of this process's id and a counter, of 31 bits
+/// if such ids work, else of 16.
 std::uint64_t next_user();
-/// Large ids do not work here.
+/// To be called if large ids do not work.
 void use_small_users();
 
-/// The descriptors that a program reads and writes.
+/// The standard streams of a program.
 struct Streams {
   int input, output, error;
 };
 
 /// Starts a program in its layers with these streams, in this folder, with a nearly empty
-/// environment; returns once all layers are in place, so that what it does from then on is its own
-/// fault. `user`: 0 if it has no separate user; `group`: its control group, or empty.
-/// Errors: ProcessFailure (kSystem) if it could not be started in all layers; it is never started
-///         in fewer.
+/// environment. Returns once all layers are in place: later failures are the program's. `user`: 0
+/// without a separate user; `group`: its control group, or empty.
+/// Errors: ProcessFailure (kSystem) if a layer fails; the program never starts with fewer layers.
 pid_t launch(const Confined& confined, const std::filesystem::path& folder, std::uint64_t user,
              const std::filesystem::path& group, const Streams& streams);
 
-/// The parts of the system that programs need; of /etc only files of the loader, Java and OpenSSL
-/// (Node.js does not start where the last exists but is closed). Some may not exist.
+/// System folders that programs need; of /etc only files of the loader, Java and OpenSSL (Node.js
+/// does not start if the last exists but is unreadable). Some may not exist.
 std::vector<std::filesystem::path> system_paths();
 
-/// What raycheck's helpers need besides the system: the adapters, and a package's libraries, if it
-/// has some that they may read.
+/// Folders that raycheck's helpers need besides the system's: the adapters, and the libraries of an
+/// installed package, if readable.
 std::vector<std::filesystem::path> own_paths();
 
-/// What in all these gives away right answers or questions: raycheck itself, wherever programs are
-/// looked for, and the rubrics that come with it.
+/// Files in these folders that would reveal answers or questions: raycheck's programs, in all
+/// program folders, and its rubrics.
 std::vector<std::filesystem::path> hidden_paths();
 
 }  // namespace raycheck::tools

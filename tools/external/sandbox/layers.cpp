@@ -38,7 +38,8 @@ std::string why_not(const Layers& layers) {
   }
 }
 
-/// The variable that sets the folder of temporary files, and its value; TMPDIR if none does.
+/// The environment variable that sets the folder for temporary files, and its value; TMPDIR by
+/// default.
 std::pair<std::string, std::string> temporary_folder() {
   for (const char* name : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
     if (const char* const path = std::getenv(name)) return {name, path};
@@ -46,7 +47,7 @@ std::pair<std::string, std::string> temporary_folder() {
   return {"TMPDIR", fs::temp_directory_path()};
 }
 
-/// Whether build tools and shells take it literally wherever it stands in a name.
+/// Whether build tools and shells take the character literally anywhere in a name.
 bool is_plain(char c) {
   const auto byte = static_cast<unsigned char>(c);
   constexpr unsigned char kAscii = 0x80;
@@ -54,7 +55,7 @@ bool is_plain(char c) {
          std::string_view("/._-+,@=%").find(c) != std::string_view::npos;
 }
 
-/// Candidates are built and run there, by commands of their own.
+/// Candidates are built and run there, by their own commands.
 void check_temporary_folder() {
   const auto [name, path] = temporary_folder();
   auto fail = [&n = name, shown = path](const std::string& why) mutable {
@@ -63,10 +64,10 @@ void check_temporary_folder() {
     throw std::invalid_argument(fmt::format(
         "{} {}: {}; name another folder for temporary files, such as /tmp", n, shown, why));
   };
-  if (!path.starts_with('/')) fail("candidates run elsewhere, so that it has to begin with /");
+  if (!path.starts_with('/')) fail("it must begin with /, as candidates run in other folders");
   const auto odd = std::ranges::find_if_not(path, is_plain);
   if (odd != path.end()) {
-    fail(fmt::format("its name has {}, which build tools may take for its end",
+    fail(fmt::format("its name contains {}, at which build tools may cut it off",
                      std::isprint(static_cast<unsigned char>(*odd)) != 0 ? fmt::format("'{}'", *odd)
                                                                          : "a control character"));
   }
@@ -74,27 +75,28 @@ void check_temporary_folder() {
   if (!fs::is_directory(path, error)) fail("there is no such folder");
   if (access(path.c_str(), R_OK | W_OK | X_OK) != 0) fail(std::strerror(errno));
   if (geteuid() == 0 && !others_may_enter(fs::canonical(path))) {
-    fail("other users may not enter it, and candidates run as users of their own");
+    fail("candidates run as other users, who may not enter it");
   }
 }
 
-/// Candidates are started by programs installed beside raycheck.
+/// Checks for the helper programs beside raycheck.
 void check_helpers() {
   for (const char* name : {"raycheck-jail", "raycheck-worker"}) {
     const fs::path path = program_folder() / name;
     if (access(path.c_str(), X_OK) == 0) continue;
     throw std::invalid_argument(
-        fmt::format("{}: {}; raycheck starts candidates by raycheck-jail and raycheck-worker, "
-                    "which have to lie beside it",
+        fmt::format("{}: {}; raycheck starts candidates with raycheck-jail and raycheck-worker, "
+                    "which must be in the same folder as raycheck",
                     path.string(), std::strerror(errno)));
   }
 }
 
-/// After all others: layers that keep a program from files keep it from its group's.
+/// Tried last: the layers that restrict files keep a program from the files of its group.
 void try_control_group(LayersHere& here) {
   Layers layers = here.layers;
   if (!layers.own_user && !layers.bubblewrap && !layers.landlock) {
-    here.no_control_group = "without a user of its own, bubblewrap or Landlock it could be left";
+    here.no_control_group =
+        "without a separate user, bubblewrap or Landlock a program could leave it";
     return;
   }
   try {
@@ -130,7 +132,7 @@ LayersHere found_by_trying() {
   return here;
 }
 
-/// raycheck's programs in a folder, except those that run other people's code.
+/// Adds raycheck's programs in a folder, except the helpers, in which candidates run.
 void add_programs(const fs::path& folder, std::vector<fs::path>& programs) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
@@ -179,8 +181,8 @@ LayersHere chosen_layers(Sandbox sandbox) {
   throw scene::InvalidInput(
       "sandbox", "require",
       fmt::format(
-          "not available here: {}. Make it work (bubblewrap is the Debian "
-          "package of that name), or take sandbox available, which goes on with what does: {}",
+          "not available here: {}. Install it (bubblewrap is the Debian "
+          "package of that name), or choose sandbox available, which uses only what works: {}",
           missing, here.layers.text()));
 }
 
@@ -204,7 +206,7 @@ std::vector<fs::path> system_paths() {
 std::vector<fs::path> own_paths() {
   std::vector<fs::path> paths = {adapters()};
   const fs::path libraries = prefix() / "lib";
-  // If others may not read them they are useless: the programs that need them run as another user.
+  // Needed only by programs of other users, so useless if those may not read them.
   if (fs::exists(libraries) && (geteuid() != 0 || others_may_read(libraries))) {
     paths.push_back(libraries);
   }

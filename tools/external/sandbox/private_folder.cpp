@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kPrefix = "raycheck-run-";
-/// The file by which a run locks its folder. Others' folders may have the same prefix, but not this
-/// file.
+/// The lock file of a run's folder. Folders of other programs may have the same prefix, but not
+/// this file.
 constexpr const char* kHeldBy = "held-by-raycheck";
 
 constexpr mode_t kFolderMode = 0755, kFileMode = 0644, kProgramMode = 0755;
@@ -86,7 +86,7 @@ fs::path readable_copy(const fs::path& path) {
     fs::copy(path, to, fs::copy_options::recursive);
     open_to_others(to);
   } catch (...) {
-    copies.erase(copy);  // a part of it is no copy
+    copies.erase(copy);  // the copy is incomplete
     throw;
   }
   return to;
@@ -94,7 +94,7 @@ fs::path readable_copy(const fs::path& path) {
 
 namespace {
 
-/// A new folder with this prefix.
+/// Makes a new folder whose name begins with this.
 fs::path new_folder(const fs::path& begin) {
   std::string name = begin.string() + "XXXXXX";
   if (mkdtemp(name.data()) == nullptr) {
@@ -103,15 +103,15 @@ fs::path new_folder(const fs::path& begin) {
   return name;
 }
 
-/// Locks a run's folder by this file in it, until that is closed or this process ends; not open if
-/// another holds it, or it is not a run's. `create`: O_CREAT to make it one.
+/// Locks the lock file `by` of a run's folder, until it is closed or this process ends; not open if
+/// another process holds it, or if it does not exist. `create`: O_CREAT to create it.
 Descriptor hold(const fs::path& by, int create = 0) {
   Descriptor opened(open(by.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | create, 0600));
   if (flock(opened.number(), LOCK_EX | LOCK_NB) != 0) opened.close();
   return opened;
 }
 
-/// Locks a new folder. The lock file becomes visible to others once it is locked.
+/// Locks a new folder. The lock file gets its name only once it is locked.
 Descriptor hold_new(const fs::path& folder) {
   const fs::path unseen = folder / "new";
   Descriptor held = hold(unseen, O_CREAT);
@@ -119,7 +119,7 @@ Descriptor hold_new(const fs::path& folder) {
   return held;
 }
 
-/// Removes what killed runs left behind: this user's run folders that nobody holds.
+/// Removes folders of killed runs: this user's run folders that are not locked.
 void remove_left_overs(const fs::path& where) {
   std::error_code error;
   for (fs::directory_iterator at(where, error), end; !error && at != end; at.increment(error)) {
@@ -131,11 +131,11 @@ void remove_left_overs(const fs::path& where) {
   }
 }
 
-/// The folder that contains all those of this process, and is removed with it.
+/// The folder that contains all private folders of this process; removed when it ends.
 class RunFolder {
  public:
   RunFolder() : path_(new_folder(fs::temp_directory_path() / kPrefix)), held_(hold_new(path_)) {
-    // Others may enter subfolders they know, but list nothing.
+    // Others may enter subfolders whose names they have, but may not list them.
     fs::permissions(path_, fs::perms::others_exec, fs::perm_options::add);
     remove_left_overs(path_.parent_path());
   }

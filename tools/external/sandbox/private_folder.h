@@ -8,7 +8,7 @@
 
 namespace raycheck::tools {
 
-/// An empty folder, removed with the object.
+/// A new empty folder, removed by the destructor.
 class PrivateFolder {
  public:
   PrivateFolder();
@@ -21,38 +21,38 @@ class PrivateFolder {
   std::filesystem::path path_;
 };
 
-/// A text without the names of such folders, which differ from run to run.
+/// Removes the names of such folders, which differ from run to run, from a text.
 std::string without_private_folders(const std::string& text);
 
-/// Whether a candidate's own user may enter a folder, and every folder on the way to it.
+/// Whether a candidate's user may enter a folder and all its parents.
 bool others_may_enter(std::filesystem::path folder);
 
-/// Whether a candidate's own user may read a path.
+/// Whether a candidate's user may read a path.
 bool others_may_read(const std::filesystem::path& path);
 
-/// Lets every user read a file, or a folder and all in it.
+/// Lets every user read a file, or a folder and its contents.
 void open_to_others(const std::filesystem::path& path);
 
-/// One of raycheck's own files, or a copy of it where other users may not read it. Candidates'
-/// files are copied by tools/external/locate.cpp.
+/// One of raycheck's files, or a copy of it if other users may not read it. (Candidates' files are
+/// copied in tools/external/locate.cpp.)
 std::filesystem::path readable_copy(const std::filesystem::path& path);
 
-/// What lies in a program's folder whenever it starts. It is made anew for every start, so that
-/// changes do not last. All paths are relative to that folder.
+/// The initial contents of a program's folder. Made anew for every start, so that changes do not
+/// last. All paths are relative to that folder.
 struct StartingFolder {
   struct File {
     std::string name;
     std::string text;
     bool runs = false;  ///< It is executable.
   };
-  std::vector<std::string> folders;  ///< Each after those that contain it.
-  std::vector<File> files;           ///< Which it may change.
-  std::vector<std::string> links;    ///< To files of these paths in `linked`, which it may read.
+  std::vector<std::string> folders;  ///< Parents before their subfolders.
+  std::vector<File> files;           ///< The program may change them.
+  std::vector<std::string> links;    ///< To the files with these paths in `linked`.
   std::shared_ptr<const PrivateFolder> linked;
 };
 
-/// Makes it in an empty folder, owned by `user` unless that is 0.
-/// Errors: std::system_error naming the part.
+/// Fills an empty folder, with files owned by `user` unless that is 0. Errors: std::system_error
+/// naming the file or folder.
 void lay_out(const StartingFolder& start, const std::filesystem::path& folder, std::uint64_t user);
 
 }  // namespace raycheck::tools

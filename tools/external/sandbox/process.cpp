@@ -26,14 +26,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Successive reads of a stream, together more than a pipe holds: endless output must not keep
+/// The most successive reads of a stream, enough to empty a pipe: endless output must not keep
 /// raycheck from checking the time.
 constexpr int kMostTurns = 64;
 
-/// Between two checks whether a process has ended.
+/// Microseconds between two checks whether a process has ended.
 constexpr useconds_t kPause = 500;
 
-/// Whether a stream that cannot be read or written now may be later, or is closed.
+/// Whether an error of read() or write() is not fatal: try later, or the stream is closed.
 bool is_passing(int error) { return error == EAGAIN || error == EINTR || error == EPIPE; }
 
 /// bubblewrap and shells turn a signal into an exit code above this one.
@@ -52,7 +52,7 @@ double seconds_of(const timeval& time) {
 }
 
 std::string words_left() {
-  return fmt::format("what it started could not be ended within {} s and may be left",
+  return fmt::format("its child processes could not be killed within {} s and may still run",
                      kMostEnding.count());
 }
 
@@ -63,17 +63,18 @@ std::string file_limit_text(const Limits& limits) {
 
 std::string reason_ended(int status, const Limits& limits) {
   const int signal = signal_of(status);
-  // raycheck-jail itself, which otherwise ends by exit codes only.
+  // raycheck-jail itself was killed: otherwise it always exits with a code.
   if (WIFSIGNALED(status)) {
     return fmt::format(
-        "lost its supervisor, which was killed by signal {} ({}): what it started may be left",
+        "lost its supervisor, which was killed by signal {} ({}): its child processes may still "
+        "run",
         signal, strsignal(signal));
   }
   if (signal == 0) return fmt::format("exited with {}", WEXITSTATUS(status));
   const std::string killed = fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
   if (signal == SIGXFSZ) return killed + ": " + file_limit_text(limits);
   if (signal == SIGXCPU) {
-    return fmt::format("{}: it may compute for at most {} s", killed, limits.cpu_seconds);
+    return fmt::format("{}: it may use at most {} s of CPU time", killed, limits.cpu_seconds);
   }
   return killed;
 }
@@ -85,7 +86,7 @@ std::string last_line_text(const KeptText& said) {
   std::string text, last;
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) last = line;
-    // After the reason Java prints where it was thrown, Node what the error has, and itself.
+    // After the reason Java prints a stack trace, and Node the error's properties and its version.
     const bool is_reason = !line.empty() &&
                            std::string_view(" \t}").find(line[0]) == std::string_view::npos &&
                            !line.starts_with("Node.js v");
@@ -105,7 +106,7 @@ std::string limit_text(const KeptText& said, const Limits& limits) {
                    called(limits.names.processes)),
        {"can't start new thread", "unable to create native thread",
         "Resource temporarily unavailable"}},
-      {fmt::format("raycheck lets it use, and each process reserve, at most {} MiB of memory{}",
+      {fmt::format("it may use, and each of its processes reserve, at most {} MiB of memory{}",
                    limits.memory >> 20, called(limits.names.memory)),
        {"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory", "out of memory",
         "Out of memory", "could not allocate memory"}},
@@ -128,7 +129,7 @@ std::string said_text(const std::string& said) {
 std::string Process::excerpt() const { return (said().empty() ? printed() : said()).excerpt(); }
 
 Process::Process(const Confined& confined) try : confined_(confined) {
-  // A candidate that runs as the same user could otherwise read raycheck's memory.
+  // Otherwise a candidate of the same user could read raycheck's memory.
   prctl(PR_SET_DUMPABLE, 0);
   signal(SIGPIPE, SIG_IGN);
   if (confined.layers.own_user) {
@@ -163,13 +164,12 @@ Process::~Process() {
   if (!kill_all()) blame(FailureKind::kSystem, words_left());
 }
 
-/// Whether other candidates may run beside it.
+/// Whether other candidates may run in parallel.
 bool Process::has_neighbours() const {
   return confined_.surroundings && !confined_.surroundings->alone();
 }
 
-/// Whether it has ended by itself; if so none of its processes is left: raycheck-jail ensures that,
-/// or is killed.
+/// Whether it has ended by itself: all its processes have, unless raycheck-jail was killed.
 bool Process::has_ended(int& status) {
   rusage used{};
   if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;
@@ -179,7 +179,7 @@ bool Process::has_ended(int& status) {
   return true;
 }
 
-/// Whether all of it could be killed.
+/// Kills all its processes; false if that failed.
 bool Process::kill_all() {
   input_.close();
   bool is_done = true;
@@ -197,10 +197,10 @@ void Process::blame(FailureKind kind, const std::string& words) const {
   if (kind == FailureKind::kSystem && confined_.surroundings) confined_.surroundings->blame(words);
 }
 
-/// Adds up the time it took.
+/// Charges the time since the last restart.
 void Process::charge() { confined_.spent->add(watch_->taken()); }
 
-/// Stops it if it uses too much, or its time is up.
+/// Stops it if it exceeds a limit.
 void Process::look(const char* doing) {
   if (const auto stop = watch_->look(doing)) fail(stop->kind, stop->words);
 }
@@ -216,15 +216,15 @@ void Process::fail(FailureKind kind, const std::string& words) {
 
 /// Throws the failure of a process that ended abnormally.
 void Process::fail_with(int status) {
-  // Its own fault, however little memory the machine has left.
+  // Its fault, even if the machine is short of memory.
   if (group_ && group_->has_met_memory_limit()) {
     fail(FailureKind::kEnded, memory_words(confined_.limits));
   }
   const std::string words = reason_ended(status, confined_.limits);
   const std::string lack = lack_of_room(folder_.path());
   if (!lack.empty()) fail(FailureKind::kSystem, words + ": " + lack);
-  // raycheck kills only what has failed: others may kill it, or the system when memory is short. A
-  // program that kills itself does so again when it runs alone.
+  // raycheck did not kill it: another candidate may have, or the system when memory is short. A
+  // program that kills itself does so again when no other candidate runs.
   const bool is_killed = signal_of(status) == SIGKILL;
   fail(is_killed && has_neighbours() ? FailureKind::kSystem : FailureKind::kEnded, words);
 }
@@ -239,8 +239,8 @@ void Process::fail_ended() {
   fail_with(status);
 }
 
-/// What a stream has now, as far as it fits, until the next call; empty: nothing, or its end, which
-/// closes it.
+/// Reads available output of a stream into a buffer, valid until the next call. Empty: nothing is
+/// available, or the stream has ended and is closed.
 std::string_view Process::heard_on(Descriptor& stream) {
   if (!stream.is_open()) return {};
   const ssize_t count = read(stream.number(), buffer_.data(), buffer_.size());
@@ -251,7 +251,7 @@ std::string_view Process::heard_on(Descriptor& stream) {
   return {buffer_.data(), static_cast<std::size_t>(count)};
 }
 
-/// Reads what a stream has.
+/// Reads all available output of a stream.
 void Process::listen(Descriptor& stream, KeptText& to) {
   for (int turn = 0; turn < kMostTurns; ++turn) {
     const std::string_view heard = heard_on(stream);
@@ -283,7 +283,7 @@ std::string Process::exchange(std::string_view request,
     if (streams[2].revents != 0) {
       const ssize_t count = write(input_.number(), request.data(), request.size());
       if (count > 0) request.remove_prefix(static_cast<std::size_t>(count));
-      if (count < 0 && errno == EPIPE) request = {};  // it no longer reads
+      if (count < 0 && errno == EPIPE) request = {};  // it has closed its input
       if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
     }
     if (streams[0].revents == 0) continue;
@@ -293,7 +293,7 @@ std::string Process::exchange(std::string_view request,
       const std::string_view line = std::string_view(answer_).substr(line_begin, end - line_begin);
       line_begin = searched = end + 1;
       if (!is_last(line)) continue;
-      if (line_begin != answer_.size()) fail(FailureKind::kSaidMore, "said more than it was asked");
+      if (line_begin != answer_.size()) fail(FailureKind::kSaidMore, "wrote more after its reply");
       charge();
       return std::exchange(answer_, {});
     }
@@ -314,7 +314,7 @@ int Process::finish() {
     listen(output_, printed_);
     if (ended) {
       if (signal_of(status) != 0) fail_with(status);
-      // However it ended: some of its output may be missing.
+      // Whatever the exit code: some of its output may be missing.
       if (const std::string lack = lack_of_room(folder_.path()); !lack.empty()) {
         fail(FailureKind::kSystem, "ended when " + lack);
       }

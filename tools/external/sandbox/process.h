@@ -18,35 +18,34 @@
 
 namespace raycheck::tools {
 
-/// The beginning and the end of what a program says, however much that is.
+/// Keeps the beginning and the end of a program's output, of any length.
 class KeptText {
  public:
   void append(std::string_view more);
   bool empty() const { return begin_.empty(); }
-  /// The beginning and the end, with a line between them that says how much is missing.
+  /// The beginning and the end, with a line between them that counts the missing bytes.
   std::string text() const;
-  /// Its first and last few lines, and how much is left out between them; without what a
-  /// terminal would obey.
+  /// Its first and last few lines, and how many are left out; without terminal control codes.
   std::string excerpt() const;
 
  private:
   std::string begin_, end_;
-  std::size_t lines_ = 0;    ///< Line ends in all of the output.
+  std::size_t lines_ = 0;    ///< Line ends in the whole output.
   std::size_t dropped_ = 0;  ///< Bytes.
 };
 
 /// The beginning of a text, at most this many bytes, not cut within a multi-byte character.
 std::string_view cut_to(std::string_view text, std::size_t most);
 
-/// The last line of a program's output, as a clause; empty if there is none.
+/// The last line of a program's output that gives a reason, as a clause; empty without output.
 std::string last_line_text(const KeptText& said);
 
-/// Which limit a program that failed says that it met, as a clause; empty if it names no limit.
+/// The limit that a failed program met, recognised from its output, as a clause; else empty.
 std::string limit_text(const KeptText& said, const Limits& limits);
 
-/// A process that is talked to through pipes, in a folder of its own. When it ends, so does
-/// everything that it started.
-/// Errors: ProcessFailure, also where it cannot be started; afterwards it is dead.
+/// A sandboxed process in a private folder, with pipes to its standard streams. When it ends, its
+/// descendants are killed. Errors: ProcessFailure, also if it cannot be started; afterwards it is
+/// dead.
 class Process {
  public:
   explicit Process(const Confined& confined);
@@ -55,21 +54,21 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   /// Sends a request and returns the answer, up to and including the first line for which `is_last`
-  /// holds. Answers longer than `most_bytes` are failures.
+  /// is true. Answers longer than `most_bytes` are failures.
   std::string exchange(std::string_view request,
                        const std::function<bool(std::string_view line)>& is_last,
                        std::size_t most_bytes);
-  /// What had arrived of an answer that failed.
+  /// The incomplete answer of a failed exchange.
   const std::string& unfinished() const { return answer_; }
-  /// Limits what is exchanged from now on to this many seconds of CPU time.
+  /// Sets the limit of CPU time, in seconds, for each further exchange.
   void allow(double seconds) { confined_.limits.seconds = seconds; }
   /// Closes its input and waits until it ends; returns its exit code.
   int finish();
-  /// What it wrote on standard error and, after finish(), on standard output: the beginning and the
-  /// end of each.
+  /// Its standard error and, after finish(), its standard output: the beginning and the end of
+  /// each.
   const KeptText& said() const { return said_; }
   const KeptText& printed() const { return printed_; }
-  /// First and last lines of what it said, or else of what it printed.
+  /// The first and last lines of its standard error or, if that is empty, of its standard output.
   std::string excerpt() const;
   const std::filesystem::path& folder() const { return folder_.path(); }
 

@@ -19,10 +19,10 @@
 namespace raycheck::tools {
 namespace {
 
-/// Between two checks whether processes have ended, in microseconds.
+/// Microseconds between two checks whether processes have ended.
 constexpr useconds_t kPauseOfEnding = 500;
 
-/// What one read of a file in /proc returns: all of the short ones read here.
+/// The result of a single read of a file in /proc: all of it, as the files read here are short.
 std::string start_of(const std::string& path) {
   std::array<char, 4096> text{};
   const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
@@ -43,7 +43,7 @@ void for_each_number(const std::string& folder, const What& what) {
   }
 }
 
-/// The fields of proc(5)'s /proc/PID/stat from the third on: the name before may contain anything.
+/// The fields of /proc/PID/stat (proc(5)) from the third on: the name before may contain anything.
 std::vector<std::string> stat_fields(const std::string& line) {
   const std::size_t name_end = line.rfind(')');
   if (name_end == std::string::npos) return {};
@@ -84,18 +84,18 @@ void add_children(pid_t pid, std::vector<pid_t>& to) {
   });
 }
 
-/// Kills the descendants of a process that one walk finds; returns them. Reads nothing else about
-/// them: a process that forks and exits would be gone by then, and its child not yet found.
+/// Kills the descendants of a process found in one walk; returns them. Does not read their state:
+/// meanwhile a process could fork and exit, and its child would be missed.
 std::vector<pid_t> kill_below(pid_t root) {
   std::vector<pid_t> killed;
   add_children(root, killed);
   for (std::size_t k = 0; k < killed.size(); ++k) {
-    // From then on it starts no others, so the children found next are all.
+    // Once killed it starts no more processes, so the children found next are all.
     kill(killed[k], SIGKILL);
     add_children(killed[k], killed);
   }
   if (!killed.empty()) return killed;
-  // There are none, or the kernel does not list them.
+  // It has no children, or the kernel does not list them.
   for (const ProcessState& one : process_tree(root)) {
     if (one.pid == root) continue;
     kill(one.pid, SIGKILL);
@@ -153,7 +153,7 @@ bool want_to_run(const std::vector<ProcessState>& processes) {
       sleeps = sleeps || (!fields.empty() && fields[0] == "D");
     });
   }
-  // A parent is in the same state until its child from vfork() has called exec().
+  // State D is also that of a parent whose child from vfork() has not called exec() yet.
   return runs || (sleeps && disks_keep_waiting());
 }
 
@@ -184,7 +184,7 @@ bool end_children() {
       ended = waitpid(-1, nullptr, WNOHANG);
     } while (ended > 0);
     if (ended < 0 && errno == ECHILD) return true;
-    // Without a pause if there are new ones, which start others until they are found.
+    // No pause if there are new ones, which may start others.
     if (killed == before) usleep(kPauseOfEnding);
     before = std::move(killed);
   }
@@ -192,13 +192,13 @@ bool end_children() {
 }
 
 bool end_supervised(pid_t supervisor) {
-  // The supervisor need not compete with them then.
+  // So that the supervisor need not compete with them.
   kill_below(supervisor);
   kill(supervisor, SIGTERM);
   const auto deadline = std::chrono::steady_clock::now() + 2 * kMostEnding;
   int status = 0;
   for (;;) {
-    // A process that may signal it may have stopped it.
+    // Another process may have stopped it by a signal.
     kill(supervisor, SIGCONT);
     const pid_t ended = waitpid(supervisor, &status, WNOHANG);
     if (ended == supervisor) return !WIFSIGNALED(status);

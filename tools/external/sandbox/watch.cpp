@@ -18,14 +18,14 @@ using std::chrono::duration_cast;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kInterval{100}, kLeastInterval{5};
-/// Checks within a time limit.
+/// The number of checks within a time limit.
 constexpr double kLooks = 10;
 /// Checking files takes at most 1/kShare of the time, but waits at most kMostInterval.
 constexpr int kShare = 10;
 constexpr std::chrono::steady_clock::duration kMostInterval = std::chrono::seconds(1);
-/// Processes of its isolation, not its own: bubblewrap's and raycheck-jail.
+/// Processes of the isolation: bubblewrap's and raycheck-jail.
 constexpr std::uint64_t kOfLayers = 4;
-/// A program that computes less than this share of a time has only waited.
+/// A program that uses less CPU time than this share of a period counts as idle.
 constexpr double kNextToNothing = 0.01;
 
 std::uint64_t available_memory() {
@@ -70,8 +70,8 @@ Watch::Watch(pid_t root, fs::path folder, const Limits& limits, const ControlGro
   restart();
 }
 
-/// Updates their CPU time so far; returns them. A process counted twice, as itself and as reaped,
-/// or not at all, is so at one check only.
+/// Updates the CPU time; returns the processes. In a single check a process may be counted twice
+/// (alive and reaped) or not at all.
 std::vector<ProcessState> Watch::count() {
   double computed = 0;
   std::vector<ProcessState> tree = process_tree(root_, &computed);
@@ -122,7 +122,7 @@ std::optional<Stop> Watch::excess(const std::vector<ProcessState>& tree) {
   }
   const NamelessFiles nameless = nameless_files(tree);
   if (memory + nameless.in_memory > limits_.memory) {
-    // Mapped shared memory was counted with each process.
+    // Shared memory was counted in each process.
     const MemoryUse use = memory_together(tree);
     memory = use.own + std::max(use.shared, nameless.in_memory);
   }
@@ -138,8 +138,8 @@ std::optional<Stop> Watch::excess(const std::vector<ProcessState>& tree) {
     return stopped(fmt::format("its files take more than {} MiB{}", limits_.disk >> 20,
                                called(limits_.names.disk)));
   }
-  if (files_.is_too_deep) return stopped("it nests folders too deep");
-  if (files_.is_closed) return stopped("it closes a folder, so that none can look into it");
+  if (files_.is_too_deep) return stopped("its folders are nested too deep");
+  if (files_.is_closed) return stopped("it made a folder unreadable");
   if (files_.are_too_many) return stopped(fmt::format("it has more than {} files", kMostFiles));
   return {};
 }
@@ -162,13 +162,13 @@ std::optional<Stop> Watch::time_up(const char* doing, const std::vector<ProcessS
   waited_ = wants_to_run ? waited_ + duration<double>(now - looked_).count() / kBackstop : waited();
   looked_ = now;
   if (duration<double>(now - ran_).count() >= idle) {
-    return Stop{kind,
-                fmt::format("{}, and computed next to nothing for {} s{}", doing, idle, name)};
+    return Stop{kind, fmt::format("{}, and used almost no CPU time for {} s{}", doing, idle, name)};
   }
   const double most = std::max(kBackstop * limit, kLeastBackstop);
   if (waited_ >= most) {
-    return Stop{kind, fmt::format("{} within {} s of waiting, and computed for less than {} s{}",
-                                  doing, most, limit, name)};
+    return Stop{
+        kind, fmt::format("{} within {} s of waiting, and used less than {} s of CPU time{}", doing,
+                          most, limit, name)};
   }
   return {};
 }

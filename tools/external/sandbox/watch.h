@@ -13,13 +13,13 @@
 
 namespace raycheck::tools {
 
-/// What is left to the machine and the judge: candidates are stopped when there is less.
+/// Reserved for the machine and raycheck: candidates are stopped when less is left.
 inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{384} << 20;
 inline constexpr std::uint64_t kDiskReserve = std::uint64_t{256} << 20;
 
-/// A program that waits more than it computes may take this many times its limit in wall time; one
-/// that only waits, its limit once; each at least the seconds below. Time in which it could run but
-/// the machine runs others counts this many times less.
+/// A program that mostly waits may take kBackstop times its limit in wall time; an idle one, its
+/// limit once; both at least kLeastBackstop seconds. Wall time in which it is runnable counts only
+/// 1/kBackstop.
 inline constexpr double kBackstop = 10, kLeastBackstop = 1;
 
 class ControlGroup;
@@ -28,7 +28,8 @@ class ControlGroup;
 /// of memory (memory_mib)".
 std::string memory_words(const Limits& limits);
 
-/// "the machine has less than 256 MiB of disk left"; empty if it has enough.
+/// The message if memory or disk run short: "the machine has less than 256 MiB of disk left"; else
+/// empty.
 std::string lack_of_room(const std::filesystem::path& folder);
 
 /// Why something was stopped.
@@ -37,25 +38,24 @@ struct Stop {
   std::string words;
 };
 
-/// Checks from time to time what a process and everything it started use together. Their time is
-/// CPU time; those that only wait are stopped as well, but much later.
+/// Checks periodically the resources that a process and its descendants use together. Time limits
+/// are in CPU time; processes that only wait are stopped as well, but later.
 class Watch {
  public:
-  /// `group`: their control group, which measures them exactly; or null. `has_neighbours`: other
-  /// candidates run beside it, so that merely waiting may not be its own fault.
+  /// `group`: their control group, which measures CPU time exactly; may be null. `has_neighbours`:
+  /// other candidates run in parallel, so that waiting may not be its fault.
   Watch(pid_t root, std::filesystem::path folder, const Limits& limits, const ControlGroup* group,
         bool has_neighbours);
   /// Starts a new time limit.
   void restart();
-  /// Cheap if the next check is not due. `doing`: "gave no reply".
+  /// Checks if a check is due; cheap otherwise. `doing`: begins the message, "gave no reply".
   std::optional<Stop> look(const char* doing);
-  /// Notes that it has said something: until then it may have waited to be read.
+  /// To be called when output was read: until then it may have been blocked by a full pipe.
   void hear() { ran_ = Clock::now(); }
-  /// Notes that it has ended, and the CPU time of it and of all children that it waited for.
+  /// To be called when it has ended, with the CPU time of it and of its reaped children.
   void end(double cpu_seconds);
-  /// Of its time, in seconds: what it computed since the last restart, as far as is known, and at
-  /// least a tenth (kBackstop) of what it waited. A program stopped for its time has taken its
-  /// limit.
+  /// The time charged since the last restart, in seconds: its CPU time at the last check, and at
+  /// least 1/kBackstop of its waiting time; the full limit if it was stopped for its time.
   double taken() const;
   /// The longest wait until the next check.
   std::chrono::milliseconds until_next() const;
@@ -66,7 +66,7 @@ class Watch {
   std::vector<ProcessState> count();
   std::optional<Stop> time_up(const char* doing, const std::vector<ProcessState>& tree);
   std::optional<Stop> excess(const std::vector<ProcessState>& tree);
-  /// How long it has waited since the last restart, in seconds.
+  /// Its waiting time since the last restart, in seconds.
   double waited() const;
 
   pid_t root_;
@@ -76,12 +76,12 @@ class Watch {
   bool has_neighbours_;
   Clock::duration interval_;
   Clock::time_point looked_, ran_, next_, next_at_files_;
-  double computed_ = 0;   ///< In seconds, as far as known; including its layers.
-  double before_ = 0;     ///< The same at the last restart.
-  double until_ran_ = 0;  ///< And when it ran last.
+  double computed_ = 0;   ///< CPU seconds at the last check; including its layers.
+  double before_ = 0;     ///< CPU seconds at the last restart.
+  double until_ran_ = 0;  ///< CPU seconds when it last ran.
   double waited_ = 0;     ///< In seconds, from the last restart to the last check.
   bool is_up_ = false;
-  DiskUse files_;  ///< When they were last checked.
+  DiskUse files_;  ///< At their last check.
 };
 
 }  // namespace raycheck::tools

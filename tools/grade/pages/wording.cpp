@@ -74,7 +74,7 @@ std::string reason_text(const ItemReason& reason) {
     case Kind::kInterrupted:
       return "interrupted";
     case Kind::kOtherColours:
-      return "its colours do not tell which sphere is seen";
+      return "its colours do not identify the spheres";
     case Kind::kUnanswered:
       return fmt::format("{}: {}", reason.law,
                          reason.said.empty() ? "answers are missing" : reason.said);

@@ -120,7 +120,7 @@ struct ItemReason {
     kFollows,           ///< From the mistake of another item.
     kTimeUp,            ///< For all of the submission's questions.
     kInterrupted,       ///< The run was.
-    kOtherColours,      ///< A picture's colours do not tell which sphere is seen.
+    kOtherColours,      ///< A picture's colours do not identify the spheres.
     kUnanswered,        ///< Less is answered than a law requires.
     kNothingToCompare,  ///< There were no cases.
     kNeverRight,        ///< All answers about some quantity are excused, none right.

@@ -1,5 +1,4 @@
-// Forms of driver files: what is written, read back by a reader that takes nothing else, and their
-// names.
+// Forms of driver files: read back by a strict reader; and their names.
 
 #include "tools/external/pictures/driver_form.h"
 
@@ -12,7 +11,7 @@ namespace {
 
 using scene::Dialect;
 
-/// A driver file, line by line: its keywords in order, and the words behind each.
+/// A driver file, line by line: its keywords in order, and the words after each.
 struct Read {
   std::vector<std::string> keywords;
   std::map<std::string, std::vector<std::vector<std::string>>> lines;
@@ -116,7 +115,7 @@ void expect_read_back(const DriverForm& form) {
   for (const std::string& keyword : file.keywords) EXPECT_TRUE(known.contains(keyword)) << keyword;
 }
 
-TEST(DriverForm, is_read_back_whatever_it_is) {
+TEST(DriverForm, is_read_back) {
   std::size_t count = 0;
   for (const DriverPreset& preset : driver_presets()) {
     for (const DriverNumbers numbers : {DriverNumbers::kShortest, DriverNumbers::kFixed}) {
@@ -131,7 +130,7 @@ TEST(DriverForm, is_read_back_whatever_it_is) {
   EXPECT_GT(count, 500u);
 }
 
-TEST(DriverForm, has_its_lines_in_the_order_asked_for) {
+TEST(DriverForm, has_its_lines_in_the_requested_order) {
   DriverForm form = form_of(Dialect::kB);
   form.extra_lines = {"recursionlevel 0", "model none"};
   form.order = {"sphere", "light", "ambient", "extra", "res", "bounds", "d", "up", "look", "eye"};
@@ -141,7 +140,7 @@ TEST(DriverForm, has_its_lines_in_the_order_asked_for) {
                                       "res", "bounds", "d", "up", "look", "eye"}));
 }
 
-TEST(DriverForm, of_fixed_numbers_has_no_exponent) {
+TEST(DriverForm, with_fixed_numbers_has_no_exponent) {
   DriverForm form = form_of(Dialect::kA);
   const std::regex exponent("[0-9]e[-+0-9]");
   EXPECT_TRUE(std::regex_search(driver_text(odd_scene(), form, kColours), exponent));
@@ -170,7 +169,7 @@ void expect_named(const DriverForm& form) {
   EXPECT_TRUE(driver_form(form.name()) == form) << form.text() << " is called " << form.name();
 }
 
-TEST(KnownForms, are_all_different_and_begin_with_what_is_asked_for) {
+TEST(KnownForms, are_all_different_and_begin_with_the_given_form) {
   for (const DriverPreset& preset : driver_presets()) {
     const std::vector<DriverForm> forms = known_forms(preset.form);
     EXPECT_TRUE(forms.front() == preset.form);
@@ -186,7 +185,7 @@ TEST(KnownForms, are_all_different_and_begin_with_what_is_asked_for) {
   }
 }
 
-TEST(DriverFormName, says_all_of_a_form) {
+TEST(DriverFormName, describes_a_form_completely) {
   const std::vector<std::vector<std::string>> odd_lines = {
       {}, {"100% \"x\" y"}, {"", ""}, {"model a.obj", "recursionlevel 0"}};
   for (const auto& lines : odd_lines) {
@@ -218,7 +217,7 @@ TEST(DriverFormName, is_short) {
             std::vector<std::string>{"recursionLevel 1"});
 }
 
-TEST(DriverFormName, is_refused_with_what_is_wrong) {
+TEST(DriverFormName, is_refused_with_a_reason) {
   for (const auto& [name, why] : {std::pair("D", "the dialects are A, B, C, 2017"),
                                   {"", "the dialects are"},
                                   {"B:15", "15 numbers"},

@@ -1,5 +1,5 @@
-// Control groups of programs: that none is left by what it holds, or left behind, what they limit,
-// and what is said where none may be made.
+// Control groups of programs: processes cannot leave them, they are removed, they enforce limits,
+// and the reason is given if none can be made.
 
 #include "tools/external/sandbox/control_group.h"
 
@@ -31,7 +31,7 @@ class Delegated {
  public:
   Delegated() {
     if (geteuid() != 0) {
-      why_not_ = "only root makes a group for others";
+      why_not_ = "only root can make a delegated group";
       return;
     }
     try {
@@ -55,7 +55,7 @@ class Delegated {
   Delegated(const Delegated&) = delete;
   Delegated& operator=(const Delegated&) = delete;
 
-  /// Why there is none on this machine; empty where there is.
+  /// Why there is none on this machine; empty if there is one.
   const std::string& why_not() const { return why_not_; }
   const fs::path& path() const { return path_; }
   void give_to(uid_t user) const {
@@ -63,9 +63,9 @@ class Delegated {
       EXPECT_EQ(chown((path_ / file).c_str(), user, user), 0) << file;
     }
   }
-  /// Those that groups in it have.
+  /// The controllers of its subgroups.
   std::string controllers() const { return contents(path_ / "cgroup.subtree_control"); }
-  /// A run that was killed leaves them on, and then nothing may enter.
+  /// A killed run leaves controllers enabled, and then no process may enter.
   void switch_off_controllers() const {
     for (const char* one : {"-memory", "-pids", "-cpu"}) {
       std::ofstream(path_ / "cgroup.subtree_control") << one;
@@ -75,7 +75,7 @@ class Delegated {
     return contents(path_ / "cgroup.controllers").find(controller) != std::string::npos;
   }
 
-  /// What `raycheck check` in it says of a candidate, run by these words, after these lines.
+  /// The report of `raycheck check` in it, run by these words, after these lines of shell.
   json judged(const std::string& words, const std::string& candidate, const std::string& more = "",
               const std::string& before = "") const {
     const Outcome outcome =
@@ -96,7 +96,7 @@ std::string group_isolation(const json& candidate) {
   return candidate.value("isolated_by", std::string("nothing"));
 }
 
-/// Who runs raycheck; those that this machine cannot are passed over.
+/// The machines to test; those that cannot be simulated here are skipped.
 class HostileControlGroupOn : public testing::TestWithParam<Machine> {
  protected:
   void SetUp() override {
@@ -111,8 +111,8 @@ class HostileControlGroupOn : public testing::TestWithParam<Machine> {
 INSTANTIATE_TEST_SUITE_P(Machines, HostileControlGroupOn, testing::ValuesIn(kMachines),
                          kNameOfMachine);
 
-TEST_P(HostileControlGroupOn, CannotBeLeftOrChangedByWhatItHolds) {
-  // By the path that it is told, by that of its own group, and by all that it finds.
+TEST_P(HostileControlGroupOn, CannotBeLeftOrChangedByItsProcesses) {
+  // By the given path, by that of its own group, and by all that it finds.
   const std::string lines = R"(
 own = open('/proc/self/cgroup').read().split('0::')[1].strip()
 told = sys.argv[1]
@@ -153,9 +153,10 @@ sys.exit('gained ' + ' '.join(gained) if gained else 'tried %d' % len(folders)))
   EXPECT_TRUE(delegated.controllers().empty()) << delegated.controllers();
 }
 
-TEST_P(HostileControlGroupOn, MayHaveSoManyProcessesInAll) {
-  if (!delegated.offers("pids")) GTEST_SKIP() << "the kernel counts no processes in such groups";
-  // The kernel counts those of a user too, which here has others.
+TEST_P(HostileControlGroupOn, LimitsTheTotalOfProcesses) {
+  if (!delegated.offers("pids"))
+    GTEST_SKIP() << "the kernel does not count processes in such groups";
+  // The kernel also counts the user's processes, which here has others.
   const std::string others = std::string("for k in $(seq 40); do ") + kAsNobody +
                              "sleep 100 & others=\"$others $!\"; done\n" +
                              "(sleep 30; kill $others) & sleep 0.5\n";
@@ -168,19 +169,20 @@ try:
         count += 1
 except OSError:
     pass
-sys.exit('so many: %d.' % count))"),
+sys.exit('count: %d.' % count))"),
                                           "", others);
   expect_parts(group_isolation(candidate), {"processes)"});
   const std::string words = candidate["worst"].dump();
-  const std::size_t at = words.find("so many: ");
+  const std::size_t at = words.find("count: ");
   ASSERT_NE(at, std::string::npos) << words;
-  const int count = std::atoi(words.c_str() + at + std::string("so many: ").size());
+  const int count = std::atoi(words.c_str() + at + std::string("count: ").size());
   EXPECT_LE(count, 64);
   EXPECT_GE(count, 60);
 }
 
-TEST_P(HostileControlGroupOn, MayHaveSoMuchMemoryInAll) {
-  if (!delegated.offers("memory")) GTEST_SKIP() << "the kernel counts no memory in such groups";
+TEST_P(HostileControlGroupOn, LimitsTheTotalMemory) {
+  if (!delegated.offers("memory"))
+    GTEST_SKIP() << "the kernel does not count memory in such groups";
   const json candidate = delegated.judged(GetParam().words(), python_renderer(R"(
 for k in range(5):
     if os.fork() == 0:
@@ -192,13 +194,13 @@ time.sleep(60))"),
   expect_parts(candidate["worst"].dump(), {"was stopped: it uses more than 4096 MiB of memory"});
 }
 
-TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
+TEST(HostileControlGroup, IsNotMadeBesideOtherProcessesAndTheReasonIsGiven) {
   const Delegated delegated;
   if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
   const std::string submission = temporary_file("notes.txt", "nothing that runs\n");
   const std::string out = temporary_folder("out") + "/out";
   const std::string group = delegated.path().string();
-  /// What raycheck in the group, after these words, says of its isolation.
+  /// The isolation that raycheck reports in the group, after these lines of shell.
   const auto said = [&](const std::string& before) {
     const Outcome outcome =
         run_bash("echo $$ > '" + group + "/cgroup.procs'\n" + before +
@@ -219,7 +221,7 @@ TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
   expect_parts(beside, {"; no control group: " + group + " holds other processes besides"});
 }
 
-TEST(HostileControlGroup, HoldsWhatLeavesItsParentAndIsRemovedByTheNextRun) {
+TEST(HostileControlGroup, HoldsOrphansAndIsRemovedByTheNextRun) {
   const Delegated delegated;
   if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
   const std::string mark = std::to_string(920000000 + getpid());
@@ -241,7 +243,7 @@ TEST(HostileControlGroup, HoldsWhatLeavesItsParentAndIsRemovedByTheNextRun) {
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   EXPECT_TRUE(eventually([&] { return processes_with(mark).empty(); }));
-  // Its own, and those of programs.
+  // Its own group, and those of programs.
   EXPECT_GE(groups_in(delegated.path()).size(), 2u);
   delegated.switch_off_controllers();
   const json next = delegated.judged("", python_renderer("pass"));
@@ -249,10 +251,10 @@ TEST(HostileControlGroup, HoldsWhatLeavesItsParentAndIsRemovedByTheNextRun) {
   EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
 }
 
-TEST(HostileControlGroup, OfARunThatCannotBeSeenIsLeftAloneWhileItIsHeld) {
+TEST(HostileControlGroup, OfAnInvisibleRunIsKeptWhileItIsLocked) {
   const Delegated delegated;
   if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
-  // As of a run in another namespace of processes: no process here has this number.
+  // Like a run in another PID namespace: no process here has this id.
   const fs::path group = delegated.path() / "raycheck-99999999-0";
   fs::create_directory(group);
   const int held = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -264,8 +266,8 @@ TEST(HostileControlGroup, OfARunThatCannotBeSeenIsLeftAloneWhileItIsHeld) {
   EXPECT_FALSE(fs::exists(group));
 }
 
-/// A machine's /proc/self/mountinfo and /proc/self/cgroup, and where raycheck's own group is then,
-/// or why there is none.
+/// A machine's /proc/self/mountinfo and /proc/self/cgroup, and the path of raycheck's group, or why
+/// there is none.
 struct MountedGroups {
   const char* name;
   const char *mountinfo, *cgroup;
@@ -287,7 +289,7 @@ constexpr MountedGroups kMountedGroups[] = {
      "35 31 0:32 / /sys/fs/cgroup/memory rw - cgroup cgroup rw,memory\n"
      "41 31 0:38 / /sys/fs/cgroup/unified rw,relatime - cgroup2 cgroup2 rw\n",
      "4:memory:/some/group\n1:name=systemd:/\n0::/\n", "/sys/fs/cgroup/unified", "no error"},
-    // The folder is there; that it cannot be written is known when it is tried.
+    // The folder exists; whether it can be written is found by trying.
     {"container_that_may_read",
      "609 608 0:26 / /sys/fs/cgroup ro,nosuid,nodev,noexec,relatime - cgroup2 cgroup rw\n",
      "0::/\n", "/sys/fs/cgroup", "no error"},
@@ -299,9 +301,9 @@ constexpr MountedGroups kMountedGroups[] = {
      "51 30 0:26 /docker/3f1 /a\\040b\\134c rw - cgroup2 cgroup rw\n",
      "0::/docker/3f1\n", "/a b\\c", "no error"},
     {"mounted_for_others", "50 30 0:26 /docker/3f /elsewhere rw - cgroup2 cgroup rw\n",
-     "0::/docker/3f1\n", "", "raycheck's own control group, /docker/3f1, is mounted nowhere"},
+     "0::/docker/3f1\n", "", "raycheck's own control group, /docker/3f1, is not mounted"},
     {"outside_of_its_namespace", "50 30 0:26 / /sys/fs/cgroup rw - cgroup2 cgroup rw\n",
-     "0::/../other\n", "", "raycheck's own control group, /../other, is mounted nowhere"},
+     "0::/../other\n", "", "raycheck's own control group, /../other, is not mounted"},
     {"version_1_alone", "35 31 0:32 / /sys/fs/cgroup/memory rw - cgroup cgroup rw,memory\n",
      "4:memory:/some/group\n", "", kNoGroups},
     {"not_mounted", "24 30 0:22 / /proc rw,nosuid - proc proc rw\n", "0::/\n", "", kNoGroups},
@@ -317,11 +319,11 @@ TEST(HostileControlGroup, IsFoundWhereItIsMounted) {
   }
 }
 
-TEST(HostileControlGroup, IsToBlameForItsOwnMemoryAlone) {
+TEST(HostileControlGroup, IsBlamedOnlyForItsOwnMemoryLimit) {
   EXPECT_TRUE(
       tools::has_met_memory_limit("low 0\nhigh 0\nmax 812\noom 1\noom_kill 4\noom_group_kill 1\n"));
   EXPECT_FALSE(tools::has_met_memory_limit("low 0\nhigh 0\nmax 812\noom 0\noom_kill 0\n"));
-  // By a machine that has no memory left, or for a group above.
+  // Killed because the machine, or a parent group, ran out of memory.
   EXPECT_FALSE(tools::has_met_memory_limit("low 0\nhigh 0\nmax 0\noom 0\noom_kill 2\n"));
   EXPECT_FALSE(tools::has_met_memory_limit(""));
 }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders in folders, with names so long that a path to the innermost is too long for the system.
+/// Nested folders with names so long that the path of the innermost exceeds the system's limit.
 void nest(const fs::path& folder, int depth) {
   const std::string name(200, 'd');
   int here = open(folder.c_str(), O_DIRECTORY | O_RDONLY);
@@ -25,7 +25,7 @@ void nest(const fs::path& folder, int depth) {
   close(here);
 }
 
-TEST(HostileFiles, are_removed_however_deep_and_closed_they_lie) {
+TEST(HostileFiles, are_removed_at_any_depth_and_with_any_permissions) {
   const PrivateFolder folder;
   const fs::path tree = folder.path() / "tree";
   fs::create_directories(tree / "closed" / "below");
@@ -39,7 +39,7 @@ TEST(HostileFiles, are_removed_however_deep_and_closed_they_lie) {
   EXPECT_TRUE(remove_tree(tree)) << "what is not there";
 }
 
-TEST(HostileFiles, of_several_names_count_once) {
+TEST(HostileFiles, with_several_names_count_once) {
   const PrivateFolder folder;
   constexpr std::size_t kSize = 1 << 20;
   fs::create_directories(folder.path() / "a" / "b");
@@ -61,7 +61,7 @@ TEST(HostileFiles, of_several_names_count_once) {
 
 constexpr std::size_t kFilled = std::size_t{4} << 20;
 
-/// What this process has of them since it was last asked.
+/// The nameless files of this process since the last call.
 class More {
  public:
   NamelessFiles found() {
@@ -85,7 +85,7 @@ void fill(int file) {
   ASSERT_EQ(write(file, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
 }
 
-TEST(HostileNamelessFiles, OfMemoryCountWhereNothingIsMapped) {
+TEST(HostileNamelessFiles, InMemoryCountEvenIfNotMapped) {
   More more;
   const int file = memfd_create("x", MFD_CLOEXEC);
   ASSERT_GE(file, 0);
@@ -94,7 +94,7 @@ TEST(HostileNamelessFiles, OfMemoryCountWhereNothingIsMapped) {
   const int again = dup(file);
   EXPECT_EQ(more.found().in_memory, 0) << "once";
   close(again);
-  // One page of it keeps all.
+  // Mapping one page keeps the whole file.
   void* const page = mmap(nullptr, 4096, PROT_READ, MAP_SHARED, file, 0);
   ASSERT_NE(page, MAP_FAILED);
   close(file);
@@ -104,19 +104,19 @@ TEST(HostileNamelessFiles, OfMemoryCountWhereNothingIsMapped) {
   munmap(page, 4096);
 }
 
-TEST(HostileNamelessFiles, OfMemoryCountWhereOthersTouchedThem) {
+TEST(HostileNamelessFiles, InMemoryCountIfOtherProcessesTouchedThem) {
   More more;
   void* const memory =
       mmap(nullptr, kFilled, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   ASSERT_NE(memory, MAP_FAILED);
   ASSERT_EQ(madvise(memory, kFilled, MADV_POPULATE_WRITE), 0);
   ASSERT_EQ(madvise(memory, kFilled, MADV_DONTNEED),
-            0);  // no longer of this process, and still there
+            0);  // no longer mapped by this process, but still allocated
   EXPECT_EQ(more.found().in_memory, kFilled);
   munmap(memory, kFilled);
 }
 
-TEST(HostileNamelessFiles, OnDiskCountThoughTheyAreRemoved) {
+TEST(HostileNamelessFiles, OnDiskCountAfterRemoval) {
   More more;
   const PrivateFolder folder;
   const std::string path = folder.path() / "file";
@@ -127,7 +127,7 @@ TEST(HostileNamelessFiles, OnDiskCountThoughTheyAreRemoved) {
   const NamelessFiles named = more.found();
   EXPECT_EQ(named.on_disk + named.in_memory, 0);
   ASSERT_EQ(unlink(path.c_str()), 0);
-  const NamelessFiles removed = more.found();  // in memory, where TMPDIR is
+  const NamelessFiles removed = more.found();  // in memory if TMPDIR is
   EXPECT_GE(removed.on_disk + removed.in_memory, kFilled);
   EXPECT_LT(removed.on_disk + removed.in_memory, kFilled + 65536);
   close(file);

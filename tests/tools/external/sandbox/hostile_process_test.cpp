@@ -1,4 +1,4 @@
-// What a candidate's processes may take together, and what is left of them.
+// Limits on all processes of a candidate together, and their removal.
 
 #include <sys/syscall.h>
 
@@ -15,12 +15,12 @@ namespace {
 
 constexpr const char* kScene = "scene/examples/probe.toml";
 
-/// What is said of it, with these more options.
+/// The report on a candidate, with these options.
 std::string words_of(const std::string& candidate, const std::string& more) {
   return judged(kScene, candidate, more)["worst"].dump();
 }
 
-/// The same of a program that may have little, in place of a renderer.
+/// The same for a program with low limits, in place of a renderer.
 std::string words_of_small(const std::string& name, const std::string& lines,
                            const std::string& more) {
   const std::string rubric = temporary_file(
@@ -36,14 +36,14 @@ std::string words_of_small(const std::string& name, const std::string& lines,
 
 class HostileProcess : public testing::TestWithParam<const char*> {};
 
-TEST_P(HostileProcess, MayHaveSoMuchOnDiskInAll) {
+TEST_P(HostileProcess, HasALimitOnDiskUse) {
   expect_parts(words_of_small("disk", "for k in range(8): open(str(k), 'wb').write(bytes(4 << 20))",
                               GetParam()),
                {"was stopped: its files take more than 24 MiB (disk_mib)"});
 }
 
-TEST_P(HostileProcess, MayHaveSoMuchMemoryInAll) {
-  // Each within what one may have.
+TEST_P(HostileProcess, HasALimitOnTotalMemory) {
+  // Each is within the limit of a process.
   expect_parts(words_of_small("memory",
                               "for k in range(5):\n  if os.fork() == 0:\n"
                               "    kept = b'x' * (60 << 20)\n    time.sleep(60)",
@@ -51,7 +51,7 @@ TEST_P(HostileProcess, MayHaveSoMuchMemoryInAll) {
                {"was stopped: it uses more than 256 MiB of memory (memory_mib)"});
 }
 
-TEST_P(HostileProcess, LeavesNothingBehindThatRuns) {
+TEST_P(HostileProcess, LeavesNoProcessRunning) {
   const std::string mark = std::to_string(900000000 + getpid());
   const std::string orphans =
       "for k in range(8):\n  if os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n"
@@ -63,8 +63,8 @@ TEST_P(HostileProcess, LeavesNothingBehindThatRuns) {
   }
 }
 
-TEST_P(HostileProcess, LeavesNothingBehindThatStartsAnotherAndEnds) {
-  // Whoever is looked at has ended. What is left after three seconds waits to be counted.
+TEST_P(HostileProcess, LeavesNoProcessRunningThatForksAndExits) {
+  // Each process ends before it can be examined. What is left after three seconds is counted.
   const auto mark = [](int k) { return std::to_string(920000000 + 2 * getpid() + k); };
   const std::string ends[] = {"", "time.sleep(60)"};
   for (int k = 0; k < 2; ++k) {
@@ -78,8 +78,8 @@ TEST_P(HostileProcess, LeavesNothingBehindThatStartsAnotherAndEnds) {
   for (int k = 0; k < 2; ++k) EXPECT_EQ(processes_with(mark(k)).size(), 0u) << ends[k];
 }
 
-TEST_P(HostileProcess, IsNotHeardForLongerThanItsTime) {
-  // It ends: sixty-eight seconds were once the end of two.
+TEST_P(HostileProcess, IsStoppedInTimeDespiteEndlessOutput) {
+  // Once a limit of two seconds took sixty-eight.
   for (const char* stream : {"stderr", "stdout"}) {
     expect_parts(
         words_of(python_renderer(std::string("while True: sys.") + stream + ".write('x' * 65536)"),
@@ -88,15 +88,15 @@ TEST_P(HostileProcess, IsNotHeardForLongerThanItsTime) {
   }
 }
 
-TEST_P(HostileProcess, NestsFoldersOnlySoDeep) {
+TEST_P(HostileProcess, HasALimitOnFolderDepth) {
   expect_parts(words_of(python_renderer(
                             "for k in range(3000):\n  os.mkdir('d' * 200)\n  os.chdir('d' * 200)\n"
                             "time.sleep(60)"),
                         GetParam()),
-               {"was stopped: it nests folders too deep"});
+               {"was stopped: its folders are nested too deep"});
 }
 
-TEST_P(HostileProcess, MayHaveSoMuchOnDiskInAllThatItRemoves) {
+TEST_P(HostileProcess, HasALimitOnDiskUseByRemovedFiles) {
   expect_parts(words_of_small("removed",
                               "kept = []\nfor k in range(8):\n  kept.append(open('x', 'wb', 0))\n"
                               "  os.unlink('x')\n  kept[-1].write(bytes(4 << 20))",
@@ -104,8 +104,8 @@ TEST_P(HostileProcess, MayHaveSoMuchOnDiskInAllThatItRemoves) {
                {"was stopped: its files take more than 24 MiB (disk_mib)"});
 }
 
-TEST_P(HostileProcess, HasOnlySoManyFiles) {
-  // More take long to look at, and nothing else would be looked at.
+TEST_P(HostileProcess, HasALimitOnTheNumberOfFiles) {
+  // Checking more files takes long, and delays the other checks.
   expect_parts(
       words_of(python_renderer("for k in range(" + std::to_string(tools::kMostFiles + 1000) +
                                "): os.close(os.open(str(k), os.O_CREAT))\n"
@@ -120,8 +120,8 @@ INSTANTIATE_TEST_SUITE_P(Sandbox, HostileProcess,
                            return has(the_test.param, "none") ? "none" : "available";
                          });
 
-TEST(HostileClock, IsNotStoppedByAParentThatSleepsDeeply) {
-  // As one does that waits for a disk. Once that was the machine's fault.
+TEST(HostileClock, IsNotStoppedByAParentInUninterruptibleSleep) {
+  // As when waiting for a disk, which was once taken for the machine's fault.
   expect_parts(
       words_of(python_renderer(
                    "import ctypes\nlibc = ctypes.PyDLL(None)\nif libc.vfork() == 0: libc.pause()"),
@@ -136,8 +136,8 @@ std::string right_after(const std::string& lines) {
                          "/tests/candidates/rt.py', 'right'] + sys.argv[1:])");
 }
 
-TEST(HostileClock, CountsWhatIsComputedAndNotWhatIsSlept) {
-  // More than its time, and never all of it at once.
+TEST(HostileClock, CountsCpuTimeAndNotSleep) {
+  // In total more than its limit, in short pieces.
   const json report =
       judged(kScene,
              right_after("for k in range(5):\n  time.sleep(0.5)\n  began = time.process_time()\n"
@@ -146,15 +146,15 @@ TEST(HostileClock, CountsWhatIsComputedAndNotWhatIsSlept) {
   EXPECT_EQ(report["discrepancies"], 0) << report["worst"].dump(2);
 }
 
-TEST(HostileClock, EndsWhatHardlyComputesAfterManyTimesItsTime) {
+TEST(HostileClock, StopsMostlyIdleProgramsAfterAMultipleOfTheLimit) {
   expect_parts(
       words_of(python_renderer("while True:\n  time.sleep(0.1)\n  began = time.process_time()\n"
                                "  while time.process_time() < began + 0.004: pass"),
                "--timeout 0.3"),
-      {"did not end within 3 s of waiting, and computed for less than 0.3 s"});
+      {"did not end within 3 s of waiting, and used less than 0.3 s of CPU time"});
 }
 
-TEST(HostileClock, HasTheTimeOfThoseThatNobodyHasWaitedFor) {
+TEST(HostileClock, IncludesTimeOfUnreapedChildren) {
   double before = 0, after = 0;
   tools::process_tree(getpid(), &before);
   const pid_t child = fork();
@@ -170,8 +170,8 @@ TEST(HostileClock, HasTheTimeOfThoseThatNobodyHasWaitedFor) {
   waitpid(child, nullptr, 0);
 }
 
-TEST(HostileRoom, IsNotReservedBeyondTheSizeOfAFile) {
-  // KEEP_SIZE and INSERT_RANGE, and what ioctl() calls the first: RESVSP, RESVSP64, ZERO_RANGE.
+TEST(HostileRoom, CannotBeReservedBeyondTheSizeOfAFile) {
+  // KEEP_SIZE and INSERT_RANGE, and the ioctl() forms of the first: RESVSP, RESVSP64, ZERO_RANGE.
   expect_parts(
       words_of(
           python_renderer(
@@ -211,10 +211,10 @@ class Thieves {
   std::vector<pid_t> pids_;
 };
 
-TEST(HostileNeighbours, TakeNoneOfACandidatesTime) {
+TEST(HostileNeighbours, DoNotUseUpACandidatesTime) {
   const int processors = static_cast<int>(std::thread::hardware_concurrency());
   const Thieves thieves(4 * processors);
-  // Half of its time, if it were alone.
+  // Half of its time, without neighbours.
   const json report = judged(kScene,
                              right_after("began = time.process_time()\n"
                                          "while time.process_time() < began + 1: pass"),
@@ -222,7 +222,7 @@ TEST(HostileNeighbours, TakeNoneOfACandidatesTime) {
   EXPECT_EQ(report["discrepancies"], 0) << report["worst"].dump(2);
 }
 
-TEST(HostileTree, HasAProcessWhoseFirstThreadHasEnded) {
+TEST(HostileTree, IncludesAProcessWhoseFirstThreadHasEnded) {
   const pid_t child = fork();
   if (child == 0) {
     std::thread([] { pause(); }).detach();
@@ -237,7 +237,7 @@ TEST(HostileTree, HasAProcessWhoseFirstThreadHasEnded) {
   waitpid(child, nullptr, 0);
 }
 
-TEST(HostileSupervisor, ThatIsStoppedIsEnded) {
+TEST(HostileSupervisor, IsEndedEvenIfStopped) {
   const pid_t child = fork();
   if (child == 0) {
     std::signal(SIGTERM, [](int) { _exit(3); });
@@ -249,7 +249,7 @@ TEST(HostileSupervisor, ThatIsStoppedIsEnded) {
   EXPECT_NE(kill(child, 0), 0);
 }
 
-TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
+TEST(HostileEnds, OfRaycheckItselfAreCleanedUpByTheNextRun) {
   const fs::path folder = temporary_folder("left");
   const std::string mark = std::to_string(910000000 + getpid());
   const std::string candidate = python_renderer("subprocess.run(['sleep', '" + mark + "'])");
@@ -272,7 +272,7 @@ TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
   EXPECT_TRUE(folders().empty()) << folders()[0];
 }
 
-TEST(HostileEnds, OfRunsRemoveNoFolderThatIsOnlyNamedAsTheirsAre) {
+TEST(HostileEnds, OfRunsKeepFoldersOfOthersWithSimilarNames) {
   const fs::path folder = temporary_folder("named");
   const fs::path own = folder / "raycheck-run-week03";
   fs::create_directories(own);
