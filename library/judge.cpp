@@ -131,7 +131,7 @@ Verdict judge(const Candidate& candidate, const std::string& law_name, const std
   const properties::Candidate inside = library::inside(candidate);
   properties::CampaignOptions asked;
   if (options.cases < 1) {
-    throw std::invalid_argument(fmt::format("cases = {}: give at least 1", options.cases));
+    throw std::invalid_argument(fmt::format("cases = {}: must be at least 1", options.cases));
   }
   if (options.max_error && !(*options.max_error >= 0)) {
     throw std::invalid_argument(

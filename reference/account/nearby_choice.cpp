@@ -369,7 +369,7 @@ NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> sp
                           const Neighbourhood& around, const FirstMet& claim) {
   for (const scene::Sphere& sphere : spheres) scene::require_valid(sphere);
   if (claim.what == FirstMet::What::kSphere && claim.sphere >= spheres.size()) {
-    throw std::invalid_argument("the scene has no such sphere");
+    throw std::invalid_argument("the claimed sphere is not in the scene");
   }
   if (!around.valid.is_usual()) {
     NearbyAnswer found = refuted_nearby(ray, spheres, around, claim);

@@ -72,7 +72,7 @@ Rational rational_of(arf_srcptr x) {
 }
 
 RationalInterval interval_of(const Enclosure& x) {
-  if (arb_is_finite(x.ball()) == 0) throw std::invalid_argument("a ball without ends");
+  if (arb_is_finite(x.ball()) == 0) throw std::invalid_argument("the ball is not finite");
   arf_t low;
   arf_t high;
   arf_init(low);

@@ -72,8 +72,8 @@ Visibility::Impl::Impl(scene::Scene its_scene, scene::ScenePlan its_plan)
   for (const auto& [field, side] : {std::pair("camera.width", width), {"camera.height", height}}) {
     if (side <= kMostVisibleSide) continue;
     throw std::invalid_argument(std::string(field) + " = " + std::to_string(side) +
-                                ": what is seen is worked out of at most " +
-                                std::to_string(kMostVisibleSide));
+                                ": visibility is computed for at most " +
+                                std::to_string(kMostVisibleSide) + " pixels");
   }
   set_plane();
   require_few_parts();
@@ -148,9 +148,8 @@ void Visibility::Impl::require_few_parts() const {
     if (!plan.spheres[k].pixels.empty()) parts += its_bands.last - its_bands.first;
   }
   if (parts <= kMostVisibleParts) return;
-  throw std::invalid_argument("spheres: they reach into " + std::to_string(parts) +
-                              " bands of rows between them, where what is seen is worked out of "
-                              "at most " +
+  throw std::invalid_argument("spheres: they cover " + std::to_string(parts) +
+                              " bands of rows in all; visibility is computed for at most " +
                               std::to_string(kMostVisibleParts) + "; give fewer rows or spheres");
 }
 

@@ -30,7 +30,7 @@ class NearestOfRows {
     }
     if (rows.point_x.empty() != rows.point_y.empty() ||
         rows.point_x.empty() != rows.point_z.empty()) {
-      throw std::invalid_argument("points: some coordinates have arrays and some have none");
+      throw std::invalid_argument("points: give an array for each coordinate, or for none");
     }
     rows_ = rows;
     all_quantities_.resize(impl_.plan.items.quantities ? 0 : Tile::kPixels);

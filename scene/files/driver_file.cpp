@@ -126,7 +126,7 @@ class DriverReader {
       return;
     }
     located_.fail(1, "first words", scene::joined(unknown_),
-                  "neither TOML, in a file whose name ends in .toml, nor a driver file");
+                  "not a driver file; the name of a TOML file must end in .toml");
   }
 
   /// Reads what follows a sphere's place and size: numbers are its material.
@@ -158,8 +158,7 @@ class DriverReader {
       for (const char* const keyword : {"eye", "look", "up", "d"}) {
         if (const Entry* const part = find(keyword)) {
           located_.fail(part->line, keyword, part->joined(),
-                        "contradicts the camera line, line " + std::to_string(whole->line) +
-                            ", which already holds it");
+                        "is already given by the camera line, line " + std::to_string(whole->line));
         }
       }
       view = numbers_of(*whole, 10);
@@ -212,7 +211,7 @@ class DriverReader {
     if (whole && d > 0) located_.fail(entry.line, "d", value, "dialect C needs d < 0");
     const Dialect decided = whole ? Dialect::kC : d > 0 ? Dialect::kA : Dialect::kB;
     if (!asked || *asked == decided) return decided;
-    const std::string named = called(*asked) + " (asked for) ";
+    const std::string named = called(*asked) + " (requested) ";
     if (whole) {
       located_.fail(entry.line, "camera", entry.joined(),
                     named + "has no camera line; this file is dialect C");
@@ -234,13 +233,13 @@ class DriverReader {
     if (bounds.is_degenerate() && !bounds_of(numbers, other).is_degenerate()) {
       located_.fail(entry.line, "bounds", entry.joined(),
                     "has no area in " + called(dialect) + "'s order (" + bounds_order(dialect) +
-                        "), but has in " + called(other) + "'s (" + bounds_order(other) +
+                        "), but has one in " + called(other) + "'s (" + bounds_order(other) +
                         "): reorder the numbers; dialect " +
                         (other == Dialect::kA ? "A needs d > 0" : "B needs d < 0"));
     }
     if (bounds.is_mirrored() && !bounds_of(numbers, other).is_mirrored()) {
       warn_once(entry, "mirror the image in " + called(dialect) + "'s order (" +
-                           bounds_order(dialect) + "), would not in " + called(other) + "'s (" +
+                           bounds_order(dialect) + "), but not in " + called(other) + "'s (" +
                            bounds_order(other) + ")");
     }
     camera.left = bounds.left;

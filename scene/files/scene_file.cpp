@@ -79,7 +79,7 @@ LoadedScene load_scene(const std::filesystem::path& path, std::optional<Dialect>
   LoadedScene loaded = read_toml(text, path.string());
   if (dialect) {
     loaded.warnings.push_back(path.string() +
-                              ": a dialect was asked for, but only driver files have one");
+                              ": a dialect was given, but only driver files have one");
   }
   return loaded;
 }

@@ -25,7 +25,7 @@ namespace raycheck::reference {
 /// saves most of the work.
 template <class T, int N>
 class Dual {
-  static_assert(N <= 32, "one bit an input");
+  static_assert(N <= 32, "one bit per input");
 
  public:
   Dual() : value_(0) {}
