@@ -144,7 +144,7 @@ std::vector<Defect> defects_of(const char* name, const Input& input) {
   return found;
 }
 
-// Most spheres are plainly valid: for these no field name is built.
+// Most spheres are valid: for these no field name is built.
 bool is_plainly_valid(const Sphere& sphere) {
   return is_finite(sphere.centre) && std::isfinite(sphere.radius) && sphere.radius >= 0;
 }
@@ -176,7 +176,7 @@ std::invalid_argument refusal(const Input& input) {
   return std::invalid_argument(sentences(defects(input)));
 }
 
-/// Nothing is left to clean up for the exception, which costs as much as throwing it.
+/// The exception leaves no object to destroy, which would cost as much as throwing it.
 template <typename Input>
 void require(const Input& input) {
   if (!is_valid(input)) throw refusal(input);

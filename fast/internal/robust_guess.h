@@ -26,8 +26,8 @@ namespace raycheck::fast::HWY_NAMESPACE {
 // With disc < 0 the ray misses whatever b is. All of this holds whether or not products are fused
 // with sums.
 
-/// What is required of disc and f^2 - r^2 in N's format. Signs alone require no more than 32u of
-/// each term (tests/fast/small_formats_test.cpp); these values are what s requires of doubles.
+/// The margins required of disc and f^2 - r^2 in N's format. Certain signs require at most 32u of
+/// each term (tests/fast/small_formats_test.cpp); a precise s in doubles requires these values.
 template <class N>
 struct Margins {
   static constexpr double kDiscriminantShare = 0x1p-13;
@@ -53,7 +53,7 @@ static_assert(Margins<double>::kNearShare > 100 * kRobustNear * 0x1p-53 &&
               Margins<double>::kReachShare > 100 * kRobustC * 0x1p-53 &&
               Margins<double>::kFarShare / 2 > kRobustB * kRobustB * 0x1p-106);
 
-/// What depends on the sphere alone.
+/// The terms that depend only on the sphere.
 template <class N>
 struct Ball {
   using Required = Margins<N>;

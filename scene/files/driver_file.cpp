@@ -118,8 +118,7 @@ class DriverReader {
     }
   }
 
-  /// A file with words that are none of these, and neither a view, bounds nor a size, is of another
-  /// kind.
+  /// A file with unknown keywords and no camera, eye, bounds or res is not a driver file.
   void refuse_other_kind() const {
     if (unknown_.empty() || once_.contains("camera") || once_.contains("eye") ||
         once_.contains("bounds") || once_.contains("res")) {
@@ -318,24 +317,24 @@ class DriverReader {
 
   inline static const std::set<std::string> kOnce = {"eye",    "look", "up",    "d",
                                                      "bounds", "res",  "camera"};
-  /// Keywords for lights and meshes in the course's scenes.
+  /// The course's keywords for lights and meshes.
   inline static const std::set<std::string> kOfShading = {"ambient", "light", "model",
                                                           "recursionLevel", "recursionlevel"};
   static constexpr std::size_t kSphereNumbers = 4;
-  /// In files of another kind most lines begin with an unknown word.
+  /// In a file that is not a driver file most lines begin with an unknown word.
   static constexpr std::size_t kMostWarnings = 20;
 
   LocatedFields located_;
   LoadedScene loaded_;
-  std::map<std::string, std::size_t> lines_;  ///< Of the camera's fields.
+  std::map<std::string, std::size_t> lines_;  ///< The lines of the camera's fields.
   std::vector<std::size_t> sphere_lines_;
   std::map<std::string, int> of_shading_;
-  std::vector<std::string> first_seen_;  ///< Of those keywords, in the file's order.
+  std::vector<std::string> first_seen_;  ///< The keywords of of_shading_, in the file's order.
   bool has_materials_ = false;
   std::map<std::string, Entry> once_;
   std::set<std::string> warned_;
   static constexpr std::size_t kFirstWords = 3;
-  std::vector<std::string> unknown_;  ///< The first keywords that driver files do not have.
+  std::vector<std::string> unknown_;  ///< The first unknown keywords.
 };
 
 }  // namespace

@@ -13,14 +13,14 @@
 
 namespace raycheck::scene {
 
-/// What is wanted of a scene.
+/// The results that are wanted for a scene.
 enum class Wanted { kClass, kParameter, kPoint, kNearest };
 inline constexpr std::array<std::string_view, 4> kWantedNames = {"class", "parameter", "point",
                                                                  "nearest"};
 inline constexpr std::array kEveryWanted = {Wanted::kClass, Wanted::kParameter, Wanted::kPoint,
                                             Wanted::kNearest};
 
-/// The things that a plan may do; each can be switched off.
+/// The optimisations of a plan; each can be switched off.
 struct PlanItems {
   bool view = true;    ///< Leave out spheres outside the view volume.
   bool behind = true;  ///< Leave out spheres behind every origin.
@@ -67,8 +67,8 @@ struct SpherePlan {
   bool operator==(const SpherePlan&) const = default;
 };
 
-/// What a scene needs, decided once from its camera and spheres, rounded outward so that skipping
-/// the rest changes no answer. Scenes of given rays have no plan: their rays share nothing.
+/// The computations that a scene needs, decided once from its camera and spheres, and rounded
+/// outward so that skipping the others changes no answer. Scenes of given rays have no plan.
 /// Shape:  a scene -> one SpherePlan and one distance per sphere, in their order.
 /// Units:  rectangles in pixels (i, j) as the conventions count them; scene lengths.
 /// Domain: a valid scene with a camera; otherwise throws std::invalid_argument naming the field.
@@ -87,10 +87,10 @@ struct ScenePlan {
   std::vector<double> nearest_distance;
 };
 
-/// By how many pixels on each side a rectangle may be too large.
+/// The number of pixels by which a rectangle may be too large on each side.
 inline constexpr std::int64_t kRectangleSlack = 1;
 
-/// How many of the largest-looking spheres each sphere is compared with.
+/// The number of spheres, the largest in the image, that each sphere is compared with.
 inline constexpr std::size_t kMostOccluders = 64;
 
 /// Magnitudes within 2^-kPlainExponent and 2^kPlainExponent need no scaling: products of four of

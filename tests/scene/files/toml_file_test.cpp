@@ -107,18 +107,20 @@ TEST(ReadToml, ReadsNumbersExactly) {
 
 TEST(ReadToml, RefusesUnknownKeysByNameAndLine) {
   EXPECT_EQ(error_of_toml(camera_with("near = -30\n", "near = -30\nfov = 60\n")),
-            "f.toml:6: camera.fov = 60: unknown key; camera has eye, look_at, up, near, far, "
+            "f.toml:6: camera.fov = 60: unknown key; camera accepts eye, look_at, up, near, far, "
             "left, right, bottom, top, width, height");
   EXPECT_EQ(error_of_toml(std::string(kCamera) + "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n"),
-            "f.toml:14: sphere[0].center = [0, 0, 0]: unknown key; sphere has centre, radius");
+            "f.toml:14: sphere[0].center = [0, 0, 0]: unknown key; sphere accepts centre, radius");
   EXPECT_EQ(error_of_toml(kRay + "[[spheres]]\nradius = 1\n"),
-            "f.toml:4: spheres = (an array of tables): unknown key; scene has camera, "
+            "f.toml:4: spheres = (an array of tables): unknown key; scene accepts camera, "
             "conventions, sphere, ray");
-  EXPECT_EQ(error_of_toml(kRay + "length = 1979-05-27\n"),
-            "f.toml:4: ray[0].length = (a date or time): unknown key; ray has origin, direction");
-  EXPECT_EQ(error_of_toml("[conventions]\nroots = \"near\"\n"),
-            "f.toml:2: conventions.roots = \"near\": unknown key; conventions has rows, samples, "
-            "origin, root, tangent, t_min, t_max, interval, t_unit, culling");
+  EXPECT_EQ(
+      error_of_toml(kRay + "length = 1979-05-27\n"),
+      "f.toml:4: ray[0].length = (a date or time): unknown key; ray accepts origin, direction");
+  EXPECT_EQ(
+      error_of_toml("[conventions]\nroots = \"near\"\n"),
+      "f.toml:2: conventions.roots = \"near\": unknown key; conventions accepts rows, samples, "
+      "origin, root, tangent, t_min, t_max, interval, t_unit, culling");
 }
 
 TEST(ReadToml, NamesMissingKeysAtTheirTable) {

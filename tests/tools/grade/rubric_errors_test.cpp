@@ -28,7 +28,7 @@ constexpr const char *kTitle = "title = \"A rubric\"", *kWorth = "points = 4",
                      *kCases = "cases = 4", *kAsked = "[item.functions]\nlaws = [\"class\"]";
 
 const std::vector<Wrong> kWrong = {
-    {"title", "titel", "1: titel = \"A rubric\": unknown key; rubric has title, "},
+    {"title", "titel", "1: titel = \"A rubric\": unknown key; rubric accepts title, "},
     {kTitle, "title =", "1: not valid TOML: "},
     {kTitle, "seconds = 0", "1: seconds = 0: must be above 0"},
     {kTitle, "seconds = 1e9", "1: seconds = 1e9: must be above 0, and at most"},
@@ -48,12 +48,12 @@ const std::vector<Wrong> kWrong = {
      "2: tolerance.ulp = 1e10: allows every answer"},
     {kTitle, "bounds = \"direct/none\"", "1: bounds = \"direct/none\": bounds none"},
     {kTitle, "limits = { file_mib = 0 }", "1: limits.file_mib = 0: must be 1 to 1048576"},
-    {kTitle, "limits = { file = 1 }", "1: limits.file = 1: unknown key; limits has seconds, "},
+    {kTitle, "limits = { file = 1 }", "1: limits.file = 1: unknown key; limits accepts seconds, "},
     {"candidate = \"command:python3 {file}\"", "candidate = \"command:{program}\"",
      "4: form[0].candidate = \"command:{program}\": {program} is what build = \"auto\" makes"},
     {"candidate =", "build = \"auto\"\ncandidate =",
      "5: form[0].candidate = \"command:python3 {file}\": build = \"auto\" needs {program}"},
-    {"has =", "hass =", "3: form[0].hass = \"rays.py\": unknown key; form has has, "},
+    {"has =", "hass =", "3: form[0].hass = \"rays.py\": unknown key; form accepts has, "},
     {"rays.py", "a/rays.py", "3: form[0].has = \"a/rays.py\": names a file of the submission's"},
     {"candidate = \"command:python3 {file}\"\n", "", "2: form[0].candidate: is missing"},
     {"command:python3", "run:python3",
