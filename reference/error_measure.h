@@ -6,9 +6,9 @@
 
 namespace raycheck::reference {
 
-// How far given doubles are from an enclosed truth. Every result is an upper bound, as sharp as the
-// enclosure is narrow, in u of doubles unless it counts ulp; infinite for a given value that is not
-// finite, or that is not 0 when the exact one is.
+// The errors of given doubles against enclosed exact values. Every result is an upper bound, as
+// sharp as the enclosure is narrow, in u of doubles unless in ulp; infinite for a given value that
+// is not finite, or that is not 0 when the exact one is.
 
 /// |given - exact| / ulp(exact), ulp(x) the gap between the numbers of the format around x.
 scene::Measured ulp_error(double given, const Enclosure& exact,
@@ -19,8 +19,8 @@ scene::Measured relative_error(const scene::Point3& given, const Enclosure3& exa
 scene::Measured relative_error(const scene::UnitVector3& given, const Enclosure3& exact);
 scene::Measured relative_error(const scene::UnitVector3& given, const scene::UnitVector3& exact);
 
-/// The angle between two directions (its tangent, which is no smaller; infinite from 90 degrees
-/// on).
+/// The angle between two directions (as its tangent, which is at least as large; infinite from 90
+/// degrees on).
 scene::Measured angle_error(const scene::UnitVector3& given, const Enclosure3& exact);
 
 /// | |given| - 1 |, too large by at most kUnitDefectWidth relatively; 0 is exact.

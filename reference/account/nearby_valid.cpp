@@ -182,8 +182,8 @@ bool is_outside(const scene::ValidRoots& valid, const ExactRay& ray, const scene
     const bool is_radius = valid.unit == scene::TUnit::kRadius;
     const bool is_length = valid.unit == scene::TUnit::kLength && !ray.source().camera;
     if (!is_radius && !is_length) return s < t ? -1 : s > t ? 1 : 0;
-    // The product of two doubles has at most 106 bits, so a ball of kBits is exact; one of a length
-    // that holds the end holds nothing else that doubles can name.
+    // The product of two doubles has at most 106 bits, so a ball of kBits is exact; a length whose
+    // ball holds the end equals it, as no other length from doubles is that close.
     const Enclosure at = Enclosure(s, kBits), end(t, kBits);
     return (is_length ? at * ray.enclose(kBits).length() - end
                       : at - end * Enclosure(sphere.radius, kBits))

@@ -20,7 +20,7 @@ namespace mp = boost::multiprecision;
 
 /// Bits of the stated numbers where the computed ones are not dyadic rationals.
 constexpr int kStatedBits = 64;
-/// How narrow a vector's intervals are made, relative to its length.
+/// The bits of a vector's intervals relative to its length.
 constexpr int kVectorBits = 64;
 
 Dyadic dyadic_of(const Rational& x) {

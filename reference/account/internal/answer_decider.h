@@ -162,8 +162,8 @@ inline LeastOptimum best_place(const std::vector<Variation>& all, std::size_t di
   return highest_least(forms);
 }
 
-/// Whether their sum, each times its multiplier, is negative everywhere, so that everywhere one of
-/// them is negative.
+/// Whether their sum, each times its multiplier, is negative everywhere, so that at every point one
+/// of them is negative.
 inline bool exclude_each_other(const std::vector<Variation>& all,
                                const std::vector<double>& multipliers) {
   Enclosure value(0);

@@ -220,7 +220,7 @@ Sensitivity<typename Lift::Base> sensitivity(const Lift& lift, const CGAL::Vecto
   return {sqrt(square(x) + square(y) + square(z)), sum};
 }
 
-/// The condition number, where the intervals are narrow enough to tell.
+/// The condition number; empty if the intervals are too wide.
 std::optional<double> narrow_condition(const Sensitivity<Interval>& sensitivity);
 
 /// Precisions of the balls: the first, and the last, past which a width is taken to be infinite.
