@@ -68,7 +68,7 @@ struct Visibility::Impl {
 
   /// The filter's view of a planned sphere.
   FilteredSphere filtered_of(const scene::SpherePlan& planned, std::size_t index) const;
-  /// The filter's view in double-doubles, made when first needed; null if it cannot be made.
+  /// The filter's view in double-doubles, made when first needed; null where it is not used.
   const PairView* pair_view() const;
 
   scene::Scene scene;

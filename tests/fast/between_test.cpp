@@ -91,7 +91,7 @@ Seen seen(const IntersectMethod& claims, const IntersectMethod& answers, int box
 
 class EachFormula : public testing::TestWithParam<const IntersectMethod*> {};
 
-TEST_P(EachFormula, AnswersNothingElseInABox) {
+TEST_P(EachFormula, StaysWithinItsPossibleClasses) {
   const Seen of_own = seen(*GetParam(), *GetParam(), 2000);
   EXPECT_EQ(of_own.contradicted, 0);
   EXPECT_GT(of_own.decided_hits, 80);
@@ -100,12 +100,12 @@ TEST_P(EachFormula, AnswersNothingElseInABox) {
 }
 
 /// The claims of one formula are wrong about another's roundings.
-TEST_P(EachFormula, IsContradictedByAnotherFormula) {
+TEST_P(EachFormula, HasOtherClassesThanAnotherFormula) {
   const bool in_floats = GetParam()->unit_roundoff > 0x1p-50;
   EXPECT_GT(seen(*GetParam(), in_floats ? kRobust : kSingleLecture, 2000).contradicted, 8);
 }
 
-TEST_P(EachFormula, AnswersOneQuestionAsItDoesAlone) {
+TEST_P(EachFormula, HasOneClassForASingleRay) {
   Random random(3);
   int hits = 0, misses = 0;
   for (int k = 0; k < 5000; ++k) {
@@ -120,7 +120,7 @@ TEST_P(EachFormula, AnswersOneQuestionAsItDoesAlone) {
   EXPECT_GT(misses, 500);
 }
 
-TEST_P(EachFormula, AnswersAnythingWhereItOverflows) {
+TEST_P(EachFormula, HasEveryClassOnOverflow) {
   const Ray ray = {{0, 0, 0}, {0, 0, 1}};
   const auto [hit, miss] = GetParam()->classes_in({ray, {{0, 0, 0}, {0, 0, 1e200}}},
                                                   {{{0, 0, 5}, 1}, {{0, 0, 1e200}, 1e200}}, {});

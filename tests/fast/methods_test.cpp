@@ -78,7 +78,7 @@ TEST_P(EachMethod, TakesBatchesOfAnySize) {
   EXPECT_EQ(hits.point.size(), 0u);
 }
 
-TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
+TEST_P(EachMethod, AnswersSingleRaysAsBatches) {
   int hits = 0, asked = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     for (const properties::CaseSource& source : properties::case_sources()) {
@@ -95,7 +95,7 @@ TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
   EXPECT_GT(asked - hits, 600);
 }
 
-TEST_P(EachMethod, RefusesByTheNameOfTheField) { expect_refusals(*GetParam()); }
+TEST_P(EachMethod, NamesTheFieldOfInvalidInput) { expect_refusals(*GetParam()); }
 
 TEST_P(EachMethod, RanksTheFirstOfEqualSpheresFirst) {
   const std::vector<Sphere> spheres = {
@@ -155,7 +155,7 @@ TEST(PixelRay, TakesBatchesOfAnySize) {
   }
 }
 
-TEST(PixelRay, RefusesByTheNameOfTheField) {
+TEST(PixelRay, NamesTheFieldOfInvalidInput) {
   Camera flat = kFirst, narrow = kFirst, parallel = kFirst, nowhere = kFirst;
   flat.right = flat.left;
   narrow.width = 1;  // i/(w-1) is 0/0 on the edges, and well defined at the centres

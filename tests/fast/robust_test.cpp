@@ -291,7 +291,7 @@ TEST(Robust, IsRightNearItsMarginsOnEveryTarget) {
   }
 }
 
-TEST(Robust, AnswersWhatIsNoProblemWithAMiss) {
+TEST(Robust, MissesOnInvalidInput) {
   for (const Ray& ray : {Ray{{kNaN, 0, 0}, {1, 0, 0}}, Ray{{0, 0, 0}, {0, 0, 0}},
                          Ray{{0, 0, 0}, {kInfinity, 0, 0}}, Ray{{kInfinity, 0, 0}, {1, 0, 0}}}) {
     EXPECT_FALSE(kRobust.intersect_one(ray, reference::kUnit, {}));

@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(Third, LongSmallFormats, testing::Values(2));
 INSTANTIATE_TEST_SUITE_P(Fourth, LongSmallFormats, testing::Values(3));
 
 /// Margins that are too small are seen, in 10 bits all but two.
-TEST(SmallFormats, HaveWrongClassesByMutants) {
+TEST(SmallFormats, HaveWrongClassesIfMutated) {
   for (std::size_t k = 1; k < kMarginCount; ++k) {
     SCOPED_TRACE(k);
     const Margin margin{k};

@@ -46,7 +46,7 @@ class Consumers : public testing::Test {
   }
 };
 
-TEST(Installing, of_what_is_not_built_says_what_to_build) {
+TEST(Installing, names_the_target_that_is_not_built) {
   const std::string folder =
       fs::path(RAYCHECK_BUILD) / "tests" / ("bare-" + std::to_string(getpid()));
   ASSERT_EQ(shell("cmake -S " RAYCHECK_SOURCE_DIR " -B " + folder).code, 0);
@@ -56,7 +56,7 @@ TEST(Installing, of_what_is_not_built_says_what_to_build) {
   EXPECT_TRUE(has(installed.text, "raycheck-check is not built: build the target `installed`"));
 }
 
-TEST_F(Consumers, OfGoogleTestPassAndSeeFiveMistakes) {
+TEST_F(Consumers, WithGoogleTestPassAndFindFiveMistakes) {
   const fs::path example = prefix() / "share/raycheck/examples/consumer-gtest";
   EXPECT_LE(lines_of(example / "CMakeLists.txt"), 6u);
   EXPECT_LE(lines_of(example / "tracer_test.cpp"), 5u);
@@ -77,7 +77,7 @@ TEST_F(Consumers, OfGoogleTestPassAndSeeFiveMistakes) {
 }
 
 /// The page has the examples' text, and what they print.
-TEST_F(Consumers, AreAsThePageShowsThem) {
+TEST_F(Consumers, MatchTheDocumentation) {
   const fs::path source = RAYCHECK_SOURCE_DIR;
   const std::string page = contents(source / "docs/library.md");
   for (const char* file : {"consumer-gtest/CMakeLists.txt", "consumer-gtest/tracer_test.cpp",
@@ -104,7 +104,7 @@ TEST_F(Consumers, AreAsThePageShowsThem) {
 /// The same, each of which takes as long again.
 class NightlyConsumers : public Consumers {};
 
-TEST_F(NightlyConsumers, OfOtherFrameworksPassAndFail) {
+TEST_F(NightlyConsumers, WithOtherFrameworksPassAndFail) {
   for (const auto& [framework, program, said] :
        {std::tuple("catch2", "tracer_test", "nearest-root/rays"),
         {"doctest", "tracer_test", "nearest-root/rays"},
@@ -127,7 +127,7 @@ void expect_far_root(const Ended& bad) {
   EXPECT_TRUE(has(bad.text, "[[sphere]]"));
 }
 
-TEST_F(NightlyConsumers, OfLibFuzzerSurviveAndFail) {
+TEST_F(NightlyConsumers, WithLibFuzzerSurviveAndFail) {
   if (shell("echo 'extern \"C\" int LLVMFuzzerTestOneInput() { return 0; }' | clang++ -x c++ "
             "-fsanitize=fuzzer -o /dev/null -")
           .code != 0) {
@@ -143,7 +143,7 @@ TEST_F(NightlyConsumers, OfLibFuzzerSurviveAndFail) {
 }
 
 /// The same entry, by the compiler that there is, on random bytes.
-TEST_F(NightlyConsumers, OfFuzzHSurviveAndFailOnRandomBytes) {
+TEST_F(NightlyConsumers, WithFuzzHSurviveAndFailOnRandomBytes) {
   const fs::path example = prefix() / "share/raycheck/examples/consumer-fuzz";
   const std::string program = (prefix() / "random_bytes").string();
   const std::string library = "$(find " + prefix().string() + " -name libraycheck.so.0)";
@@ -158,7 +158,7 @@ TEST_F(NightlyConsumers, OfFuzzHSurviveAndFailOnRandomBytes) {
 }
 
 /// How they are compiled touches no proof.
-TEST_F(NightlyConsumers, HaveTheSameTruthHoweverTheyAreCompiled) {
+TEST_F(NightlyConsumers, GetTheSameAnswersHoweverTheyAreCompiled) {
   const Ended plain = shell((built("consumer-exact") / "truth").string());
   EXPECT_EQ(plain.code, 0);
   EXPECT_TRUE(has(plain.text, "exactly"));
@@ -186,7 +186,7 @@ TEST_F(Consumers, FindTheLibraryByPkgConfig) {
   EXPECT_EQ(made.code, 0) << made.text;
 }
 
-TEST_F(Consumers, SeeNothingButTheInterface) {
+TEST_F(Consumers, FindOnlyTheInterface) {
   const Ended symbols =
       shell("nm -D --defined-only -C $(find " + prefix().string() + " -name libraycheck.so.0)");
   ASSERT_EQ(symbols.code, 0) << symbols.text;

@@ -93,7 +93,7 @@ TEST(Exact, FindsTheNearestAndItsTies) {
 
 Camera square_camera() { return {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, -2, -1, 1, -1, 1, 3, 3}; }
 
-TEST(Exact, KnowsACamera) {
+TEST(Exact, AnswersForCameras) {
   const exact::Camera camera(square_camera());
   EXPECT_EQ(camera.axes().w.rounded().z, 1);
   EXPECT_EQ(camera.axes().u.rounded().x, 1);
@@ -109,7 +109,7 @@ TEST(Exact, KnowsACamera) {
   EXPECT_THROW((void)camera.ray({3, 0}), std::invalid_argument);
 }
 
-TEST(Exact, RefusesWhatIsNoProblem) {
+TEST(Exact, RefusesInvalidInput) {
   const Ray none{{0, 0, 0}, {0, 0, 0}};
   EXPECT_THROW((void)exact::hit(none, {{0, 0, 5}, 1}), std::invalid_argument);
   EXPECT_THROW((void)exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, -1}), std::invalid_argument);
@@ -126,7 +126,7 @@ TEST(Exact, RefusesWhatIsNoProblem) {
   }
 }
 
-TEST(Cases, AreTheSameByTheirSeed) {
+TEST(Cases, AreDeterminedByTheirSeed) {
   for (const Source& source : sources()) {
     const Case one = make_case(source.name, 7, 3, source.highest);
     EXPECT_EQ(scene_text(one), scene_text(make_case(source.name, 7, 3, source.highest)));
@@ -139,7 +139,7 @@ TEST(Cases, AreTheSameByTheirSeed) {
 }
 
 /// Every double has a spelling of its own, -0 and subnormal ones, too.
-TEST(Cases, ReadBackAsTheyAreWritten) {
+TEST(Cases, ReadBackAsWritten) {
   int subnormal = 0;
   for (const Source& source : sources()) {
     for (std::uint64_t number = 0; number < 400; ++number) {
@@ -154,7 +154,7 @@ TEST(Cases, ReadBackAsTheyAreWritten) {
   EXPECT_FALSE(simpler(make_case("rays", 1)).empty());
 }
 
-TEST(Cases, AreMadeOfAnyBytes) {
+TEST(Cases, AreMadeFromAnyBytes) {
   std::string bytes;
   int made = 0;
   for (int k = 0; k < 500; ++k) {
@@ -177,7 +177,7 @@ TEST(Judge, LetsAGoodTracerPassEveryLaw) {
   EXPECT_GT(told, tests.checks().size() * 2 / 3);
 }
 
-TEST(Judge, BreaksWhatIsDegenerate) {
+TEST(Judge, FindsDegenerateCandidatesBroken) {
   Candidate misses("misses");
   misses.intersect = [](const auto&...) { return std::optional<Hit>(); };
   Candidate at_zero("at-zero");
@@ -195,7 +195,7 @@ TEST(Judge, BreaksWhatIsDegenerate) {
 }
 
 /// >= for > at the end that a candidate declares, which the root of every case lies on.
-TEST(Judge, BreaksWhatItsOwnIntervalExcludes) {
+TEST(Judge, FindsRootsOutsideTheDeclaredIntervalBroken) {
   Case one;
   one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
   one.scene.spheres = {{{3, 0, 0}, 1}};
@@ -217,7 +217,7 @@ TEST(Judge, BreaksWhatItsOwnIntervalExcludes) {
   }
 }
 
-TEST(Judge, HoldsACandidateToWhatItReturnsOnTheDirectionsThatItAccepts) {
+TEST(Judge, JudgesOnlyDeclaredReturnsAndDirections) {
   Candidate distances("distances");
   distances.declares.tangent = Tangent::either;
   distances.intersect = [](const Ray& ray, const Sphere& sphere, const Conventions& asked) {
@@ -265,7 +265,7 @@ TEST(Judge, SaysWhereAndWhyALawIsBroken) {
   EXPECT_EQ(judge_case(tracer(), "nearest-root", verdict.broken->shrunk).finding, Finding::holds);
 }
 
-TEST(Judge, CountsWhateverIsThrownAsNoAnswer) {
+TEST(Judge, CountsExceptionsAsNoAnswer) {
   Candidate why("throws"), seven("throws");
   why.intersect = [](const auto&...) -> std::optional<Hit> { throw std::runtime_error("no idea"); };
   seven.intersect = [](const auto&...) -> std::optional<Hit> { throw 7; };
@@ -276,7 +276,7 @@ TEST(Judge, CountsWhateverIsThrownAsNoAnswer) {
   }
 }
 
-TEST(Judge, AsksOnlyAboutWhatThereIs) {
+TEST(Judge, JudgesOnlyFunctionsThatAreSet) {
   Candidate frames("frames");
   frames.frame = [](const Camera&) { return Frame{}; };
   const auto all = checks(frames);
@@ -340,7 +340,7 @@ TEST(SinglePrecision, LetsGoodFloatsPassUnlessTheyAreUndeclared) {
   EXPECT_EQ(judge(candidate, "parameter", "rays").finding, Finding::broken);
 }
 
-TEST(SinglePrecision, BreaksWhatIsOffInUlpsOfFloat) {
+TEST(SinglePrecision, FindsErrorsInUlpsOfFloat) {
   const Verdict verdict = judge(floats(0x1p-15), "parameter");
   EXPECT_EQ(verdict.finding, Finding::broken);
   EXPECT_TRUE(has(verdict.text, "ulp of float"));

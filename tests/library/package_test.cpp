@@ -86,7 +86,7 @@ class NightlyPackage : public testing::Test {
   }
 };
 
-TEST_F(NightlyPackage, HasWhatItIsFor) {
+TEST_F(NightlyPackage, HasItsFiles) {
   const std::string programs = contents("raycheck"), library = contents("libraycheck0"),
                     development = contents("libraycheck-dev");
   for (const char* file :
@@ -110,7 +110,7 @@ TEST_F(NightlyPackage, HasWhatItIsFor) {
   }
 }
 
-TEST_F(NightlyPackage, NeedsWhatItIsLinkedWith) {
+TEST_F(NightlyPackage, DependsOnLinkedLibraries) {
   for (const char* library : {"libgmp10 ", "libflint", "libstdc++6 ", "libc6 "}) {
     EXPECT_TRUE(has(field("libraycheck0", "Depends"), library));
     EXPECT_TRUE(has(field("raycheck", "Depends"), library));
@@ -161,7 +161,7 @@ TEST_F(NightlyPackage, HasAProgramThatJudgesAndSendsAnAutograder) {
   EXPECT_TRUE(has(loaded.text, sent));
 }
 
-TEST_F(NightlyPackage, GivesLintianNothingToSay) {
+TEST_F(NightlyPackage, PassesLintian) {
   if (!is_installed("lintian")) GTEST_SKIP() << "lintian is not installed";
   const Ended said = shell("lintian --allow-root --fail-on error,warning " + all());
   EXPECT_EQ(said.code, 0) << said.text;

@@ -39,7 +39,7 @@ std::string commented(const Bound& bound) {
          bound.script(bound.value, {}).text();
 }
 
-TEST(Bounds, AreProvedOfTheFormulasAsTheyAre) {
+TEST(Bounds, AreProvedForTheFormulas) {
   std::set<std::string> names;
   for (const Bound& bound : bounds()) {
     const fs::path file = kScripts / (std::string(bound.name) + ".gappa");
@@ -68,7 +68,7 @@ bool is_refused(const std::string& script, const std::string& options) {
 /// Each operation of each formula done otherwise, and each constant halved. Gappa splits no
 /// intervals where it need not to prove the formula: what is wrong it would split for a second
 /// each.
-TEST(LongBounds, AreRefusedOfMutatedFormulas) {
+TEST(LongBounds, AreNotProvedForMutatedFormulas) {
   if (!has_gappa()) GTEST_SKIP() << "there is no gappa to refuse anything";
   int mutants = 0;
   for (const Bound& bound : bounds()) {
@@ -87,7 +87,7 @@ TEST(LongBounds, AreRefusedOfMutatedFormulas) {
   EXPECT_GE(mutants, 100);
 }
 
-TEST(Bounds, AreNotIdle) {
+TEST(Bounds, AreNearObservedErrors) {
   for (const Bound& bound : bounds()) {
     const double observed = bound.observed(2000);
     EXPECT_LE(observed, bound.value) << bound.name;
@@ -171,7 +171,7 @@ TEST(Identities, HoldForAllReals) {
   EXPECT_TRUE(has(miss, fmt::format("(/ S {})", kLeastMoment)));
 }
 
-TEST(Identities, AreNotFoundOfWrongSigns) {
+TEST(Identities, FailWithWrongSigns) {
   if (solver().empty()) GTEST_SKIP() << "neither z3 nor cvc5 is there to check identities";
   const fs::path changed = own_path(".smt2");
   int counterexamples = 0;

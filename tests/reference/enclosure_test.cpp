@@ -236,7 +236,7 @@ TEST(DoubleDouble, KeepsExactResultsExact) {
   }
 }
 
-TEST(DoubleDouble, SaysWhereItKnowsNothing) {
+TEST(DoubleDouble, HasNoSignOrWidthWhereNothingIsKnown) {
   const DoubleDouble zero(0), one(1), large(kLargest);
   const DoubleDouble root = sqrt(DoubleDouble(2));
   const DoubleDouble around_zero = root * root - DoubleDouble(2);

@@ -90,7 +90,7 @@ TEST(RelativeError, IsTheDistanceOverTheLengthInUnitsOfU) {
   EXPECT_EQ(relative_error(scene::UnitVector3{1, 0, 0x1p-53}, real3(1, 0, 0)).value, 1);
 }
 
-TEST(RelativeError, OfTheOriginIsNothingOrEverything) {
+TEST(RelativeError, OfTheOriginIsZeroOrInfinite) {
   EXPECT_EQ(relative_error(scene::Point3{0, 0, 0}, real3(0, 0, 0)).value, 0);
   EXPECT_EQ(relative_error(scene::Point3{0, kSmallest, 0}, real3(0, 0, 0)).value, kInfinity);
   EXPECT_EQ(relative_error(scene::Point3{0, kNaN, 0}, real3(1, 0, 0)).value, kInfinity);
@@ -109,7 +109,7 @@ TEST(RelativeError, OfDoublesIsThatOfTheirEnclosures) {
   EXPECT_EQ(relative_error(infinite, infinite).value, kInfinity);
 }
 
-TEST(AngleError, IsBlindToLengthAndInfiniteFromARightAngleOn) {
+TEST(AngleError, IgnoresLengthAndIsInfiniteFromARightAngleOn) {
   EXPECT_EQ(angle_error({1.2, 1.6, 0}, real3(0.6, 0.8, 0)).value, 0);
   const Enclosure3 along_x = real3(1, 0, 0);
   EXPECT_EQ(angle_error({1, 0x1p-53, 0}, along_x).value, 1);
@@ -206,7 +206,7 @@ TEST(BackwardError, IsExactWhereItIsSpecial) {
   }
 }
 
-TEST(BackwardError, IsInfiniteOfWhatIsNotFiniteAndRefusesWhatIsNoProblem) {
+TEST(BackwardError, IsInfiniteForNonFiniteValuesAndRefusesInvalidInput) {
   for (const double s : {kInfinity, -kInfinity, kNaN}) {
     EXPECT_EQ(backward_error(kAlongX, kUnit, s).value, kInfinity) << s;
   }
@@ -365,7 +365,7 @@ TEST(RayError, OfTheExactValueIsZero) {
   EXPECT_FALSE(sphere_residual({{0, 0, 0}, 0}, {1, 0, 0}).has_value());
 }
 
-TEST(RayError, OfWhatIsNotFiniteIsInfinite) {
+TEST(RayError, OfNonFiniteValuesIsInfinite) {
   const ExactRay ray(scene::Ray{{-5, 0, 0}, {1, 0.5, 0}});
   const scene::Sphere sphere{{0, 1, 0}, 2};
   const Intersection at = ray.intersect(sphere);

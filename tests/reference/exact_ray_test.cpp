@@ -77,7 +77,7 @@ void expect_refused(const std::function<void()>& action, const std::string& fiel
   EXPECT_TRUE(has(thrown_by(action), field));
 }
 
-TEST(InvalidInput, IsRefusedByTheNameOfItsField) {
+TEST(InvalidInput, IsRefusedNamingTheField) {
   expect_refused([] { ExactRay(Ray{{0, kNaN, 0}, {1, 0, 0}}); }, "ray.origin");
   expect_refused([] { ExactRay(Ray{{0, 0, 0}, {0, 0, 0}}); }, "ray.direction");
   Camera camera{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 2};
@@ -208,7 +208,7 @@ BoxCounts box_counts(double change) {
   return all;
 }
 
-TEST(IntersectionInBoxes, IsThatOfAllInThemAndOfAllCloseBy) {
+TEST(IntersectionInBoxes, HoldsInThemAndCloseBy) {
   const BoxCounts within = box_counts(kBoxChange * (1 - 0x1p-30));
   EXPECT_EQ(within.contradicted, 0);
   EXPECT_GT(within.hits, 200);
@@ -216,7 +216,7 @@ TEST(IntersectionInBoxes, IsThatOfAllInThemAndOfAllCloseBy) {
   EXPECT_GT(within.open, 200);
 }
 
-TEST(IntersectionInBoxes, IsNotThatOfOnesFartherOff) {
+TEST(IntersectionInBoxes, DoesNotHoldFartherOff) {
   EXPECT_GT(box_counts(4 * kBoxChange).contradicted, 20);
 }
 
@@ -234,7 +234,7 @@ TEST(IntersectionInBoxes, IsTheExactOneOfASingleRayThatPassesClearly) {
   EXPECT_GT(decided, 1900);
 }
 
-TEST(IntersectionInBoxes, RefusesWhatIsNoProblem) {
+TEST(IntersectionInBoxes, RefusesInvalidInput) {
   const Ray ray = {{0, 0, 0}, {0, 0, 1}};
   const Ray none = {{0, 0, 0}, {0, 0, 0}};
   EXPECT_THROW(intersection_in({none, ray}, {kUnit, kUnit}, 0, {}), std::invalid_argument);

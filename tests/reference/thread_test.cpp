@@ -109,7 +109,7 @@ std::vector<Case> random_cases_of(Sizes sizes, std::uint64_t seed) {
   return cases;
 }
 
-TEST(Threads, SharingOneCameraAndItsRaysSayWhatOneThreadSays) {
+TEST(Threads, SharingOneCameraGetTheAnswersOfOneThread) {
   const std::vector<Case> cases = random_cases_of(Sizes::kSmallIntegers, 1);
   constexpr std::size_t kThreads = 8;
   std::array<int, kThreads> compared{};

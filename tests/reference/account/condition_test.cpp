@@ -243,7 +243,7 @@ TEST(Condition, IsInfiniteAtATangent) {
   EXPECT_LT(condition_of_axial_distance(ray, kUnit), 3);
 }
 
-TEST(Condition, IsInfiniteOfAValueThatSmallChangesMoveFromZero) {
+TEST(Condition, IsInfiniteWhereSmallChangesMoveAValueFromZero) {
   // v = T.D = 0, of terms that cancel.
   const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 1, 0}});
   EXPECT_EQ(condition_of_axial_distance(ray, {{3, -3, 0}, 1}), kInfinity);
@@ -255,7 +255,7 @@ TEST(Condition, IsInfiniteOfAValueThatSmallChangesMoveFromZero) {
   EXPECT_EQ(condition_of_parameter(close, {{0, 0, 0}, 1}, kSmallerHit), kInfinity);
 }
 
-TEST(Condition, IsZeroOfAZeroThatNoSmallChangeMoves) {
+TEST(Condition, IsZeroWhereNoSmallChangeMovesAZero) {
   // T = (0, 3, 0) and D = (1, 0, 0): relative changes leave v = 0.
   const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(condition_of_axial_distance(ray, {{0, 3, 0}, 1}), 0);

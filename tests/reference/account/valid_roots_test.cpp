@@ -55,7 +55,7 @@ TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
   EXPECT_EQ(met(ray, around, {0, 1, Ends::kClosed, TUnit::kRadius, {}}), "far");
 }
 
-TEST(ValidRoots, AreTheSameByEveryStageBesideTheEnds) {
+TEST(ValidRoots, AgreeInEveryStageNearTheEnds) {
   Random random(6);
   int hits = 0;
   for (int k = 0; k < 3000; ++k) {
@@ -113,7 +113,7 @@ Nearby nearby(const std::optional<double>& answer, const scene::ValidRoots& vali
       .found;
 }
 
-TEST(RefutedNearby, IsWhatNoInputsCloseByMakeRight) {
+TEST(RefutedNearby, IsAnAnswerThatNoInputsCloseByMakeRight) {
   const scene::ValidRoots from_one{1, kNoEnd, {}, {}, {}};
   EXPECT_EQ(nearby({}, from_one), Nearby::kRefuted);                  // a miss, where 2 counts
   EXPECT_EQ(nearby(4, from_one), Nearby::kRefuted);                   // the far root
@@ -138,7 +138,7 @@ TEST(RefutedNearby, LeavesTangentsFarFromAnyEndToTheSearchForWitnesses) {
 
 /// Of lines tangents behind the origin are as those ahead, and what is missed by far is not
 /// excused.
-TEST(RefutedNearby, TakesLinesBehindTheirOriginForTheirReverse) {
+TEST(RefutedNearby, ReversesLinesBehindTheirOrigin) {
   const auto missed = [](const scene::Sphere& sphere, const scene::ValidRoots& valid) {
     return right_nearby(kRayAlongX, sphere, {.relative_change = kNearby, .valid = valid}, {}).found;
   };

@@ -183,7 +183,7 @@ TEST(Visibility, IsExactAtEveryScale) {
   EXPECT_GT(hits, 2000);
 }
 
-TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
+TEST(Visibility, IsExactWithMoreSpheresThanAreListedAtFirst) {
   // Many near ones on the left, few far ones on the right, and almost all behind the eye.
   Uniform between{std::mt19937_64(1)};
   scene::Scene scene;
@@ -227,7 +227,7 @@ TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
   EXPECT_GT(expect_exact(scene, see(visibility_of(scene)), 11), 30);
 }
 
-TEST(Visibility, PassesOverNothingThatIsSeen) {
+TEST(Visibility, SkipsNoVisibleSphere) {
   // Surfaces as near as each other everywhere: of those that come later some are seen.
   for (const int count : {300, 5'000}) {
     for (const std::uint64_t seed : {1U, 2U}) {
@@ -301,7 +301,7 @@ TEST(Visibility, DecidesWholeRowsOfTangents) {
 
 /// What is not exactly tangent there would be, were fewer columns asked, other rows' tangents
 /// counted, or other spheres.
-TEST(Visibility, TakesNoOtherRowsForTangents) {
+TEST(Visibility, FindsNoTangentsInOtherRows) {
   scene::Scene scene = tangent_row(0, scene::Samples::kEdges, {0, 0, -1});
   const scene::Sphere below = scene.spheres.front(), aside = {{3, 0, -5}, 3};
   scene.camera->width = 11;
@@ -378,7 +378,7 @@ TEST(Visibility, DecidesNearTangentsInPairs) {
   }
 }
 
-TEST(Visibility, DoesNotDependOnHowRowsAreAskedFor) {
+TEST(Visibility, DoesNotDependOnTheRowsOfACall) {
   const Visibility visibility = visibility_of(random_scene(2));
   const Seen one = see(visibility);
   const auto width = static_cast<std::size_t>(visibility.scene().camera->width);
@@ -419,7 +419,7 @@ TEST(Visibility, ClassesAreExact) {
 }
 
 /// Under intervals and culling, where the nearest sphere is often one behind others.
-TEST(Visibility, IsThatOfTheRootsThatCount) {
+TEST(Visibility, FollowsTheRootsThatCount) {
   int differing = 0;
   for (const scene::ValidRoots& valid : {scene::ValidRoots{4, kInfinity, {}, {}, {}},
                                          {0, 9, scene::Ends::kOpen, {}, {}},

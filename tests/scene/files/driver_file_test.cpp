@@ -57,7 +57,7 @@ TEST(ReadDriverFile, ReadsSpheresInOrder) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
-TEST(ReadDriverFile, KnowsWhatOnlyShadingNeeds) {
+TEST(ReadDriverFile, ListsWhatOnlyShadingNeeds) {
   const std::string sphere = "sphere 0 0 -9 1";
   std::string text = kB + "ambient .1 .1 .1\nlight 1 1 1\nrecursionLevel 3\nlight 2 2 2\n" +
                      "model 0 1 0 45 2 0 0 0 cube.obj\nrecursionlevel 2\n";
@@ -104,7 +104,7 @@ TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
   }
 }
 
-TEST(ReadDriverFile, NamesWhatIsWrongByFileLineFieldAndValue) {
+TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
   constexpr const char* kNoSign = ": must be above zero (dialect A) or below (B and C)";
   const std::pair<std::string, std::string> errors[] = {
       {replaced(kA, "d 2\n", ""),
@@ -155,7 +155,7 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
   EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
 }
 
-TEST(ReadDriverFile, SaysWhatKindOfFileItIsNot) {
+TEST(ReadDriverFile, RefusesOtherKindsOfFiles) {
   const std::string kOther = ": not a driver file; the name of a TOML file must end in .toml";
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nres 2 2\n"),
             "f.txt:1: eye: is missing");
@@ -223,7 +223,7 @@ class HostileFile : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(HostileFile, that_is_none_is_refused) {
+TEST_F(HostileFile, that_is_a_pipe_a_device_or_a_folder_is_refused) {
   const fs::path pipe = folder_ / "pipe", link = folder_ / "link";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   fs::create_symlink(pipe, link);
@@ -268,7 +268,7 @@ TEST(LoadScene, NamesTheFileAndTheReason) {
   }
 }
 
-TEST_F(HostileFile, of_toml_warns_that_a_dialect_does_not_concern_it) {
+TEST_F(HostileFile, of_toml_warns_that_it_has_no_dialect) {
   const fs::path path = folder_ / "dialect.toml";
   std::ofstream(path) << "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n";
   EXPECT_TRUE(load_scene(path).warnings.empty());

@@ -276,7 +276,7 @@ TEST(HostileToml, has_a_limit_of_parts_of_a_key) {
             "f.toml:1: a = (a table):");
 }
 
-TEST(HostileToml, has_a_limit_of_what_is_inside_each_other) {
+TEST(HostileToml, has_a_limit_of_nesting) {
   for (const std::size_t depth : {std::size_t{33}, std::size_t{100000}}) {
     EXPECT_EQ(error_of_toml("x = " + repeated("[", depth)),
               "f.toml:1: nesting: more than 32 nested lists and tables; at most 32 are "
