@@ -1,4 +1,4 @@
-// Which classes a method can answer on a box, against its answers in it.
+// The hit classes that a method can answer on a box, against its answers in that box.
 
 #include "fast/intersect.h"
 #include "properties/cases/random.h"
@@ -59,7 +59,7 @@ struct Seen {
   int decided_hits = 0, decided_misses = 0, open = 0, contradicted = 0;
 };
 
-/// How many boxes have one class alone by `claims`, and in how many of these `answers` has another.
+/// The number of boxes with only one class by `claims`, and of those where `answers` has another.
 Seen seen(const IntersectMethod& claims, const IntersectMethod& answers, int boxes) {
   Random random(7);
   Seen all;
@@ -99,7 +99,7 @@ TEST_P(EachFormula, StaysWithinItsPossibleClasses) {
   EXPECT_GT(of_own.open, 80);
 }
 
-/// The claims of one formula are wrong about another's roundings.
+/// The classes of one formula do not cover another's rounding errors.
 TEST_P(EachFormula, HasOtherClassesThanAnotherFormula) {
   const bool in_floats = GetParam()->unit_roundoff > 0x1p-50;
   EXPECT_GT(seen(*GetParam(), in_floats ? kRobust : kSingleLecture, 2000).contradicted, 8);

@@ -1,4 +1,4 @@
-// The examples as someone else builds them, against an installed tree.
+// The examples, built against an installed tree.
 
 #include <unistd.h>
 
@@ -16,7 +16,7 @@ class Consumers : public testing::Test {
     installed() =
         shell(std::string("cmake --install ") + RAYCHECK_BUILD + " --prefix " + prefix().string());
   }
-  /// Said here: tests of a suite that cannot be set up are skipped.
+  /// Fails here, as tests of a suite whose set-up fails are skipped.
   void SetUp() override { ASSERT_EQ(installed().code, 0) << installed().text; }
   static Ended& installed() {
     static Ended ended;
@@ -76,7 +76,7 @@ TEST_F(Consumers, WithGoogleTestPassAndFindFiveMistakes) {
   }
 }
 
-/// The page has the examples' text, and what they print.
+/// The documentation contains the examples and their output.
 TEST_F(Consumers, MatchTheDocumentation) {
   const fs::path source = RAYCHECK_SOURCE_DIR;
   const std::string page = contents(source / "docs/library.md");
@@ -101,7 +101,7 @@ TEST_F(Consumers, MatchTheDocumentation) {
   EXPECT_EQ(shown, 3u);
 }
 
-/// The same, each of which takes as long again.
+/// Consumers that take as long again each.
 class NightlyConsumers : public Consumers {};
 
 TEST_F(NightlyConsumers, WithOtherFrameworksPassAndFail) {
@@ -120,7 +120,7 @@ TEST_F(NightlyConsumers, WithOtherFrameworksPassAndFail) {
   }
 }
 
-/// What a fuzzer says of the far root, having ended.
+/// Checks the output of a fuzzer that found the far root.
 void expect_far_root(const Ended& bad) {
   EXPECT_NE(bad.code, 0) << bad.text;
   EXPECT_TRUE(has(bad.text, "nearest-root: tracer broken"));
@@ -142,7 +142,7 @@ TEST_F(NightlyConsumers, WithLibFuzzerSurviveAndFail) {
   expect_far_root(shell("export TRACER_MISTAKE=far_root; " + fuzzer + "-runs=20000"));
 }
 
-/// The same entry, by the compiler that there is, on random bytes.
+/// The same entry, built with the available compiler, on random bytes.
 TEST_F(NightlyConsumers, WithFuzzHSurviveAndFailOnRandomBytes) {
   const fs::path example = prefix() / "share/raycheck/examples/consumer-fuzz";
   const std::string program = (prefix() / "random_bytes").string();
@@ -157,7 +157,7 @@ TEST_F(NightlyConsumers, WithFuzzHSurviveAndFailOnRandomBytes) {
   expect_far_root(shell("TRACER_MISTAKE=far_root " + program + " 5000"));
 }
 
-/// How they are compiled touches no proof.
+/// Compiler flags of consumers do not affect answers.
 TEST_F(NightlyConsumers, GetTheSameAnswersHoweverTheyAreCompiled) {
   const Ended plain = shell((built("consumer-exact") / "truth").string());
   EXPECT_EQ(plain.code, 0);

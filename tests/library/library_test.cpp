@@ -1,6 +1,5 @@
-// What the library says is what the reference says, and its own ways of writing a number agree.
-// Candidates that are linked in, in doubles and in floats: what is right passes, what is degenerate
-// or wrong does not.
+// The library's answers are the reference's, and its spellings of a number agree. Of linked
+// candidates, in doubles and in floats, right ones pass; degenerate and wrong ones do not.
 
 #include <raycheck/cases.h>
 #include <raycheck/exact.h>
@@ -31,7 +30,7 @@ TEST(Exact, MeetsTheSphereAhead) {
 }
 
 #if defined(__SSE2__)
-/// As a program has it that is linked with -ffast-math.
+/// As in a program that is linked with -ffast-math.
 TEST(Exact, KeepsSubnormalsWhereTheProgramFlushesThem) {
   constexpr unsigned kFlush = 0x8040;
   constexpr double kUnit = 0x1p-1000;
@@ -138,7 +137,7 @@ TEST(Cases, AreDeterminedByTheirSeed) {
   EXPECT_THROW((void)make_case("nowhere", 1), std::invalid_argument);
 }
 
-/// Every double has a spelling of its own, -0 and subnormal ones, too.
+/// Every double reads back from its spelling, -0 and subnormal ones included.
 TEST(Cases, ReadBackAsWritten) {
   int subnormal = 0;
   for (const Source& source : sources()) {
@@ -194,7 +193,7 @@ TEST(Judge, FindsDegenerateCandidatesBroken) {
   }
 }
 
-/// >= for > at the end that a candidate declares, which the root of every case lies on.
+/// >= for > at the declared end, on which the root of every case lies.
 TEST(Judge, FindsRootsOutsideTheDeclaredIntervalBroken) {
   Case one;
   one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
@@ -229,7 +228,7 @@ TEST(Judge, JudgesOnlyDeclaredReturnsAndDirections) {
   distances.returns = Returns::distance;
   EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
   EXPECT_EQ(judge(distances, "hit-point", "rays").finding, Finding::left_out);
-  distances.returns = Returns::parameter;  // on unit directions both are one
+  distances.returns = Returns::parameter;  // equal on unit directions
   distances.directions = Directions::unit;
   EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
 }

@@ -110,7 +110,7 @@ TEST(EnclosureWidth, IsRelativeToTheValue) {
   EXPECT_FALSE(ball.is_within(82));
 }
 
-/// Whether x is known at all, and if so within how much of itself.
+/// Whether x has a finite radius.
 bool is_known(const DoubleDouble& x) {
   return std::isfinite(x.high()) && std::isfinite(x.radius());
 }
@@ -149,7 +149,7 @@ void expect_holds(const DoubleDouble& x, const Big& exact, const std::string& wh
   }
 }
 
-/// A number, and what it is exactly.
+/// A number and its exact value.
 struct Pair {
   DoubleDouble number;
   Big exact;
@@ -166,7 +166,7 @@ std::optional<Pair> operate(Random& random, const Pair& a, const Pair& b) {
   return std::nullopt;
 }
 
-/// Random expressions of a few operations each; how many results were narrow.
+/// Checks random expressions of a few operations each; returns the number of narrow results.
 int check_expressions(Sizes sizes, std::uint64_t seed, int count) {
   Random random(seed);
   int narrow = 0;
@@ -215,7 +215,7 @@ TEST(DoubleDouble, KeepsExactZeros) {
     EXPECT_EQ(result.certain_sign(), 0);
     EXPECT_TRUE(result.is_within(1000));
   }
-  // A product that underflows is no zero.
+  // A product that underflows is not zero.
   const DoubleDouble product = DoubleDouble(kSmallest) * DoubleDouble(kSmallest);
   EXPECT_EQ(product.certain_sign(), std::nullopt);
   EXPECT_FALSE(product.is_within(1));

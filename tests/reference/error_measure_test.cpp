@@ -1,4 +1,4 @@
-// Errors: against what they are by hand, rational arithmetic and balls.
+// Errors, against values by hand, rational arithmetic and balls.
 
 #include "reference/error_measure.h"
 
@@ -241,11 +241,10 @@ TEST(BackwardError, IsExactOnRandomCases) {
   }
 }
 
-/// Balls so narrow that what they leave open of an error does not count.
+/// Balls so narrow that their width is negligible beside any error.
 constexpr int kBits = 400;
 
-/// Compares errors with those measured by balls alone; counts those that are neither 0 nor
-/// infinite.
+/// Compares errors with those measured only by balls; counts those that are neither 0 nor infinite.
 class Comparison {
  public:
   void expect_same(double error, double by_balls) {
@@ -253,7 +252,7 @@ class Comparison {
     EXPECT_NEAR(error, by_balls, 0x1p-16 + by_balls * 0x1p-29);
     if (error > 0 && std::isfinite(error)) ++measured_;
   }
-  /// The bound is no smaller than the error itself.
+  /// The bound is at least the error.
   void expect_bound(double error, double by_balls) {
     if (!std::isfinite(by_balls)) {
       EXPECT_EQ(error, by_balls);

@@ -1,5 +1,5 @@
 // Decisions of reference/exact_ray.h over the whole double range, under small changes of the input,
-// in boxes of rays and spheres, and on input that is no problem. Its correctly rounded values and
+// in boxes of rays and spheres, and on invalid input. Its correctly rounded values and
 // enclosures, and those of exact_camera.h, against the literal formulas in MPFR.
 
 #include "reference/exact_ray.h"
@@ -172,8 +172,8 @@ struct BoxCounts {
   int hits = 0, misses = 0, open = 0, contradicted = 0;
 };
 
-/// Boxes of spheres that the ray about grazes, and questions in them whose numbers are changed by
-/// up to `change`.
+/// Counts on boxes of spheres that the ray nearly grazes, and on questions in them whose numbers
+/// are changed by up to `change`.
 BoxCounts box_counts(double change) {
   Random random(11);
   BoxCounts all;
@@ -244,7 +244,7 @@ TEST(IntersectionInBoxes, RefusesInvalidInput) {
 
 constexpr auto kSingle = scene::Precision::kSingle;
 
-/// How many values were compared, and how many of them lie at the ends of the double range.
+/// The number of values compared, and of those at the ends of the double range.
 struct RoundedCounts {
   int values = 0, hits = 0, subnormal = 0, overflowed = 0, zero = 0;
 

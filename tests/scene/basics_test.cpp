@@ -1,5 +1,4 @@
-// What all else stands on: numbers and text as they are read and written, interruption, the
-// arithmetic of the processor.
+// The basics: reading and writing numbers and text, interruption, the processor's arithmetic.
 
 #include <cfenv>
 #include <thread>

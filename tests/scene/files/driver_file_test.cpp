@@ -180,7 +180,7 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
             "f.txt:1: camera.up = [0, 0, 5]: is exactly parallel to eye - look_at");
 }
 
-// A reader that takes quadratic time does not come to an end here.
+// A reader that takes quadratic time would not finish here.
 TEST(HostileDriverFile, of_a_million_spheres_is_read) {
   constexpr std::size_t kSpheres = 1000000;
   std::string text = "eye 0 0 10\nlook 0 0 0\nup 0 1 0\nd -5\nbounds -1 1 -1 1\nres 4 4\n";
@@ -294,7 +294,7 @@ TEST(Examples, EachLoadsSaysWhatItShowsAndShowsSomething) {
     EXPECT_EQ(read_toml(write_toml(scene), "again").scene, scene);
     ++scenes;
     if (!scene.camera || entry.path().stem() == "sphere-behind-eye") continue;
-    // From the eye on, so that what is before the image plane counts.
+    // From the eye, so that hits in front of the image plane count.
     Conventions conventions = scene.conventions;
     conventions.origin = Origin::kFocal;
     const auto spheres = plan_scene(scene, conventions, Wanted::kNearest).spheres;

@@ -1,4 +1,4 @@
-// What bounds promise, held against exact rationals.
+// The promises of bounds, checked with exact rationals.
 
 #include "scene/plan/bounds.h"
 
@@ -73,7 +73,7 @@ void expect_tight(const Bounds& bounds, const Rational& least, const Rational& m
   }
 }
 
-/// Both ends of the operands, and something between.
+/// Both ends of the operands, and a number between.
 template <class Operation>
 void expect_binary(Operation operation, bool divides = false) {
   Doubles doubles;

@@ -1,4 +1,4 @@
-// Plans worked by hand, and how large rectangles are.
+// Plans worked by hand, and the sizes of rectangles.
 
 #include "scene/plan/plan.h"
 
@@ -208,7 +208,7 @@ TEST(Plan, CanSwitchOffEachOptimisation) {
   EXPECT_EQ(whole.spheres[3].left_out, LeftOut::kHidden);
   EXPECT_EQ(all({.view = false}).spheres[0].left_out, std::nullopt);
   EXPECT_EQ(all({.view = false}).spheres[0].pixels, kImage);
-  // What is behind is outside the view too.
+  // A sphere behind is also outside the view.
   EXPECT_EQ(all({.behind = false}).spheres[1].left_out, LeftOut::kOutsideView);
   EXPECT_EQ(all({.view = false, .behind = false}).spheres[1].left_out, std::nullopt);
   EXPECT_EQ(all({.hidden = false}).spheres[3].left_out, std::nullopt);
@@ -227,7 +227,7 @@ TEST(Plan, RefusesGivenRays) {
   EXPECT_THROW(plan_of(scene), std::invalid_argument);
 }
 
-/// How many sides of rectangles were compared, and how many of them lie where exact ones would.
+/// The number of sides of rectangles compared, and of those that lie where exact ones would.
 struct Tightness {
   int sides = 0, exact = 0;
 
