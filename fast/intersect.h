@@ -14,7 +14,7 @@
 
 namespace raycheck::fast {
 
-/// What a method computes for one ray and one sphere before it chooses a root.
+/// A method's results for one ray and one sphere before it chooses a root.
 struct Roots {
   double axial_distance;  ///< v = T.D, a length
   double half_chord_sq;   ///< d^2; the ray's line meets the sphere where it is >= 0.
@@ -33,7 +33,7 @@ struct Roots {
 ///         number is at most kModerateCondition (properties/quantity.h), growing in proportion
 ///         beyond; the class is exact but for inputs that a relative change by kExcusedChange takes
 ///         to tangency, or an origin across the surface; with `exact_class` it is exact on every
-///         valid input. A method's `not_kept` says where it keeps neither promise.
+///         valid input. A method's `not_kept` says where it keeps no promise.
 struct IntersectMethod {
   std::string_view name;
   std::string_view sentence;
@@ -62,7 +62,7 @@ RAYCHECK_INTERSECT_METHODS(RAYCHECK_DECLARE)
 /// Every method, in the order of reports.
 std::span<const IntersectMethod* const> intersect_methods();
 
-/// What a ray meets first: the sphere's index, and s.
+/// The first hit of a ray: the sphere's index, and s.
 struct FirstHit {
   std::size_t sphere;
   double parameter;

@@ -31,7 +31,7 @@ inline constexpr double kUnitDefectWidth = 0x1p-29;
 /// that makes `parameter` an exact root, to first order.
 /// Shape:  one ray, one sphere, one s (of either root, of either sign) -> one number.
 /// Domain: as ExactRay; infinite for a parameter that is not finite, else at most
-///         kMostBackwardError: p is at most half of what it is divided by.
+///         kMostBackwardError: p is at most half of its divisor.
 /// Error:  an upper bound, too large by at most kBackwardErrorWidth relatively; 0 is exact.
 /// Source: relative changes of at most e move p = |q|^2 - r^2, q = L + s d - C, by at most
 ///         e (2 sum_k |q_k| (|L_k| + |C_k| + |s d_k|) + 2 r^2) to first order, so that the e that

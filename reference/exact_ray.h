@@ -101,7 +101,7 @@ class ExactRay {
   ExactRay(const ExactCamera& camera, const scene::Pixel& pixel);
   explicit ExactRay(const scene::Ray& ray);
 
-  /// What the ray was made from: a camera and a pixel, or a given ray.
+  /// The origin of the ray's numbers: a camera and a pixel, or a given ray.
   struct Source {
     std::shared_ptr<const ExactCamera::Impl> camera;  ///< Null for a given ray.
     scene::Pixel pixel;

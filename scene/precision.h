@@ -31,7 +31,7 @@ constexpr double unit_roundoff(Precision precision) {
   return precision == Precision::kSingle ? 0x1p-24 : 0x1p-53;
 }
 
-/// What an error counts: ulp, the gap between the numbers of a format around the exact value, or u
+/// The unit of an error: ulp, the gap between the numbers of a format around the exact value, or u
 /// of that value's size.
 enum class Unit { kUlp, kU };
 

@@ -50,8 +50,8 @@ namespace {
 // All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
 // made from L' + (s0 d)', the rest and the correction of s, and rounded once.
 
-/// Whether what Newton's step leaves is below 2^-57 of s beside the surface, near and far, where x
-/// is as the margins make it worst; squared, for the roots.
+/// Whether Newton's step leaves an error below 2^-57 of s beside the surface, near and far, at the
+/// worst x that the margins allow; squared, to avoid roots.
 constexpr bool leaves_little() {
   using Required = Margins<double>;
   constexpr double kUnit = 0x1p-53, kMost = 0x1p-57;

@@ -24,7 +24,7 @@ struct Case {
 /// A source of cases. With severities, its cases become harder in one respect.
 struct Source {
   std::string name;         ///< "distance"
-  std::string sentence;     ///< What its cases are.
+  std::string sentence;     ///< Describes its cases.
   bool has_camera = false;  ///< Whether its cases have pixels, not given rays.
   /// What severity measures, "log10 of the distance over the radius"; empty: it has no severities.
   std::string dial;

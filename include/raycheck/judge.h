@@ -102,7 +102,7 @@ enum class Finding { holds, broken, undecided, too_few_judged, not_judged, left_
 struct BrokenCase {
   Case shrunk;         ///< With one ray or pixel, where that still breaks it.
   std::string replay;  ///< For replay().
-  /// What was answered, what is right, and how far apart they are.
+  /// The given answer, the exact one, and their distance.
   std::string discrepancy;
   /// The classic mistakes that explain the wrong answers; empty if none does.
   std::vector<std::string> sentences;

@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_LAW_TESTS_H_
 #define RAYCHECK_LAW_TESTS_H_
 
-// What the headers for test frameworks share: one test for each law and source.
+// Shared by the headers for test frameworks: one test for each law and source.
 
 #include <raycheck/judge.h>
 

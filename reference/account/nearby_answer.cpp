@@ -131,8 +131,7 @@ std::vector<double> on_zero(const AnswerBox& box, Decider decider, const Variati
   return t;
 }
 
-/// Points of the box [-1, 1]^n where the conditions hold if they hold anywhere, up to what is not
-/// linear.
+/// Points of the box [-1, 1]^n where the conditions, taken as linear, hold if they hold anywhere.
 std::vector<std::vector<double>> places(const AnswerBox& box, const std::vector<Condition>& all,
                                         const VariationOf& variation_of) {
   std::vector<std::vector<double>> result;

@@ -7,7 +7,7 @@
 
 namespace raycheck::reference {
 
-/// A claim about what a ray meets first.
+/// A claim about the first hit of a ray.
 struct FirstMet {
   enum class What {
     kNothing,

@@ -54,9 +54,8 @@ class Box {
     return (ray_.axial_distance(sphere) + sqrt(ray_.half_chord_sq(sphere))).certain_sign() == -1;
   }
 
-  /// Whether what counts may differ from what every root >= 0 would make count: neither are all
-  /// roots behind, where rays are met, nor do all lie in front and well inside the interval, the
-  /// smaller not culled.
+  /// Whether other roots may count than if every root >= 0 counted: not if, for rays, all roots are
+  /// behind, nor if all lie in front and well inside the interval, the smaller not culled.
   bool ends_matter(const scene::Sphere& sphere) const {
     const Enclosure half_chord_sq = ray_.half_chord_sq(sphere);
     if (half_chord_sq.certain_sign() == -1) return false;

@@ -20,7 +20,7 @@ namespace raycheck::reference {
 NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                             const Neighbourhood& around, const std::optional<double>& answer);
 
-/// For a claim about what is met first.
+/// For a claim about the first hit.
 NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                             const Neighbourhood& around, const FirstMet& claim);
 
@@ -29,8 +29,8 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> 
 bool ends_matter_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                         const Neighbourhood& around);
 
-/// The ray that meets ahead of its origin what a given ray's line meets behind it, where all of
-/// that counts: inputs close by miss the sphere with both or with none.
+/// The reverse of a given ray, which meets ahead of its origin what the line meets behind it, where
+/// all of that counts: inputs close by miss the sphere with both rays or with neither.
 std::optional<ExactRay> reversed_behind(const ExactRay& ray, const scene::Sphere& sphere,
                                         const Neighbourhood& around);
 

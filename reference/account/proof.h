@@ -54,8 +54,8 @@ struct Proof {
   std::vector<ProvenMeeting> meetings;  ///< One for each sphere.
 };
 
-/// What a proof must show; a vector's intervals that follow from its brackets are narrower than
-/// 2^-ExactRay::kValueBits of its length.
+/// The statement that a proof must show; a vector's intervals that follow from its brackets are
+/// narrower than 2^-ExactRay::kValueBits of its length.
 struct Proposition {
   std::span<const scene::Sphere> spheres;  ///< Shows how each is met.
   bool other_roots = false;                ///< For those that are met, shows the other root too.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What an ExactCamera holds. Internal to reference/.
+// The data of an ExactCamera. Internal to reference/.
 
 #include "reference/exact_camera.h"
 #include "reference/internal/formulas.h"

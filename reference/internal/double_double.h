@@ -12,9 +12,9 @@ namespace raycheck::reference {
 /// high the double nearest to high + low. About 104 bits, without heap memory or unlimited
 /// exponents: results that over- or underflow get a radius that says so (infinite or NaN if nothing
 /// is known). Valid only while doubles round to nearest.
-/// Error:  each operation encloses the exact result. With u = 2^-53, what it adds to the radius of
-///         its operands is at most kDoubleDoubleError of the result, or of the larger operand of a
-///         sum, and kDoubleDoubleUnderflow. For products, quotients and roots that is proved in
+/// Error:  each operation encloses the exact result. With u = 2^-53, it adds to the radius of its
+///         operands at most kDoubleDoubleError of the result, or of the larger operand of a sum,
+///         and kDoubleDoubleUnderflow. For products, quotients and roots that is proved in
 ///         proofs/; the rounding errors of sums are computed.
 /// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971; M.
 ///         Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
@@ -152,7 +152,7 @@ N rest_of_root(const N& remainder, const N& h) {
 }
 
 /// A product of two doubles is exact. Else, with |low| <= u |high| and in units of
-/// u^2 |a.high b.high|: what is left out, a.low b.low, is 1; the roundings of two products are 1
+/// u^2 |a.high b.high|: the omitted a.low b.low is 1; the roundings of two products are 1
 /// each; of their sum, below 2u, 2; of r, below 3u, 3.
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const double p = a.high_ * b.high_;
@@ -198,7 +198,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
 /// sqrt(a) = h + (a - h^2)/(sqrt(a) + h). The remainder a.high - h^2, below 2u h^2, is exact, and
 /// so is the root of a double that leaves none. Else, in units of u^2 h: the rounding of its sum
 /// with a.low, below 3u h^2, is 1.5; of the quotient 1.5; and dividing by 2h for sqrt(a) + h, 1.2;
-/// in all less than 6, with what is of higher order.
+/// in all less than 6, with higher orders.
 /// The operand carries |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a); the root of a negative centre is
 /// NaN.
 inline DoubleDouble sqrt(const DoubleDouble& a) {

@@ -67,7 +67,7 @@ double round_to_nearest(Enclosure enclosure, Enclose enclose, Compare compare) {
 }
 
 /// The float nearest to x, ties to even, from the double nearest to x. If that is not a midpoint of
-/// two floats, x is on the same side of all midpoints, as these are doubles; else `compare` tells.
+/// two floats, x is on the same side of all midpoints (all are doubles); else `compare` decides.
 template <class Compare>
 double round_to_single(double nearest, Compare compare) {
   constexpr auto kSingle = scene::Precision::kSingle;

@@ -22,7 +22,7 @@ inline constexpr double kSquareShare = 2.2;   ///< Of B E_b: the error of b^2 th
 inline constexpr double kProductShare = 1.1;  ///< Of |c| E_a and rho_c A, likewise c a.
 inline constexpr double kLeastMoment = 8;     ///< By moment only where S/e is at least this.
 inline constexpr double kRootShare = 0.51;    ///< Of sqrt(E/kDecidedBeyond), likewise q.
-/// Covers what computing bounds in doubles loses, and terms of second order.
+/// Covers rounding errors in computing bounds, and terms of second order.
 inline constexpr double kSlack = 1.01;
 
 inline double middle(const scene::Bounds& x) { return x.low / 2 + x.high / 2; }

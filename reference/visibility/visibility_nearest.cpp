@@ -143,7 +143,7 @@ class NearestOfRows {
     return computed_.emplace_back(impl_.filtered_of(again, index));
   }
 
-  /// Writes the tile; the exact ray decides what the filter left undecided.
+  /// Writes the tile; the exact ray decides pixels that the filter left undecided.
   void finish(std::size_t tile, const TileRays& rays, Certified certified, DecidedBy& decided_by) {
     const TileRectangle wanted = at_.wanted_of(tile);
     const std::size_t at = at_.output_at(at_.row_begin(), tile);

@@ -128,7 +128,7 @@ class DriverReader {
                   "not a driver file; the name of a TOML file must end in .toml");
   }
 
-  /// Reads what follows a sphere's place and size: numbers are its material.
+  /// Reads the words after a sphere's centre and radius: numbers are its material.
   void take_material(const Entry& entry) {
     if (entry.words.size() <= kSphereNumbers) return;
     const bool are_numbers =

@@ -35,7 +35,7 @@ toml::table parse_toml(std::string_view text, std::string_view file);
 /// The fields of a TOML file, by kind; every error names file, line, field and value.
 class TomlFields {
  public:
-  /// A value in the file, and what errors call it.
+  /// A value in the file, and its name in errors.
   struct Field {
     const toml::node& node;
     std::string name;

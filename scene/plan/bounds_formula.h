@@ -143,7 +143,7 @@ MaskOf<N> is_exactly_scaled(N x, N scaled) {
 template <class N>
 BoundsOf<N> scaled(const BoundsOf<N>& x, int exponent) {
   if (exponent == 0) return x;
-  // In steps, as 2^exponent may be out of range; what becomes tiny in one vanishes in the next.
+  // In steps, as 2^exponent may be out of range; numbers that are tiny in one vanish in the next.
   const N third(std::ldexp(1.0, exponent / 3)), rest(std::ldexp(1.0, exponent - exponent / 3 * 2));
   const N low = x.low * rest * third * third, high = x.high * rest * third * third;
   const MaskOf<N> never = low < low;

@@ -17,7 +17,7 @@ struct Scaling {
   bool operator==(const Scaling&) const = default;
 };
 
-/// A sphere relative to the eye, within bounds: what all rays through the eye share. Lengths are
+/// A sphere relative to the eye, within bounds: shared by all rays through the eye. Lengths are
 /// divided by 2^Scaling::lengths.
 template <class AnyBounds>
 struct EyeSphereOf {

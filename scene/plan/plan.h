@@ -25,14 +25,14 @@ struct PlanItems {
   bool view = true;    ///< Leave out spheres outside the view volume.
   bool behind = true;  ///< Leave out spheres behind every origin.
   bool hidden = true;  ///< Leave out spheres hidden by a nearer one, where the nearest is wanted.
-  bool rectangles = true;   ///< Test a sphere only at the pixels of its rectangle.
-  bool constants = true;    ///< Compute once what all rays from the eye share about a sphere.
-  bool far_root = true;     ///< Use the far root only where an origin may be inside.
+  bool rectangles = true;  ///< Test a sphere only at the pixels of its rectangle.
+  bool constants = true;   ///< Compute once the terms of a sphere that all rays from the eye share.
+  bool far_root = true;    ///< Use the far root only where an origin may be inside.
   bool behind_test = true;  ///< Compare roots with the origin only where a sphere may reach behind.
   bool scaling = true;      ///< Scale by powers of two only if magnitudes require it.
   bool filter = true;       ///< Decide exactly only where the filter in doubles fails.
   bool basis = true;        ///< Permute coordinates, not multiply, where the axes are the world's.
-  bool quantities = true;   ///< Compute only what is wanted.
+  bool quantities = true;   ///< Compute only the results wanted.
 };
 
 /// Pixels i_begin <= i < i_end, j_begin <= j < j_end.
@@ -56,7 +56,7 @@ enum class LeftOut { kOutsideView, kBehind, kHidden };
 inline constexpr std::array<std::string_view, 3> kLeftOutNames = {"outside the view",
                                                                   "behind the rays", "hidden"};
 
-/// What must be done for a sphere.
+/// The work that a sphere needs.
 struct SpherePlan {
   std::optional<LeftOut> left_out;
   std::optional<std::size_t> hidden_by;
@@ -72,9 +72,9 @@ struct SpherePlan {
 /// Shape:  a scene -> one SpherePlan and one distance per sphere, in their order.
 /// Units:  rectangles in pixels (i, j) as the conventions count them; scene lengths.
 /// Domain: a valid scene with a camera; otherwise throws std::invalid_argument naming the field.
-/// Error:  a pixel outside a sphere's rectangle certainly misses it; the rectangle exceeds what its
-///         silhouette bounds call for by at most kRectangleSlack pixels on each side, if these
-///         bounds are well conditioned.
+/// Error:  a pixel outside a sphere's rectangle certainly misses it; the rectangle exceeds the one
+///         of its silhouette bounds by at most kRectangleSlack pixels on each side, if these bounds
+///         are well conditioned.
 /// Source: silhouette bounds of the cone from the eye over the sphere, in the planes (U, W) and (V,
 ///         W): its two tangent directions are the direction of the centre turned by asin(r/rho).
 struct ScenePlan {

@@ -4,7 +4,7 @@
 //
 // A format of 8 bits has a sign, 2 bits of exponent and 5 of fraction, one of 10 bits 7 of
 // fraction, as IEEE 754 has them but without infinities: 0, 1, ..., 63, then every second number to
-// 126, every fourth to 252, and their negatives; or to 255, 510 and 1020. What is computed has the
+// 126, every fourth to 252, and their negatives; or to 255, 510 and 1020. Results have the
 // same 6 or 8 significant bits, and exponents that nothing overflows.
 
 #undef HWY_TARGET_INCLUDE
@@ -24,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-/// The spheres about one centre and the rays from one origin. Radii are innermost: what does not
-/// depend on them is computed once for each ray.
+/// The spheres about one centre and the rays from one origin. Radii are innermost: terms that
+/// do not depend on them are computed once for each ray.
 template <int kBits, class Requirements>
 void enumerate_from(const Point<int>& origin, const Point<int>& centre,
                     const std::vector<int>& radii, const std::vector<Point<int>>& ways,

@@ -28,7 +28,7 @@ class Consumers : public testing::Test {
     return fs::path(RAYCHECK_BUILD) / "tests" / name;
   }
 
-  /// An example, built once as its CMakeLists.txt says; the folder of the build.
+  /// Builds an example once, by its CMakeLists.txt; returns the folder of the build.
   static fs::path built(const std::string& name, const std::string& options = "") {
     static std::map<std::string, fs::path> known;
     const auto [its, is_new] = known.emplace(name + options, "");

@@ -44,7 +44,7 @@ inline bool is_nearest(double value, const Big& x) {
 }
 
 /// Whether the enclosure holds x; x itself carries the rounding errors of a few operations on
-/// doubles of any size, which are far below all that an enclosure tells apart.
+/// doubles of any size, which are far below any enclosure's width.
 inline bool contains(const Enclosure& enclosure, const Big& x) {
   const Big error = abs(x) * power_of_two(-6000) + power_of_two(-4300);
   Enclosure truth(0, 8000);

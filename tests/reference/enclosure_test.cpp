@@ -118,7 +118,7 @@ bool is_known(const DoubleDouble& x) {
 void expect_holds(const DoubleDouble& x, const Big& exact, const std::string& what) {
   if (!is_known(x)) return;
   const Big error = abs(Big(x.high()) + Big(x.low()) - exact);
-  // 2^-6000 |exact| is what the rounding of `exact` itself may amount to.
+  // 2^-6000 |exact| bounds the rounding error of `exact` itself.
   EXPECT_TRUE(error <= Big(x.radius()) + abs(exact) * power_of_two(-6000))
       << what << ": " << scene::hexfloat(x.high()) << " + " << scene::hexfloat(x.low())
       << " within " << scene::hexfloat(x.radius()) << ", off by " << error.convert_to<double>();
@@ -178,7 +178,7 @@ int check_expressions(Sizes sizes, std::uint64_t seed, int count) {
       // Neighbours, whose differences cancel.
       const double close = nudged(x, random.integer(-3, 3));
       if (std::isfinite(close)) known.push_back({DoubleDouble(close), Big(close)});
-      // An end of what is known to within a relative change.
+      // An end of a number known to within a relative change.
       const double change =
           std::ldexp(random.between(0.5, 1), -static_cast<int>(random.integer(0, 9)));
       const double end = random.sign();

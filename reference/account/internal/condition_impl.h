@@ -149,7 +149,7 @@ inline constexpr int kSphereInputs = 4;
 inline constexpr int kGivenInputs = 6 + kSphereInputs;
 inline constexpr int kCameraInputs = 14 + kSphereInputs;
 
-/// Records what it lifts.
+/// Records the doubles that it lifts.
 struct NotingLift {
   using Kernel = CGAL::Simple_cartesian<double>;
 

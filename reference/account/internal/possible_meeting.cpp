@@ -79,7 +79,7 @@ bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
   const Interval gap = is_beyond ? s - Interval(roots.sup()) : Interval(roots.inf()) - s;
   const Interval scale = line.is_unit ? Interval(1) : largest(line.g);
   const Interval slack = (s + largest(to_centre(pair)) / scale) * Interval(around.relative_change);
-  // What is 0 at a root varies by at most half the interval's width.
+  // A function that is 0 at a root varies by at most half the interval's width.
   const Interval at_answer = value_of(Decider::kAtAnswer, pair, s);
   const Interval reach = Interval(at_answer.sup()) - Interval(at_answer.inf());
   const Interval apart = gap / length;
