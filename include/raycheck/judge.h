@@ -55,7 +55,7 @@ struct Candidate {
   std::function<Ray(const Camera&, const Conventions&, Pixel)> focal_ray;
   /// Where a ray meets a sphere; empty where it does not. Directions need not be unit.
   std::function<std::optional<Hit>(const Ray&, const Sphere&, const Conventions&)> intersect;
-  /// The index of the sphere with the least s; empty where there is none.
+  /// The index of the sphere with the least s; empty if all are missed.
   std::function<std::optional<std::size_t>(const Ray&, const std::vector<Sphere>&,
                                            const Conventions&)>
       nearest;

@@ -41,7 +41,7 @@ class NightlyPackage : public testing::Test {
     why_not_made() = make();
   }
 
-  /// Returns the error; empty if there is none.
+  /// Returns the error; empty on success.
   static std::string make() {
     fs::remove_all(folder());
     const std::string build = RAYCHECK_BUILD;

@@ -231,7 +231,7 @@ TEST(NearbyChoice, OfNearTiesIsWitnessedOrRefutedAndFractionsAgree) {
   }
 }
 
-/// A change so much larger than rounding errors that changed inputs may be rounded.
+/// A change far larger than rounding errors, so that changed inputs may be rounded.
 constexpr double kWide = 0x1p-26;
 
 /// Spheres that all pass close by one point of the ray, or whose silhouettes pass close by it.
