@@ -93,7 +93,7 @@ HWY_INLINE Coefficients<N> coefficients(const Triple<N>& T, const Triple<N>& dir
           distance_sq - radius_sq};
 }
 
-/// disc twice: as cheap as can be, and without the squares that cancel far away.
+/// The discriminant in two forms: the cheapest, and one without squares that cancel far away.
 template <class N>
 HWY_INLINE N near_discriminant(const N& a, const N& b, const N& c) {
   return mul_sub(b, b, a * c);

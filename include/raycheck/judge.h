@@ -61,7 +61,7 @@ struct Candidate {
       nearest;
 };
 
-/// A law: a property that every correct implementation has.
+/// A law: a property that every correct candidate has.
 struct Law {
   std::string name;      ///< "nearest-root"
   std::string sentence;  ///< "the root is the right one: ..."

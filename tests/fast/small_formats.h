@@ -5,8 +5,8 @@
 
 namespace raycheck::fast {
 
-/// The margins for certain signs where u = 2^-p <= 2^-6, without over- and underflow. Let U = 1 +
-/// u, F = f|d|. T's coordinates are off by a share of u, so that
+/// The margins for certain signs where u = 2^-p <= 2^-6, without over- and underflow. Let
+/// U = 1 + u, F = f|d|. T's coordinates are off by a share of u, so that
 ///   a^ <= U^3 a, (r^2)^ <= U r^2, (f^2)^ <= U^5 f^2, as many powers of 1 - u the other way,
 ///   |m^ - m| <= 1.155 (U^3 - U) F + u |m|, as the moment of absolute values is at most 1.155 F,
 ///   |b^ - b| <= (U^4 - 1) F.
