@@ -21,9 +21,9 @@ namespace {
 // <= |b| + |d| r <= q/sqrt(t), and f|d| <= 1.16 q where x > 2;
 //   |disc^ - disc| <= 19u f^2 |d|^2 + 10u a r^2 + u disc       near, by b^2 - a c,
 //                  <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2   far, by |m|^2,
-// moves h by (9.5x + 5)u q/t near (11x + 3)u q/sqrt(t) where x > 2, and 8.8u q/t far (the
-// last term is negligible, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), later steps by 9.5u
-// q at most: s0 by E q/a in all, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, (11x +
+// moves h by (9.5x + 5)u q/t near, (11x + 3)u q/sqrt(t) where x > 2, and 8.8u q/t far (the last
+// term is negligible, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), later steps by 9.5u q at
+// most: s0 by E q/a in all, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, (11x +
 // 17)u/sqrt(t) where x > 2, and 24u/t far.
 //
 // Newton's step leaves (E q/a)^2 a/(2h). As a share of s that is E^2 where s = q/a, which counts
@@ -43,11 +43,9 @@ namespace {
 // u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by the margin of f^2 - r^2), and off by
 // 2.7u V per coordinate. The squares of w are split by 4r^2 alike: the high parts add up exactly.
 // v's errors cost 9.45u V r; the product (2w + v) v, the low parts and their sums cost kRobustLow u
-// V r more. Their sum over 2 s h is the error as a share of s: 800u^2 M r/(2 s h) <= 2^-60.3, as s
-// h
-// >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by the margin of f^2 - r^2, and 150u^2 f r/(2 s
-// h)
-// <= 2^-63.6.
+// V r more. Their sum over 2 s h is the error as a share of s: 800u^2 M r/(2 s h) <= 2^-60.3, as
+// s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by the margin of f^2 - r^2, and
+// 150u^2 f r/(2 s h) <= 2^-63.6.
 //
 // All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
 // made from L' + (s0 d)', the rest and the correction of s, and rounded once.
