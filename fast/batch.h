@@ -54,7 +54,7 @@ struct Hit {
   scene::Point3 point;  ///< Q = L + s D.
 };
 
-/// What each ray of a batch hits; parameter and point are valid only where hit is 1.
+/// The hits of a batch's rays; parameter and point are valid only where hit is 1.
 struct Hits {
   std::vector<std::uint8_t> hit;
   std::vector<double> parameter;

@@ -37,7 +37,7 @@ struct PixelRayMethod {
   double max_point_ulp;
   double max_direction_ulp;
   double max_unit_defect_ulp;
-  std::string_view not_kept = {};  ///< Where it does not keep them (a test pins that).
+  std::string_view not_kept = {};  ///< Where it exceeds them (a test pins that).
   Domain domain = {};
   double unit_roundoff = 0x1p-53;  ///< Of the arithmetic it uses.
 };
@@ -46,7 +46,7 @@ struct PixelRayMethod {
 RAYCHECK_PIXEL_RAY_METHODS(RAYCHECK_DECLARE)
 #undef RAYCHECK_DECLARE
 
-/// Where on the image plane a pixel is: alpha along U, beta along V, as every method computes them.
+/// A pixel's position on the image plane: alpha along U, beta along V, as every method computes it.
 struct PlanePosition {
   double alpha;
   double beta;

@@ -18,7 +18,7 @@ using Spheres = properties::Candidate::Spheres;
 
 scene::UnitVector3 unit(const Vector& v) { return {v.x, v.y, v.z}; }
 
-/// One ray a pixel.
+/// One ray per pixel.
 template <class Function>
 auto for_each_pixel(const Function& function) {
   return [&function](const scene::Camera& asked, const scene::Conventions& by, Pixels pixels) {
@@ -76,7 +76,8 @@ void add_intersections(const Candidate& from, properties::Candidate& to) {
       for (const scene::Ray& one : rays) {
         const auto index = from.nearest(ray(one), list, agreed);
         if (index && *index >= list.size()) {
-          throw std::runtime_error(fmt::format("nearest: sphere {} of {}", *index, list.size()));
+          throw std::runtime_error(
+              fmt::format("nearest: returned sphere {} of a list of {}", *index, list.size()));
         }
         all.push_back(index);
       }
@@ -90,7 +91,7 @@ void require_valid(const Candidate& candidate) {
                        candidate.focal_ray || candidate.intersect || candidate.nearest;
   if (!has_any) {
     throw std::invalid_argument(fmt::format(
-        "candidate {}: it has no function, so that nothing can be judged", candidate.name));
+        "candidate {}: it has no functions, so there is nothing to judge", candidate.name));
   }
   require_one_of(static_cast<int>(candidate.returns), properties::kReturnsNames.size(), "returns");
   require_one_of(static_cast<int>(candidate.precision), 2, "precision");
@@ -103,7 +104,7 @@ void require_valid(const Candidate& candidate) {
   }
   if (!(largest >= 0) || (largest > 0 && largest < smallest)) {
     throw std::invalid_argument(fmt::format(
-        "largest_length = {}: must be 0, or no less than smallest_length = {}", largest, smallest));
+        "largest_length = {}: must be 0, or at least smallest_length = {}", largest, smallest));
   }
 }
 

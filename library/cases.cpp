@@ -70,7 +70,7 @@ Case make_case(const std::string& name, std::uint64_t seed, std::uint64_t k, int
   const int highest = source->severities ? source->severities->highest : 0;
   if (severity < 0 || severity > highest) {
     throw std::invalid_argument(
-        fmt::format("severity = {}: those of {} are 0..{}", severity, name, highest));
+        fmt::format("severity = {}: {} has severities 0..{}", severity, name, highest));
   }
   return library::case_of(made(*source, seed, k, severity));
 }

@@ -13,7 +13,7 @@ namespace raycheck::library {
 int require_one_of(int place, std::size_t count, std::string_view field) {
   if (place >= 0 && static_cast<std::size_t>(place) < count) return place;
   throw std::invalid_argument(
-      fmt::format("{} = {}: it has {} values, from 0 on", field, place, count));
+      fmt::format("{} = {}: not one of its {} enumerators", field, place, count));
 }
 
 namespace {

@@ -60,7 +60,7 @@ Scene scene_of(const scene::Scene& s);
 properties::Case case_of(const Case& the_case);
 Case case_of(const properties::Case& the_case);
 
-/// A candidate as the laws take it, held to the bounds of direct/cross. `candidate` must outlive
+/// A candidate as the laws take it, judged by the bounds of direct/cross. `candidate` must outlive
 /// it. Errors: std::invalid_argument saying what is invalid.
 properties::Candidate inside(const Candidate& candidate);
 

@@ -80,7 +80,7 @@ std::string Number::enclosure(int bits) const {
   const scene::PlainArithmetic plain;
   if (bits < kFewestBits || bits > kMostBits) {
     throw std::invalid_argument(
-        fmt::format("bits = {}: give {} to {}", bits, kFewestBits, kMostBits));
+        fmt::format("bits = {}: must be {} to {}", bits, kFewestBits, kMostBits));
   }
   const Enclosure enclosed = impl_->enclose(bits + kSpareBits);
   const auto digits = static_cast<slong>(std::ceil(bits * kDigitsOfABit)) + kSpareDigits;

@@ -15,7 +15,7 @@ namespace {
 
 using properties::CampaignResult;
 
-/// How many cases of a source are searched for what a law needs.
+/// The number of cases of a source that are searched for one that a law can use.
 constexpr std::uint64_t kTriedSeeds = 8;
 
 const properties::Law& law_of(const std::string& name) {
@@ -24,7 +24,7 @@ const properties::Law& law_of(const std::string& name) {
       fmt::format("law {}: unknown name; raycheck::laws() has all names", name));
 }
 
-/// Whether a case of the source has what a law needs of it and of the candidate.
+/// Whether the source has a case to which the law applies, given the candidate.
 bool has_case(const properties::Law& law, const properties::ChosenSource& source,
               const properties::Candidate& candidate) {
   for (std::uint64_t seed = 0; seed < kTriedSeeds; ++seed) {
@@ -131,7 +131,7 @@ Verdict judge(const Candidate& candidate, const std::string& law_name, const std
   const properties::Candidate inside = library::inside(candidate);
   properties::CampaignOptions asked;
   if (options.cases < 1) {
-    throw std::invalid_argument(fmt::format("cases = {}: give at least 1", options.cases));
+    throw std::invalid_argument(fmt::format("cases = {}: must be at least 1", options.cases));
   }
   if (options.max_error && !(*options.max_error >= 0)) {
     throw std::invalid_argument(

@@ -26,7 +26,7 @@ using reference::Enclosure;
 namespace fast_formula = fast::HWY_NAMESPACE;
 namespace filter = reference::HWY_NAMESPACE;
 
-/// A double as vectors compute, or as they do without fused operations.
+/// A double with the operations of vectors, fused or not.
 template <bool kFused>
 struct Plain {
   double x;
@@ -44,10 +44,10 @@ struct Plain {
   friend Plain sub_mul(Plain a, Plain b, Plain c) { return mul_add(-a, b, c); }
 };
 
-// The formulas. computed() calls the code's own in any number; exact() says what that is to be, and
-// calls `note` for each magnitude that the bound is a share of: it proves errors where all of these
-// are at most kMost in size, and the formulas are homogeneous. Where a bound is relative, what is
-// noted is above 0.
+// The formulas. computed() calls the code's own in any number type; exact() gives the exact value,
+// and calls `note` for each magnitude that the bound is relative to. Errors are proved where all of
+// these are at most kMost in size; the formulas are homogeneous. Where a bound is relative, noted
+// magnitudes are above 0.
 
 template <class N, std::size_t kCount>
 using Inputs = std::array<N, kCount>;
@@ -99,7 +99,7 @@ struct FilterDiscriminant {
   }
 };
 
-/// All of f x g, whose products are noted.
+/// All components of f x g; their products are noted.
 struct FilterMoment {
   static constexpr std::array kInputs = {"n", "beta", "alpha", "u", "v", "w"};
   static constexpr bool kIsRelative = false;
@@ -153,7 +153,7 @@ struct FastDot {
   }
 };
 
-/// Of |d|.
+/// The length |d|.
 struct FastNorm : FastDot {
   template <class N>
   static Values<N> computed(const Inputs<N, 3>& x) {
@@ -165,7 +165,7 @@ struct FastNorm : FastDot {
   }
 };
 
-/// Of d/|d|, of coordinates above 0: signs change nothing.
+/// d/|d| for positive coordinates, as signs do not matter.
 struct FastUnit : FastDot {
   template <class N>
   static Values<N> computed(const Inputs<N, 3>& x) {
@@ -180,7 +180,7 @@ struct FastUnit : FastDot {
   }
 };
 
-/// T.D of given T and D, of the largest of its products and sums.
+/// T.D for given T and D, relative to the largest of its products and sums.
 struct FastAxialDistance {
   static constexpr std::array kInputs = {"Tx", "Ty", "Tz", "Dx", "Dy", "Dz"};
   static constexpr bool kIsRelative = false;
@@ -197,7 +197,7 @@ struct FastAxialDistance {
   }
 };
 
-/// Of the largest product.
+/// T x D, relative to the largest product.
 struct FastMoment {
   static constexpr std::array kInputs = {"Tx", "Ty", "Tz", "Dx", "Dy", "Dz"};
   static constexpr bool kIsRelative = false;
@@ -218,7 +218,7 @@ struct FastMoment {
   }
 };
 
-/// Of robust's first step: a ray and a sphere, of which r^2 is given.
+/// The first step of robust: a ray and a sphere with a given r^2.
 struct RobustStep {
   static constexpr std::array kInputs = {"Cx", "Cy", "Cz", "Ox", "Oy",
                                          "Oz", "dx", "dy", "dz", "R2"};
@@ -242,7 +242,7 @@ struct RobustStep {
   }
 };
 
-/// Of a (f^2 + r^2), which no note exceeds.
+/// Relative to a (f^2 + r^2), which bounds all that is noted.
 struct RobustDiscriminant : RobustStep {
   template <class N>
   static N scale(const Inputs<N, 10>& x) {
@@ -252,7 +252,7 @@ struct RobustDiscriminant : RobustStep {
   }
 };
 
-/// Of f |d|.
+/// Relative to f |d|.
 struct RobustB : RobustStep {
   template <class N>
   static Values<N> computed(const Inputs<N, 10>& x) {
@@ -266,7 +266,7 @@ struct RobustB : RobustStep {
   }
 };
 
-/// Of f^2 + r^2.
+/// Relative to f^2 + r^2.
 struct RobustC : RobustStep {
   template <class N>
   static Values<N> computed(const Inputs<N, 10>& x) {
@@ -323,7 +323,7 @@ auto terms(Script& script, const auto& names, std::index_sequence<k...> /*all*/)
 
 constexpr double kUnit = 0x1p-53;
 
-/// The formula, fused and not, against what it is to be.
+/// The script for a formula, fused and not, against the exact value.
 template <class F>
 Script traced(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kRelative, mutation);
@@ -366,8 +366,8 @@ class Random {
 constexpr int kBits = 300;
 Enclosure sum(double x, double y) { return Enclosure(x, kBits) + Enclosure(y, kBits); }
 
-/// The largest error in u of the scale, of what is noted or of the exact value: of random inputs,
-/// and of the worst one so far with one number replaced.
+/// The largest error in u of the scale, of what is noted or of the exact value, for random inputs
+/// and for the worst input so far with one number replaced.
 template <class F>
 double observed_of(int samples) {
   constexpr std::size_t kCount = F::kInputs.size();
@@ -417,7 +417,7 @@ double observed_of(int samples) {
 
 using Rounded = Term<true>;
 
-/// Ends that move outward, of a real z and the double x that it rounds to.
+/// Widening: the ends around x, the double that a real z rounds to.
 Script traced_widening(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kToDouble, mutation);
   for (const auto& [x, z, magnitude, range] :
@@ -448,8 +448,8 @@ double observed_widening(int samples) {
   return largest;
 }
 
-/// coarse() by scale 1: multiples of 2^-53, no farther from x than the bound where |x| <= 1/2, and
-/// of which a sum below 0.55 is exact.
+/// coarse() with scale 1: its results are multiples of 2^-53, within the bound of x where |x| <=
+/// 1/2, and their sums below 0.55 are exact.
 Script traced_coarse(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kToDouble, mutation);
   for (const auto& [x, z, range, most] :
@@ -480,8 +480,8 @@ double observed_coarse(int samples) {
   return largest;
 }
 
-/// What the residual adds up of given w, v and rests, at the largest V by r = 1: what is less of
-/// smaller V is in proportion, and more so the squares of v.
+/// The low part of the residual for given w, v and rests, at r = 1 and the largest V: its terms
+/// shrink with V at least in proportion.
 constexpr double kLargestV = 0x1p-17;
 constexpr double most_of_low(std::size_t input) {
   return input < 3 ? 1.01 : input < 6 ? kLargestV : 0.32 * kLargestV;
@@ -538,7 +538,7 @@ double observed_low(int samples) {
   return largest;
 }
 
-/// What is left of a x - b y, x and y in two parts, by exact products that add up to 1.
+/// The low part of a x - b y, with x and y in two parts, by exact products that add up to 1.
 Script traced_determinant(double bound, std::optional<Mutation> mutation) {
   Script script(Rounding::kRelative, mutation);
   const auto name = [&](const char* of) { return Rounded(script, of); };
@@ -658,7 +658,7 @@ Script traced_root(double bound, std::optional<Mutation> mutation) {
   return script;
 }
 
-/// Of random numbers of two parts, the largest error of an operation as a share of its leading
+/// The largest error of an operation on random numbers of two parts, as a share of its leading
 /// part.
 template <class Operate>
 double observed_pairs(int samples, const Operate& operate) {
@@ -711,7 +711,7 @@ double observed_root(int samples) {
 
 template <class F>
 Bound stage(std::string_view name, std::string_view what, std::string_view where, double value) {
-  // Terms of second order are among what kSlack covers.
+  // kSlack covers terms of second order.
   return {name,
           what,
           where,
@@ -732,48 +732,53 @@ constexpr std::string_view kTriple = "fast/internal/triple.h";
 
 std::span<const Bound> bounds() {
   static const std::array all = {
-      stage<FilterB>("filter-b", "b of the image filter, of B", kFormula, reference::kSumRoundings),
-      stage<FilterA>("filter-a", "a of the image filter, of A", kFormula, reference::kSumRoundings),
-      stage<FilterDiscriminant>("filter-discriminant", "b^2 - c a of given b, c, a, of B^2 + |c| A",
-                                kFormula, reference::kDiscRoundings),
+      stage<FilterB>("filter-b", "the image filter's b, relative to B", kFormula,
+                     reference::kSumRoundings),
+      stage<FilterA>("filter-a", "the image filter's a, relative to A", kFormula,
+                     reference::kSumRoundings),
+      stage<FilterDiscriminant>("filter-discriminant",
+                                "b^2 - c a for given b, c, a, relative to B^2 + |c| A", kFormula,
+                                reference::kDiscRoundings),
       stage<FilterMoment>("filter-moment",
-                          "the components of f x g, of their largest product or sum", kFormula,
-                          reference::kMomentRoundings),
-      stage<FilterByMoment>("filter-by-moment", "r^2 a - |h|^2 of given r^2, a, h, of S^2",
-                            kFormula, reference::kByMomentRoundings),
-      Bound{"bounds-widening",
-            "what is more than a double may be off from a real that rounds to it",
+                          "the components of f x g, relative to their largest product or sum",
+                          kFormula, reference::kMomentRoundings),
+      stage<FilterByMoment>("filter-by-moment",
+                            "r^2 a - |h|^2 for given r^2, a, h, relative to S^2", kFormula,
+                            reference::kByMomentRoundings),
+      Bound{"bounds-widening", "the widening of a double to a bound of the real that rounds to it",
             "scene/plan/bounds_formula.h", scene::kBoundsWiden / kUnit, "u", traced_widening,
             observed_widening},
-      Bound{"determinant", "what is left of a x - b y by exact products, of |a x| + |b y|",
+      Bound{"determinant", "the low part of a x - b y by exact products, relative to |a x| + |b y|",
             "scene/plan/eye_space.h", scene::kDeterminantRoundings, "u^2", traced_determinant,
             observed_determinant},
-      Bound{"double-double-product", "a product of double-doubles, of it", kPairs,
+      Bound{"double-double-product", "a product of double-doubles, relative to it", kPairs,
             reference::kDoubleDoubleProductError / (kUnit * kUnit), "u^2", traced_product,
             observed_product},
-      Bound{"double-double-quotient", "a quotient of double-doubles, of it", kPairs,
+      Bound{"double-double-quotient", "a quotient of double-doubles, relative to it", kPairs,
             reference::kDoubleDoubleQuotientError / (kUnit * kUnit), "u^2", traced_quotient,
             observed_quotient},
-      Bound{"double-double-root", "a square root of a double-double, of it", kPairs,
+      Bound{"double-double-root", "a square root of a double-double, relative to it", kPairs,
             reference::kDoubleDoubleRootError / (kUnit * kUnit), "u^2", traced_root, observed_root},
-      stage<RobustB>("robust-b", "b of robust's first step, of f |d|", kRobust,
+      stage<RobustB>("robust-b", "b of robust's first step, relative to f |d|", kRobust,
                      fast_formula::kRobustB),
-      stage<RobustC>("robust-c", "its c, of f^2 + r^2 given r^2", kRobust, fast_formula::kRobustC),
-      stage<RobustNear>("robust-near", "its discriminant by b^2 - a c, of a (f^2 + r^2)", kRobust,
-                        fast_formula::kRobustNear),
-      stage<RobustFar>("robust-far", "its discriminant by the moment, of a (f^2 + r^2)", kRobust,
-                       fast_formula::kRobustFar),
-      Bound{"robust-coarse", "the parts of robust's residual, of the scale",
+      stage<RobustC>("robust-c", "its c for given r^2, relative to f^2 + r^2", kRobust,
+                     fast_formula::kRobustC),
+      stage<RobustNear>("robust-near", "its discriminant by b^2 - a c, relative to a (f^2 + r^2)",
+                        kRobust, fast_formula::kRobustNear),
+      stage<RobustFar>("robust-far", "its discriminant by the moment, relative to a (f^2 + r^2)",
+                       kRobust, fast_formula::kRobustFar),
+      Bound{"robust-coarse", "the parts of robust's residual, relative to the scale",
             "fast/internal/error_free.h", 1, "u", traced_coarse, observed_coarse},
-      Bound{"robust-low", "what robust's residual adds up, of V r",
+      Bound{"robust-low", "the low part of robust's residual, relative to V r",
             "fast/internal/robust_residual.h", fast_formula::kRobustLow, "u", traced_low,
             observed_low},
       stage<FastDot>("a", "a = |d|^2", kTriple, 3),
       stage<FastNorm>("norm", "|d|", kTriple, 2.5),
       stage<FastUnit>("unit-direction", "the coordinates of d/|d|", kTriple, 3.5),
-      stage<FastAxialDistance>("axial-distance", "v = T.D, of its largest product or sum", kTriple,
-                               5),
-      stage<FastMoment>("moment", "the coordinates of T x D, of their largest product", kTriple, 4),
+      stage<FastAxialDistance>("axial-distance", "v = T.D, relative to its largest product or sum",
+                               kTriple, 5),
+      stage<FastMoment>("moment", "the coordinates of T x D, relative to their largest product",
+                        kTriple, 4),
   };
   return all;
 }

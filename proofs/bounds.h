@@ -9,16 +9,16 @@
 
 namespace raycheck::proofs {
 
-/// A bound on which a decision stands, or a stage of a method, proved of the code's own formula.
+/// An error bound that a decision or a stage of a method relies on, proved for the code's formula.
 struct Bound {
-  std::string_view name;   ///< Also of its script, proofs/NAME.gappa.
-  std::string_view what;   ///< What is bounded, as a share of what.
+  std::string_view name;   ///< Its script is proofs/NAME.gappa.
+  std::string_view what;   ///< The value whose error is bounded, and what it is relative to.
   std::string_view where;  ///< The formula's file.
   double value;            ///< In `unit`.
   std::string_view unit;
-  /// What proves that `bound`, in `unit`, holds of the formula, or of it with a mutation.
+  /// The script that proves `bound`, in `unit`, for the formula, or for a mutation of it.
   Script (*script)(double bound, std::optional<Mutation> mutation);
-  /// The largest error of so many inputs, in `unit`, by enclosures: random, or climbed to.
+  /// The largest error of `samples` inputs, random or found by hill climbing, in `unit`.
   double (*observed)(int samples);
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// A type of number that writes down, in the language of Gappa, what is done to it: a formula that
-// is a template over its number is traced by being called. Gappa: Daumas and Melquiond,
+// A number type that records its operations in Gappa's language: calling a formula that is a
+// template over its number type traces it. Gappa: Daumas and Melquiond,
 // Certification of bounds on expressions involving rounded operators, 2010.
 
 #include <cstddef>
@@ -18,8 +18,8 @@ enum class Rounding { kRelative, kToDouble };
 
 std::string in_hexadecimal(double x);
 
-/// The one operation, of all that round, that a mutated formula does otherwise: a difference in
-/// place of a sum, fused or not, no square root, and a sum in place of all else.
+/// The one rounding operation that a mutated formula replaces: a sum (fused or not) by a
+/// difference, a square root by its argument, and all others by a sum.
 struct Mutation {
   std::size_t operation;
 };
@@ -33,7 +33,7 @@ class Script {
   std::string rounded(char op, const std::string& x, const std::string& y = "",
                       const std::string& z = "");
   std::string exact(const std::string& term);
-  /// Whatever else is to be defined, hypotheses, goals, and how Gappa may rewrite.
+  /// Other definitions, hypotheses, goals, and hints on how Gappa may rewrite.
   void define(const std::string& name, const std::string& term);
   void suppose(const std::string& hypothesis) { hypotheses_.push_back(hypothesis); }
   void prove(const std::string& goal) { goals_.push_back(goal); }
@@ -42,7 +42,7 @@ class Script {
   /// From now on x y + z is rounded once, as at first, or twice.
   void fuse(bool is_fused) { is_fused_ = is_fused; }
   bool is_fused() const { return is_fused_; }
-  bool has_fused() const { return has_fused_; }  ///< Whether any was.
+  bool has_fused() const { return has_fused_; }  ///< Whether any operation was fused.
 
   /// The operations that round and on which a goal depends.
   std::vector<std::size_t> operations() const;
@@ -95,7 +95,7 @@ class Term {
   friend Term sub_mul(const Term& x, const Term& y, const Term& z) { return mul_add(-x, y, z); }
 
  private:
-  /// Constants have none.
+  /// The script of either operand; constants have no script.
   static Script& script_of(const Term& x, const Term& y) {
     return x.script_ != nullptr ? *x.script_ : *y.script_;
   }

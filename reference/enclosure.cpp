@@ -62,8 +62,8 @@ double to_double(arf_srcptr x, arf_rnd_t rounding) {
   return arf_get_d(rounded.get(), ARF_RND_DOWN);
 }
 
-/// The ball's ends as doubles. A quotient by a ball that holds 0 has no midpoint: it may be
-/// anything.
+/// The ball's ends as doubles. A quotient by a ball that holds 0 has no midpoint and may have any
+/// value.
 double low_end(const arb_t ball, int bits, arf_rnd_t rounding) {
   if (arf_is_nan(arb_midref(ball))) return -std::numeric_limits<double>::infinity();
   Float bound;

@@ -27,7 +27,7 @@ class Enclosure {
   static Enclosure within(double value, double relative_change, int bits);
 
   Enclosure(const Enclosure& other) : Enclosure() { *this = other; }
-  /// Moves the ball bit by bit: nothing points into one.
+  /// Copies the ball's bytes: no pointer refers to them.
   Enclosure(Enclosure&& other) noexcept : bits_(other.bits_) {
     *ball_ = *other.ball_;
     arb_init(other.ball_);
@@ -59,7 +59,7 @@ class Enclosure {
   double lower() const;
   double upper() const;
   /// The doubles nearest to the ball's two ends (moved outward to bits() first), ties to even:
-  /// equal when the ball alone determines the correctly rounded value.
+  /// equal when the ball determines the correctly rounded value.
   double lower_rounded() const;
   double upper_rounded() const;
   /// True when radius <= 2^-relative_bits |midpoint|.
@@ -97,7 +97,7 @@ inline Enclosure operator+(Enclosure&& a, const Enclosure& b) { return std::move
 inline Enclosure operator-(Enclosure&& a, const Enclosure& b) { return std::move(a -= b); }
 inline Enclosure operator*(Enclosure&& a, const Enclosure& b) { return std::move(a *= b); }
 inline Enclosure operator/(Enclosure&& a, const Enclosure& b) { return std::move(a /= b); }
-/// The square root of a number known not to be negative; cuts off the negative part of the ball.
+/// The square root of a number known to be >= 0; cuts off the negative part of the ball.
 Enclosure sqrt(const Enclosure& value);
 Enclosure abs(const Enclosure& value);
 

@@ -39,7 +39,7 @@ Measured ulp_error(double given, const Enclosure& exact, scene::Precision precis
   };
   if (!std::isfinite(given)) return ulp(kInfinity);
   if (exact.certain_sign() == 0) return ulp(given == 0 ? 0 : kInfinity);
-  // 128 bits are two words, the most that need no memory from the heap.
+  // 128 bits are two words, the most that fit without heap memory.
   Enclosure error(given, 128);
   arb_sub(error.ball(), error.ball(), exact.ball(), 128);
   arb_abs(error.ball(), error.ball());
@@ -117,7 +117,7 @@ Measured in_units_of_u(const Enclosure& x) {
   Enclosure scaled = abs(x);
   arb_mul_2exp_si(scaled.ball(), scaled.ball(), std::numeric_limits<double>::digits);
   const double bound = scaled.upper();
-  // A ball with an infinite or NaN upper bound bounds nothing.
+  // A ball with an infinite or NaN upper bound gives no bound.
   return {bound < std::numeric_limits<double>::max() ? bound : kInfinity};
 }
 

@@ -6,9 +6,9 @@
 
 namespace raycheck::reference {
 
-// How far given doubles are from an enclosed truth. Every result is an upper bound, as sharp as the
-// enclosure is narrow, in u of doubles unless it counts ulp; infinite for a given value that is not
-// finite, or that is not 0 when the exact one is.
+// The errors of given doubles against enclosed exact values. Every result is an upper bound, as
+// sharp as the enclosure is narrow, in u of doubles unless in ulp; infinite for a given value that
+// is not finite, or that is not 0 when the exact one is.
 
 /// |given - exact| / ulp(exact), ulp(x) the gap between the numbers of the format around x.
 scene::Measured ulp_error(double given, const Enclosure& exact,
@@ -19,8 +19,8 @@ scene::Measured relative_error(const scene::Point3& given, const Enclosure3& exa
 scene::Measured relative_error(const scene::UnitVector3& given, const Enclosure3& exact);
 scene::Measured relative_error(const scene::UnitVector3& given, const scene::UnitVector3& exact);
 
-/// The angle between two directions (its tangent, which is no smaller; infinite from 90 degrees
-/// on).
+/// The angle between two directions (as its tangent, which is at least as large; infinite from 90
+/// degrees on).
 scene::Measured angle_error(const scene::UnitVector3& given, const Enclosure3& exact);
 
 /// | |given| - 1 |, too large by at most kUnitDefectWidth relatively; 0 is exact.
@@ -31,7 +31,7 @@ inline constexpr double kUnitDefectWidth = 0x1p-29;
 /// that makes `parameter` an exact root, to first order.
 /// Shape:  one ray, one sphere, one s (of either root, of either sign) -> one number.
 /// Domain: as ExactRay; infinite for a parameter that is not finite, else at most
-///         kMostBackwardError: p is at most half of what it is divided by.
+///         kMostBackwardError: p is at most half of its divisor.
 /// Error:  an upper bound, too large by at most kBackwardErrorWidth relatively; 0 is exact.
 /// Source: relative changes of at most e move p = |q|^2 - r^2, q = L + s d - C, by at most
 ///         e (2 sum_k |q_k| (|L_k| + |C_k| + |s d_k|) + 2 r^2) to first order, so that the e that

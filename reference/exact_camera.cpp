@@ -60,7 +60,7 @@ ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Convention
       conventions(its_conventions),
       intervals{lift_camera(IntervalLift{}, camera), axes_in_intervals(camera)} {}
 
-/// From balls: narrower than what double-doubles compute themselves.
+/// From balls: narrower than if computed in double-doubles.
 const CameraNumbers<DoubleDoubleKernel>& ExactCamera::Impl::double_doubles() const {
   return double_doubles_.get([this]() -> CameraNumbers<DoubleDoubleKernel> {
     const NearestGuard guard;

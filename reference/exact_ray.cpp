@@ -65,8 +65,8 @@ struct ExactRay::Filter {
   Line<IntervalKernel> line;
 };
 
-/// The ladder: `sign` of the ray and two spheres under intervals, double-doubles, balls, the exact
-/// field, until one is certain; the last always is.
+/// The filter stages: `sign` of the ray and two spheres by intervals, double-doubles, balls and the
+/// exact field, until one is certain; the last always is.
 template <class F>
 int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Filtering by,
                      F sign) const {
@@ -198,7 +198,7 @@ int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
                       Filtering by) const {
   scene::require_valid(first);
   scene::require_valid(second);
-  // Most ties are of equal spheres, and these no arithmetic but the exact field's decides.
+  // Most ties are of equal spheres, which otherwise only the exact field could decide.
   if (by.engine == Engine::kFiltered && first == second && at_first == at_second) return 0;
   return decide(first, second, by, [&](const auto& one, const auto& other) {
     const auto difference = linear_coefficient(one) - linear_coefficient(other);

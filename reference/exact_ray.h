@@ -34,14 +34,14 @@ constexpr bool counts_as_hit(HitClass hit_class, scene::Tangent tangent) {
          (hit_class == HitClass::kTangent && tangent != scene::Tangent::kMiss);
 }
 
-/// Which arithmetic decides: the stages one after the other, or the exact field alone, which tests
-/// use to check the other stages.
+/// Which arithmetic decides: the stages one after the other, or only the exact field, by which
+/// tests check the other stages.
 enum class Engine { kFiltered, kFieldOnly };
 
 /// The stages of Engine::kFiltered, the cheapest first; a decision takes the first that is certain.
 enum class FilterStage { kIntervals, kDoubleDoubles, kBalls, kField };
 
-/// What decides; `highest`, if given, is raised to the highest stage that a decision needed.
+/// How to decide; `highest`, if given, is raised to the highest stage that a decision needed.
 struct Filtering {
   Engine engine = Engine::kFiltered;
   FilterStage* highest = nullptr;
@@ -49,7 +49,7 @@ struct Filtering {
 
 /// The sphere that a ray meets first.
 struct NearestSphere {
-  std::size_t index = 0;  ///< Among equals the first in the file.
+  std::size_t index = 0;  ///< The first of `ties` in the file.
   Intersection intersection;
   std::vector<std::size_t>
       ties;  ///< All spheres met at exactly the same parameter, index included.
@@ -101,7 +101,7 @@ class ExactRay {
   ExactRay(const ExactCamera& camera, const scene::Pixel& pixel);
   explicit ExactRay(const scene::Ray& ray);
 
-  /// What the ray was made from: a camera and a pixel, or a given ray.
+  /// The origin of the ray's numbers: a camera and a pixel, or a given ray.
   struct Source {
     std::shared_ptr<const ExactCamera::Impl> camera;  ///< Null for a given ray.
     scene::Pixel pixel;
@@ -138,7 +138,7 @@ class ExactRay {
   void keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
                     const Intersection& at, std::optional<NearestSphere>& best,
                     Filtering by = {}) const;
-  /// The sphere met first, ties included; empty when none is.
+  /// The sphere met first, ties included; empty when all are missed.
   std::optional<NearestSphere> nearest(std::span<const scene::Sphere> spheres,
                                        const scene::Conventions& conventions,
                                        Filtering by = {}) const;

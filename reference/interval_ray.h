@@ -8,7 +8,7 @@
 
 namespace raycheck::reference {
 
-/// What intervals of doubles tell about a ray and a sphere.
+/// How a ray meets a sphere, as decided by intervals of doubles.
 struct IntervalIntersection {
   Intersection intersection;  ///< The exact one.
   // Bounds of s, for hits and tangents.
@@ -16,7 +16,7 @@ struct IntervalIntersection {
   double upper = 0;
 };
 
-/// The first step of ExactRay's ladder alone, and the bounds of s that it gives.
+/// The first filter stage of ExactRay, intervals, and the bounds of s that it gives.
 /// Shape:  a given ray and a sphere -> their intersection; empty where intervals do not decide.
 /// Units:  s in multiples of the ray's direction.
 /// Domain: every valid input; otherwise throws std::invalid_argument naming the field.
@@ -26,8 +26,8 @@ std::optional<IntervalIntersection> intersect_by_intervals(const scene::Ray& ray
                                                            const scene::Sphere& sphere,
                                                            scene::Root root);
 
-/// The intersection that all rays and spheres of two boxes have, and all within a relative change
-/// of any of their numbers.
+/// The intersection that all rays and spheres of two boxes have in common, also after a relative
+/// change of any of their numbers.
 /// Shape:  a box of given rays, a box of spheres -> their intersection; empty where intervals do
 ///         not show that they have one in common.
 /// Domain: boxes with valid ends (otherwise as above); 0 <= relative_change < 1.

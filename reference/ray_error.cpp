@@ -42,8 +42,8 @@ std::optional<Measured> distance_by_double_doubles(const ExactRay& ray, const sc
   });
 }
 
-/// The exponent of a format's ulp around the smallest number within, which is no larger than around
-/// any other; empty if unknown.
+/// The exponent of a format's ulp around the smallest number within, which is the smallest of all;
+/// empty if unknown.
 std::optional<int> ulp_exponent(const DoubleDouble& x, scene::Precision precision) {
   const double lower = abs(x).lower();
   if (!(lower >= std::numeric_limits<double>::min()) || !std::isfinite(x.high())) return {};

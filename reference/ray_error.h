@@ -7,8 +7,8 @@
 
 namespace raycheck::reference {
 
-// How far given answers about one ray are from the exact ones: the measures of
-// reference/error_measure.h against an ExactRay.
+// The errors of given answers about one ray: the measures of reference/error_measure.h against an
+// ExactRay.
 // Units:  u of doubles; for the parameter ulp of the format asked for.
 // Domain: as ExactRay; `intersection` is what ray.intersect(sphere) found, a hit or a tangent.
 //         Infinite for an answer that is not finite.

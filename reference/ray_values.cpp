@@ -25,7 +25,7 @@ auto by_balls(const ExactRay& ray, const Value& value, int bits) {
   return value(lift, line_of(lift, ray.source()));
 }
 
-/// The double nearest to a number, where double-doubles tell.
+/// The double nearest to a number; empty if double-doubles cannot decide.
 std::optional<double> nearest_of(const DoubleDouble& value) {
   return reference::by_double_doubles([&] { return value.nearest(); });
 }
@@ -33,8 +33,8 @@ template <class Finish>
 constexpr bool kRounds = std::is_same_v<Finish, Round>;
 
 /// Applies narrow() or round_to_nearest() to value(lift, line), a number; compare(m) is the exact
-/// sign of value - m. Where double-doubles do not tell that it is not 0, is_zero(lift, line) may
-/// tell that it is.
+/// sign of value - m. Where double-doubles cannot exclude 0, is_zero(lift, line) may show that it
+/// is 0.
 template <class Value, class IsZero, class Compare, class Finish>
 auto finish_number(const ExactRay& ray, const Value& value, IsZero is_zero, Compare compare,
                    Finish finish) {
@@ -137,7 +137,7 @@ Result finish_direction(const ExactRay& ray, Finish finish) {
       [&](int k, const Rational& m) { return values.compare_direction(k, m); }, finish);
 }
 
-/// Whether c is certainly 0 and, of the roots 0 and 2 b/a, the one asked for is 0.
+/// Whether c is certainly 0 and the given root, of 0 and 2 b/a, is 0.
 template <class K>
 bool is_certainly_zero(const LineAndSphere<K>& pair, int root_sign) {
   if (certain_sign(constant_coefficient(pair)) != 0) return false;

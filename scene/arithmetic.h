@@ -5,8 +5,7 @@
 
 namespace raycheck::scene {
 
-/// While it lives this thread's doubles are those of a program without flags: they round to nearest
-/// and keep subnormals.
+/// While it lives, this thread's doubles round to nearest and keep subnormals.
 class PlainArithmetic {
  public:
   PlainArithmetic() {
@@ -21,9 +20,9 @@ class PlainArithmetic {
   std::fenv_t before_{};
 };
 
-/// What keeps this thread's doubles from being those that every bound here takes for granted: they
-/// round to nearest, keep subnormals, and have correctly rounded square roots and fused operations.
-/// Empty where nothing does.
+/// How this thread's arithmetic differs from what every bound here assumes: doubles that round to
+/// nearest and keep subnormals, with correctly rounded square roots and fused operations. Empty if
+/// it does not differ.
 std::string arithmetic_defect();
 
 }  // namespace raycheck::scene

@@ -43,7 +43,7 @@ struct ValidRoots {
   bool is_usual() const { return *this == ValidRoots{}; }
 };
 
-/// Which hit a ray has of a sphere: at which root, and whether touching it is one.
+/// Which root is the hit, and whether a ray that touches a sphere hits it.
 struct HitRule {
   Root root = Root::kNearest;
   Tangent tangent = Tangent::kHit;
@@ -84,7 +84,7 @@ constexpr auto& names_of(Ends /*of*/) { return kEndsNames; }
 constexpr auto& names_of(TUnit /*of*/) { return kTUnitNames; }
 constexpr auto& names_of(Culling /*of*/) { return kCullingNames; }
 
-/// Of any enumeration that has names_of() beside it.
+/// The name of an enumerator, for any enumeration with names_of().
 template <class Enum>
 constexpr auto name(Enum value) -> decltype(names_of(value)[0]) {
   return names_of(value)[static_cast<std::size_t>(value)];

@@ -45,7 +45,7 @@ void for_each_field(AValidRoots& valid, Visit visit) {
   visit("t_unit", valid.unit);
   visit("culling", valid.culling);
 }
-/// Of Conventions, or of declared ones, which may be absent; without those of valid roots.
+/// The same for Conventions, or declared ones (which may be absent), without the valid roots.
 template <class SomeConventions, class Visit>
 void for_each_choice(SomeConventions& conventions, Visit visit) {
   visit("rows", conventions.rows);

@@ -8,8 +8,8 @@ namespace raycheck::scene {
 /// a candidate or an input: code that has a part of an answer catches it and keeps that part.
 struct Interrupted {};
 
-/// While it lives, poll() on this thread asks `interrupted`, which must outlive it. If they nest,
-/// the innermost one is asked.
+/// While it lives, poll() on this thread calls `interrupted`, which must outlive it. If they nest,
+/// the innermost one is called.
 class Interruptible {
  public:
   explicit Interruptible(const std::function<bool()>& interrupted);

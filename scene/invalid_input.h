@@ -5,8 +5,8 @@
 
 namespace raycheck::scene {
 
-/// An input that is refused: the field that has it, its value (empty: it is not said) and why;
-/// what() is "field value: why".
+/// An input that is refused: its field, its value (may be empty) and the reason; what() is "field
+/// value: why".
 class InvalidInput : public std::invalid_argument {
  public:
   InvalidInput(const std::string& field, const std::string& value, const std::string& why)
@@ -15,7 +15,7 @@ class InvalidInput : public std::invalid_argument {
         field_(field),
         value_(value),
         why_(why) {}
-  /// As options have it, without dashes; empty: what() is why.
+  /// The option's name without dashes; empty: what() is why().
   const std::string& field() const { return field_; }
   const std::string& value() const { return value_; }
   const std::string& why() const { return why_; }

@@ -1,8 +1,8 @@
 // Doubles side by side, with the operators and functions of a single number, so that a formula is
 // one template for every number type.
 //
-// Whatever is in HWY_NAMESPACE is compiled once for each of Highway's targets, hence the guard.
-// Every operation rounds each lane once, as IEEE 754 has it: lanes agree with doubles to the bit.
+// The code in HWY_NAMESPACE is compiled once for each of Highway's targets, hence the guard.
+// Every operation rounds each lane once, as IEEE-754 says: lanes agree with doubles to the bit.
 
 #if defined(RAYCHECK_SCENE_LANES_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RAYCHECK_SCENE_LANES_H_

@@ -7,14 +7,15 @@
 namespace raycheck::scene {
 
 /// Reads all of `text` as one double, rounded to nearest: decimals (`-1`, `.75`, `+2.5e-3`) and
-/// hexfloats (`0x1.8p+3`). Empty when `text` is anything else; an overflow reads as infinity, which
-/// validation refuses by name; `inf` and `nan` read as themselves, for the same reason.
+/// hexfloats (`0x1.8p+3`). Empty when `text` is anything else. An overflow reads as infinity, and
+/// `inf` and `nan` as themselves, so that validation can refuse them and name the field.
 std::optional<double> parse_number(std::string_view text);
 
 /// The shortest decimal that reads back as the same double.
 std::string shortest(double value);
 
-/// The double nearest to its decimal of that many significant digits. Domain: finite, digits >= 1.
+/// The value rounded to `digits` significant decimal digits, as a double. Domain: finite, digits
+/// >= 1.
 double to_digits(double value, int digits);
 
 /// A point's or a vector's coordinates as shortest decimals, separated by spaces.

@@ -7,7 +7,7 @@
 
 namespace raycheck::scene {
 
-/// The format that an implementation computes in and is judged in: its inputs are numbers of that
+/// The format that a candidate computes in and is judged in: its inputs are numbers of that
 /// format (every float is a double, and is passed as one), and its errors count ulp and u of that
 /// format.
 enum class Precision { kDouble, kSingle };
@@ -16,7 +16,7 @@ constexpr std::string_view name(Precision value) {
   return kPrecisionNames[static_cast<std::size_t>(value)];
 }
 
-/// A binary format as IEEE-754 has it.
+/// A binary format of IEEE-754.
 struct Format {
   int digits;          ///< p
   int least_exponent;  ///< The least number above 0 is 2^least_exponent.
@@ -31,22 +31,22 @@ constexpr double unit_roundoff(Precision precision) {
   return precision == Precision::kSingle ? 0x1p-24 : 0x1p-53;
 }
 
-/// What an error counts: ulp, the gap between the numbers of a format around the exact value, or u
+/// The unit of an error: ulp, the gap between the numbers of a format around the exact value, or u
 /// of that value's size.
 enum class Unit { kUlp, kU };
 
-/// An error: so much of a unit, which is that of a format.
+/// An error in ulp or u of a format.
 struct Measured {
   double value = 0;
   Unit unit = Unit::kU;
   Precision format = Precision::kDouble;
 
-  /// In u of another format; ulp are of one format only.
+  /// The same in u of another format; ulp cannot be converted.
   constexpr Measured in(Precision other) const {
     if (unit == Unit::kUlp || format == other) return *this;
     return {value * (unit_roundoff(format) / unit_roundoff(other)), unit, other};
   }
-  /// Of errors in one unit.
+  /// Compares errors in the same unit.
   auto operator<=>(const Measured&) const = default;
 };
 

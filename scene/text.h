@@ -14,7 +14,7 @@ std::string visible(std::string_view text);
 /// The same on one line: line ends and tabs are escaped, too.
 std::string visible_line(std::string_view text);
 
-/// What `write` makes of each value, with `between` between them.
+/// The values as `write` spells them, joined by `between`.
 template <class Values, class Write = std::identity>
 std::string joined(const Values& values, std::string_view between = ", ", const Write& write = {}) {
   std::string text;

@@ -83,7 +83,7 @@ class Collector {
   }
 
   void check_edges(const Camera& camera) {
-    const char* const what = "leaves one sample between two edges; samples = edges needs 2 or more";
+    const char* const what = "is too few; samples = edges needs 2 or more";
     if (camera.width == 1) add("width", camera.width, what);
     if (camera.height == 1) add("height", camera.height, what);
   }
@@ -144,7 +144,7 @@ std::vector<Defect> defects_of(const char* name, const Input& input) {
   return found;
 }
 
-// Most spheres are plainly valid: for these no field name is built.
+// Most spheres are valid: for these no field name is built.
 bool is_plainly_valid(const Sphere& sphere) {
   return is_finite(sphere.centre) && std::isfinite(sphere.radius) && sphere.radius >= 0;
 }
@@ -176,7 +176,7 @@ std::invalid_argument refusal(const Input& input) {
   return std::invalid_argument(sentences(defects(input)));
 }
 
-/// Nothing is left to clean up for the exception, which costs as much as throwing it.
+/// The exception leaves no object to destroy, which would cost as much as throwing it.
 template <typename Input>
 void require(const Input& input) {
   if (!is_valid(input)) throw refusal(input);
@@ -214,13 +214,13 @@ std::vector<Defect> defects(const Conventions& conventions) {
   const bool meets_lines = std::isinf(valid.t_min) && valid.t_min < 0;
   if (!meets_lines && (!(valid.t_min >= 0) || std::isinf(valid.t_min))) {
     found.push_back({"conventions.t_min", shortest(valid.t_min),
-                     "must be 0 or more, and finite, or -inf: lines are met, not rays"});
+                     "must be finite and at least 0, or -inf (lines instead of rays)"});
   } else if (!(valid.t_max >= valid.t_min)) {
     found.push_back({"conventions.t_max", shortest(valid.t_max), "is below t_min"});
   }
   if (conventions.root == Root::kSmaller && valid.culling == Culling::kFrontFaces) {
     found.push_back({"conventions.culling", std::string(name(valid.culling)),
-                     "leaves nothing of root = smaller"});
+                     "culls every root that root = smaller accepts"});
   }
   return found;
 }

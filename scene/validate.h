@@ -8,14 +8,14 @@
 
 namespace raycheck::scene {
 
-/// A defect of an input: its rays or intersections are then meaningless.
+/// A defect of an input, which makes its rays or intersections meaningless.
 struct Defect {
   std::string field;  ///< As scene files spell it: "camera.up", "sphere[2].radius" (from 0).
   std::string value;  ///< The offending value, as it was read.
   std::string what;   ///< What is wrong with it, in words.
 };
 
-/// Everything that is wrong with the input; empty when it is valid.
+/// All defects of the input; empty if it is valid.
 /// E = A and "up parallel to E - A" are decided exactly, over the rationals.
 std::vector<Defect> defects(const Camera& camera);
 std::vector<Defect> defects(const Camera& camera, const Conventions& conventions);
@@ -26,7 +26,7 @@ std::vector<Defect> defects(const Scene& scene);
 /// Under these conventions instead of the scene's own.
 std::vector<Defect> defects(const Scene& scene, const Conventions& conventions);
 
-/// Each one's field, its value and what is wrong, on a line of its own.
+/// One line per defect: its field, the value and what is wrong.
 std::string sentences(const std::vector<Defect>& defects);
 
 /// Throws std::invalid_argument with the sentences, unless the input is valid.

@@ -1,7 +1,7 @@
 #pragma once
 
-// A batch as bare arrays, for code that is compiled for one target and so must not instantiate what
-// others share. Internal to fast/.
+// A batch as bare arrays, for code that is compiled for one target and so must not instantiate
+// shared templates. Internal to fast/.
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,5 @@
-// All numbers between two: what a formula can come to on a box of inputs, in the arithmetic that it
-// computes in. Internal to fast/. Compiled once for each of Highway's targets
+// Intervals of floating-point results: what a formula can return for a box of inputs, in its own
+// arithmetic. Internal to fast/. Compiled once for each of Highway's targets
 // (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_BETWEEN_H_) == defined(HWY_TARGET_TOGGLE)
@@ -57,7 +57,7 @@ template <class F>
 Between<F> operator-(const Between<F>& a, const Between<F>& b) {
   return a + -b;
 }
-/// A number times itself is no product of independent ones.
+/// Squares have tighter bounds than products of independent numbers.
 template <class F>
 Between<F> operator*(const Between<F>& a, const Between<F>& b) {
   const F low = a.least * b.least, high = a.greatest * b.greatest;

@@ -63,7 +63,7 @@ template <class N>
 HWY_INLINE N square_error(N a, N square) {
   return mul_sub(a, a, square);
 }
-/// What a coarse part leaves of a b, rounded once.
+/// The rest of a b after subtracting its coarse part, rounded once.
 template <class N>
 HWY_INLINE N product_rest(N a, N b, N high) {
   return mul_sub(a, b, high);

@@ -111,7 +111,7 @@ struct FromRoots : Method {
 };
 
 // The functions of an IntersectMethod, made from an Answerer: a type with FromRoots's answer().
-// Flattened: a call would pass vectors through memory, and compute more than the answer needs.
+// Flattened: a call would pass vectors through memory and compute values that are not needed.
 
 template <class N>
 HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {
@@ -249,8 +249,8 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-// A method by its formula, a `template <class N> struct Formula` with roots() as FromRoots asks it.
-// Names have the formula's, for several methods may be compiled in one unit.
+// A method made from its formula, a `template <class N> struct Formula` with the roots() that
+// FromRoots calls. Names contain the formula's, as one unit may compile several methods.
 //
 // In the target's namespace: the batch, by lanes.
 #define RAYCHECK_BATCH_OF(Formula)                                                        \

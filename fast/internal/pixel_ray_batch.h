@@ -8,7 +8,7 @@
 
 namespace raycheck::fast {
 
-/// What a method computes for a pixel: P, and P - E before it is normalised.
+/// A method's results for a pixel: P, and P - E before it is normalised.
 template <class Vector>
 struct PixelTrace {
   Vector point;

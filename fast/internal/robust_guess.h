@@ -20,14 +20,14 @@ namespace raycheck::fast::HWY_NAMESPACE {
 // for a hit r^2 > 2^-600, and anything that underflows is negligible beside the margins.
 //
 // Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 19u a (f^2 + r^2) + u |disc^| by either
-// formula, less than a hundredth of what is required; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b
+// formula, less than a hundredth of the margin; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b
 // requires no more of b: with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while
-// |b^ - b| <= 4u f|d|. (kRobustFar and those beside it are what a machine has proved.)
+// |b^ - b| <= 4u f|d|. (kRobustFar and its neighbours are machine-proved.)
 // With disc < 0 the ray misses whatever b is. All of this holds whether or not products are fused
 // with sums.
 
-/// What is required of disc and f^2 - r^2 in N's format. Signs alone require no more than 32u of
-/// each term (tests/fast/small_formats_test.cpp); these values are what s requires of doubles.
+/// The margins required of disc and f^2 - r^2 in N's format. Certain signs require at most 32u of
+/// each term (tests/fast/small_formats_test.cpp); a precise s in doubles requires these values.
 template <class N>
 struct Margins {
   static constexpr double kDiscriminantShare = 0x1p-13;
@@ -41,7 +41,7 @@ struct Margins {
   static constexpr double kLargestSquare = 0x1p300;
 };
 
-// What proofs/ proves by machine of the coefficients below, in u: enough for all signs.
+// The bounds that proofs/ proves by machine for the coefficients below, in u: enough for all signs.
 inline constexpr double kRobustB = 8;      ///< Of f |d|.
 inline constexpr double kRobustC = 13;     ///< Of f^2 + r^2.
 inline constexpr double kRobustNear = 38;  ///< Of a (f^2 + r^2), as the next.
@@ -53,7 +53,7 @@ static_assert(Margins<double>::kNearShare > 100 * kRobustNear * 0x1p-53 &&
               Margins<double>::kReachShare > 100 * kRobustC * 0x1p-53 &&
               Margins<double>::kFarShare / 2 > kRobustB * kRobustB * 0x1p-106);
 
-/// What depends on the sphere alone.
+/// The terms that depend only on the sphere.
 template <class N>
 struct Ball {
   using Required = Margins<N>;
@@ -80,7 +80,7 @@ struct Ball {
   N inside, outside;  ///< f^2 below/above: the origin is inside/outside.
 };
 
-/// What the class is decided by.
+/// The terms that decide the hit class.
 template <class N>
 struct Coefficients {
   N a, b, distance_sq, c;
@@ -93,7 +93,7 @@ HWY_INLINE Coefficients<N> coefficients(const Triple<N>& T, const Triple<N>& dir
           distance_sq - radius_sq};
 }
 
-/// disc twice: as cheap as can be, and without the squares that cancel far away.
+/// The discriminant in two forms: the cheapest, and one without squares that cancel far away.
 template <class N>
 HWY_INLINE N near_discriminant(const N& a, const N& b, const N& c) {
   return mul_sub(b, b, a * c);

@@ -1,4 +1,4 @@
-// What doubles add up of `robust`'s residual. Internal to fast/. Compiled once for each of
+// The low part of `robust`'s residual. Internal to fast/. Compiled once for each of
 // Highway's targets (fast/internal/lanes.h).
 
 #if defined(RAYCHECK_FAST_INTERNAL_ROBUST_RESIDUAL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-/// (2 w + v).v and what the coarse squares of w and the radius r leave of them. Off by kRobustLow u
+/// (2 w + v).v and the rests of the coarse squares of w and the radius r. Off by kRobustLow u
 /// V r where the coordinates of w are at most 1.01 r, those of v V < 2^-17 r, and the rests 5.1u
 /// r^2 < 0.32 V r.
 template <class N>

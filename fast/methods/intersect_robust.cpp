@@ -21,9 +21,9 @@ namespace {
 // <= |b| + |d| r <= q/sqrt(t), and f|d| <= 1.16 q where x > 2;
 //   |disc^ - disc| <= 19u f^2 |d|^2 + 10u a r^2 + u disc       near, by b^2 - a c,
 //                  <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2   far, by |m|^2,
-// moves h by (9.5x + 5)u q/t near (11x + 3)u q/sqrt(t) where x > 2, and 8.8u q/t far (next to
-// nothing from the last term, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), what follows by 9.5u
-// q at most: s0 by E q/a in all, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, (11x +
+// moves h by (9.5x + 5)u q/t near, (11x + 3)u q/sqrt(t) where x > 2, and 8.8u q/t far (the last
+// term is negligible, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), later steps by 9.5u q at
+// most: s0 by E q/a in all, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, (11x +
 // 17)u/sqrt(t) where x > 2, and 24u/t far.
 //
 // Newton's step leaves (E q/a)^2 a/(2h). As a share of s that is E^2 where s = q/a, which counts
@@ -38,20 +38,20 @@ namespace {
 //
 // The residual |L + s0 d - C|^2 - r^2. Let S be a power of 2 from 2M to 4M, and o' be o rounded by
 // adding S, off by at most u(|o| + S); so is (s0 d)', off by u(2|s0 d| + S), as it may be rounded
-// twice. Both are multiples of 2^-53 S. So L' + (s0 d)' is exact, as it is less than 1.1M, and w,
-// what it is more than C', as |w| <= 1.01 r. v, the sum of what was rounded off, is at most V =
-// u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by what is required of f^2 - r^2), and
-// off by 2.7u V a coordinate. The squares of w are split by 4r^2 alike: the high parts add up
-// exactly. v's errors cost 9.45u V r, the product (2w + v) v, the low parts and their sums
-// kRobustLow u V r more. That over 2 s h is the error as a share of s: 800u^2 M r/(2 s h) <=
-// 2^-60.3, as s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by what is required of f^2 - r^2,
-// and 150u^2 f r/(2 s h) <= 2^-63.6.
+// twice. Both are multiples of 2^-53 S. So L' + (s0 d)' is exact, as it is less than 1.1M, and so
+// is w, its difference to C', as |w| <= 1.01 r. v, the sum of the parts rounded off, is at most V =
+// u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by the margin of f^2 - r^2), and off by
+// 2.7u V per coordinate. The squares of w are split by 4r^2 alike: the high parts add up exactly.
+// v's errors cost 9.45u V r; the product (2w + v) v, the low parts and their sums cost kRobustLow u
+// V r more. Their sum over 2 s h is the error as a share of s: 800u^2 M r/(2 s h) <= 2^-60.3, as
+// s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by the margin of f^2 - r^2, and
+// 150u^2 f r/(2 s h) <= 2^-63.6.
 //
 // All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
 // made from L' + (s0 d)', the rest and the correction of s, and rounded once.
 
-/// Whether what Newton's step leaves is below 2^-57 of s beside the surface, near and far, where x
-/// is as the margins make it worst; squared, for the roots.
+/// Whether Newton's step leaves an error below 2^-57 of s beside the surface, near and far, at the
+/// worst x that the margins allow; squared, to avoid roots.
 constexpr bool leaves_little() {
   using Required = Margins<double>;
   constexpr double kUnit = 0x1p-53, kMost = 0x1p-57;

@@ -11,7 +11,7 @@ const IntersectMethod kSingleQuadratic = {
     .max_ulp = 128 * 0x1p29,
     .max_point_ulp = 160 * 0x1p29,
     .not_kept =
-        "spheres many radii away, grazing rays, origins near the surface or far from the world's",
+        "spheres many radii away, grazing rays, origins near the surface or far from (0, 0, 0)",
     .domain = kSingleDomain,
     .unit_roundoff = 0x1p-24,
 };

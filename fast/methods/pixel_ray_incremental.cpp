@@ -3,9 +3,9 @@
 namespace raycheck::fast {
 namespace {
 
-/// How many pixels of a row are stepped over before it restarts by multiplication, as a tiled
-/// renderer does. A pixel's answer then depends on its column alone, not on which pixels are asked
-/// for; a batch in row order costs one addition per pixel.
+/// The number of steps along a row before it restarts by multiplication, as in a tiled renderer.
+/// A pixel's answer then depends only on its column, not on which pixels are requested; a batch in
+/// row order costs one addition per pixel.
 constexpr std::int64_t kIncrementalTile = 64;
 
 /// E to P for successive pixels: adds du along a row, restarting at each tile's first column.

@@ -11,7 +11,7 @@
    of `width` and row j of `height`. A ray starts at `origin`; its parameter is a multiple of
    `direction`. All lengths are scene lengths.
 
-   Functions are called from one thread at a time, in a process of their own. */
+   Functions are called from one thread at a time, in a separate process. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -51,7 +51,7 @@ typedef struct raycheck_sphere {
 } raycheck_sphere;
 
 typedef struct raycheck_hit {
-  int32_t hit;           /* 0: a miss, and the rest means nothing */
+  int32_t hit;           /* 0: a miss; the rest is ignored */
   double parameter;      /* s >= 0 */
   raycheck_vector point; /* origin + s direction */
 } raycheck_hit;
@@ -70,7 +70,7 @@ typedef struct raycheck_conventions {
 } raycheck_conventions;
 
 /* How hard the random cases are on which `raycheck properties` holds the candidate to the laws:
-   those that plain, careful code in doubles gets right, those that need a stable method, or all. */
+   those that careful code in doubles gets right, those that need a stable method, or all. */
 enum {
   RAYCHECK_LEVEL_UNSTATED = 0, /* ordinary */
   RAYCHECK_LEVEL_ORDINARY = 1,
@@ -78,9 +78,9 @@ enum {
   RAYCHECK_LEVEL_EXTREME = 3
 };
 
-/* Which roots count: those between t_min (-INFINITY: lines, not rays) and t_max (INFINITY where
-   there is none), in s, in radii of the sphere or in scene lengths along the ray, that are not
-   culled. All zero but t_max: every root >= 0. */
+/* Which roots count: those between t_min (-INFINITY: lines, not rays) and t_max (INFINITY: no upper
+   end) that are not culled. t_min and t_max are values of s, radii of the sphere or scene lengths
+   along the ray. All zero and t_max = INFINITY: every root >= 0. */
 enum {
   RAYCHECK_ENDS_CLOSED = 0,
   RAYCHECK_ENDS_OPEN_MAX = 1,
@@ -111,12 +111,12 @@ enum { RAYCHECK_ROOTS_USUAL = 0, RAYCHECK_ROOTS_DECLARED = 1, RAYCHECK_ROOTS_AS_
    doubles, and errors count u and ulp of float. */
 enum { RAYCHECK_PRECISION_DOUBLE = 0, RAYCHECK_PRECISION_SINGLE = 1 };
 
-/* Which directions it accepts; unit: it is asked about directions that are unit but for rounding.
+/* Which directions it accepts; unit: it is called only with directions of length 1, up to rounding.
  */
 enum { RAYCHECK_DIRECTIONS_ANY = 0, RAYCHECK_DIRECTIONS_UNIT = 1 };
 
-/* What it returns of a hit: s and Q; s; Q; the distance of Q along the ray in scene lengths, or its
-   square, as `parameter`; or nothing but that it is one. */
+/* What it returns for a hit: s and Q; s; Q; the distance of Q along the ray in scene lengths, or
+   its square, as `parameter`; or only that there is a hit. */
 enum {
   RAYCHECK_RETURNS_HIT = 0,
   RAYCHECK_RETURNS_PARAMETER = 1,
@@ -128,7 +128,7 @@ enum {
 
 typedef struct raycheck_candidate {
   uint32_t version; /* RAYCHECK_CANDIDATE_VERSION */
-  const char* name; /* of letters, digits and -_. ; null: the file's */
+  const char* name; /* of letters, digits and -_. ; null: the file's name */
   raycheck_conventions declared;
 
   /* The camera's axes. */
@@ -138,7 +138,7 @@ typedef struct raycheck_candidate {
                                  raycheck_pixel);
   /* From P along the unit vector P - E. */
   raycheck_ray (*pixel_ray)(const raycheck_camera*, const raycheck_conventions*, raycheck_pixel);
-  /* From E along the same. */
+  /* From E along the unit vector P - E. */
   raycheck_ray (*focal_ray)(const raycheck_camera*, const raycheck_conventions*, raycheck_pixel);
   /* One ray and one sphere; directions need not be unit. */
   raycheck_hit (*intersect)(const raycheck_ray*, const raycheck_sphere*,
@@ -152,12 +152,12 @@ typedef struct raycheck_candidate {
 
   /* From version 2 on. */
   int32_t level;
-  /* Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are. */
+  /* Scenes with a nonzero length outside these bounds are not judged; both 0: no bounds. */
   double smallest_length, largest_length;
 
   /* From version 3 on. */
   int32_t precision;
-  int32_t roots; /* RAYCHECK_ROOTS_...; usual: every root >= 0 counts for it */
+  int32_t roots;                       /* RAYCHECK_ROOTS_...; usual: every root >= 0 counts */
   raycheck_valid_roots declared_roots; /* of RAYCHECK_ROOTS_DECLARED */
 
   /* From version 4 on. */

@@ -12,9 +12,9 @@
 //
 //     RAYCHECK_CANDIDATE(.pixel_ray = pixel_ray, .intersect = intersect)
 //
-// <raycheck/candidate.h> says what each function must do. Declare the conventions that yours fix:
+// <raycheck/candidate.h> says what each function must do. Declare the conventions that yours fixes:
 // RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray). Name members in the order of
-// Functions: C++20 has them, and GCC and Clang take them from C++17 on. C++17.
+// Functions: designated initializers are C++20; GCC and Clang accept them in C++17, too. C++17.
 
 #include <raycheck/candidate.h>
 #include <raycheck/scene.h>
@@ -42,7 +42,7 @@ struct Functions {
   std::optional<std::size_t> (*nearest)(const Ray&, const std::vector<Sphere>&,
                                         const Conventions&) = nullptr;
   Level level = Level::unstated;
-  /// Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are.
+  /// Scenes with a nonzero length outside these bounds are not judged; both 0: no bounds.
   double smallest_length = 0, largest_length = 0;
   /// For single: all inputs are floats, passed as doubles, and errors count u and ulp of float.
   Precision precision = Precision::double_;

@@ -18,42 +18,43 @@ namespace raycheck {
 /// A test case: all rays of a scene, or these pixels of its camera.
 struct Case {
   Scene scene;                ///< With a camera or rays.
-  std::vector<Pixel> pixels;  ///< Of its camera; empty without one.
+  std::vector<Pixel> pixels;  ///< Of its camera; empty without a camera.
 };
 
-/// A source of cases. One with a dial is a stress family, whose cases become harder in one respect.
+/// A source of cases. With severities, its cases become harder in one respect.
 struct Source {
   std::string name;         ///< "distance"
-  std::string sentence;     ///< What its cases are.
+  std::string sentence;     ///< Describes its cases.
   bool has_camera = false;  ///< Whether its cases have pixels, not given rays.
-  /// What severity measures, "log10 of the distance over the radius"; empty: no dial.
+  /// What severity measures, "log10 of the distance over the radius"; empty: it has no severities.
   std::string dial;
   /// Severities are 0..highest; those up to `ordinary` are ordinary, up to `demanding` demanding.
   int highest = 0, ordinary = 0, demanding = 0;
 };
 
 /// Every source, those with a camera first.
-RAYCHECK_API std::vector<Source> sources();
+[[nodiscard]] RAYCHECK_API std::vector<Source> sources();
 
 /// Case k of a seed. Domain: the name of a source, 0 <= severity <= its highest; otherwise throws
 /// std::invalid_argument.
-RAYCHECK_API Case make_case(const std::string& source, std::uint64_t seed, std::uint64_t k = 0,
-                            int severity = 0);
+[[nodiscard]] RAYCHECK_API Case make_case(const std::string& source, std::uint64_t seed,
+                                          std::uint64_t k = 0, int severity = 0);
 
-/// Valid cases that are simpler in one respect, the simplest first: a sphere, a pixel or a ray
-/// fewer, a number with fewer digits. Errors: std::invalid_argument where the case is not valid.
-RAYCHECK_API std::vector<Case> simpler(const Case& from);
+/// Valid cases that are simpler in one respect, the simplest first: one sphere, pixel or ray fewer,
+/// or a number with fewer digits. Errors: std::invalid_argument where the case is not valid.
+[[nodiscard]] RAYCHECK_API std::vector<Case> simpler(const Case& from);
 
 /// A case made from bytes: they choose a source and a severity, and replace numbers of its case by
-/// numbers that they encode. Empty where the result is invalid: a direction of 0, say.
-RAYCHECK_API std::optional<Case> case_of_bytes(const std::uint8_t* bytes, std::size_t count);
+/// numbers that they encode. Empty if the result is invalid: a direction of 0, for example.
+[[nodiscard]] RAYCHECK_API std::optional<Case> case_of_bytes(const std::uint8_t* bytes,
+                                                             std::size_t count);
 
 /// A case as a scene file for `raycheck check`, its pixels in a comment. Numbers read back
 /// bit-identically.
-RAYCHECK_API std::string scene_text(const Case& the_case);
+[[nodiscard]] RAYCHECK_API std::string scene_text(const Case& the_case);
 
 /// Reads a scene file's text, TOML. Errors: std::runtime_error naming line, field and value.
-RAYCHECK_API Scene read_scene(const std::string& text);
+[[nodiscard]] RAYCHECK_API Scene read_scene(const std::string& text);
 
 }  // namespace raycheck
 

@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_FUZZ_H_
 #define RAYCHECK_FUZZ_H_
 
-// A fuzzer for an implementation: bytes make a case, on which a law is checked.
+// A fuzzer for a candidate: bytes make a case, on which a law is checked.
 //
 //     #include <raycheck/fuzz.h>
 //     RAYCHECK_FUZZ(my_candidate(), "class")

@@ -19,7 +19,7 @@
 
 namespace raycheck {
 
-/// One law on one source. Skipped where the source says too little.
+/// One law on one source. Skipped where the source's cases prove too little.
 class LawTest : public testing::Test {
  public:
   /// Failures are reported at `file` and `line`.

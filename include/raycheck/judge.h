@@ -1,8 +1,8 @@
 #ifndef RAYCHECK_JUDGE_H_
 #define RAYCHECK_JUDGE_H_
 
-// Judges your implementation by raycheck's laws, in your own process: fast, and without a sandbox,
-// so a crash is yours. C++17; link raycheck::raycheck.
+// Judges your code by raycheck's laws, in your own process: fast, but without a sandbox, so that a
+// crash ends your process. C++17; link raycheck::raycheck.
 //
 //     raycheck::Candidate mine("mine");
 //     mine.intersect = [](const raycheck::Ray& ray, const raycheck::Sphere& sphere,
@@ -24,10 +24,10 @@
 
 namespace raycheck {
 
-/// An implementation under judgement. Empty functions are not judged. Functions are called from one
-/// thread at a time; an exception counts as a failure to answer.
+/// The code that is judged. Empty functions are not judged. Functions are called from one thread at
+/// a time; an exception counts as a failure to answer.
 struct Candidate {
-  /// One without functions.
+  /// A candidate without functions.
   explicit Candidate(std::string its_name = "candidate") : name(std::move(its_name)) {}
 
   std::string name;  ///< Its name in verdicts.
@@ -35,15 +35,15 @@ struct Candidate {
   Conventions declares;
   /// How hard the cases are that it must get right; unstated: ordinary.
   Level level = Level::unstated;
-  /// Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are.
+  /// Scenes with a nonzero length outside these bounds are not judged; both 0: no bounds.
   double smallest_length = 0, largest_length = 0;
   /// For single: cases are rounded to floats, passed as doubles, and errors and bounds count u and
   /// ulp of float.
   Precision precision = Precision::double_;
-  /// With usual every root >= 0 counts; with declared those of declares.valid.
+  /// usual: every root >= 0 counts; declared: those of declares.valid; as_asked: the scene's.
   Roots roots = Roots::usual;
-  Directions directions = Directions::any;  ///< For unit it is asked about unit ones alone.
-  Returns returns = Returns::hit;           ///< What of a Hit is judged; the rest may be anything.
+  Directions directions = Directions::any;  ///< For unit, it is called only with unit directions.
+  Returns returns = Returns::hit;  ///< Which members of Hit are judged; the others may be anything.
 
   /// The camera's axes, unit and at right angles.
   std::function<Frame(const Camera&)> frame;
@@ -55,20 +55,20 @@ struct Candidate {
   std::function<Ray(const Camera&, const Conventions&, Pixel)> focal_ray;
   /// Where a ray meets a sphere; empty where it does not. Directions need not be unit.
   std::function<std::optional<Hit>(const Ray&, const Sphere&, const Conventions&)> intersect;
-  /// The index of the sphere with the least s; empty where there is none.
+  /// The index of the sphere with the least s; empty if all are missed.
   std::function<std::optional<std::size_t>(const Ray&, const std::vector<Sphere>&,
                                            const Conventions&)>
       nearest;
 };
 
-/// A law: a property that every correct implementation has.
+/// A law: a property that every correct candidate has.
 struct Law {
   std::string name;      ///< "nearest-root"
   std::string sentence;  ///< "the root is the right one: ..."
 };
 
 /// Every law, in the order of reports.
-RAYCHECK_API std::vector<Law> laws();
+[[nodiscard]] RAYCHECK_API std::vector<Law> laws();
 
 /// A law and where its cases come from.
 struct Check {
@@ -77,11 +77,11 @@ struct Check {
 };
 
 /// The laws that apply to a candidate, each with every source that has cases for it at the
-/// candidate's level. Errors: std::invalid_argument saying what is invalid: no function at all, an
-/// empty range of lengths, t_min and t_max that do not make an interval.
-RAYCHECK_API std::vector<Check> checks(const Candidate& candidate);
+/// candidate's level. Errors: std::invalid_argument saying what is invalid: a candidate without
+/// functions, an empty range of lengths, t_min and t_max that are not an interval.
+[[nodiscard]] RAYCHECK_API std::vector<Check> checks(const Candidate& candidate);
 
-/// How many cases are tried, which ones, and what is tolerated.
+/// How many cases are tried, which ones, and which errors are allowed.
 struct JudgeOptions {
   /// Shared evenly among the sources of each level up to the candidate's, and within a source among
   /// its severities.
@@ -92,19 +92,19 @@ struct JudgeOptions {
   bool strict = false;  ///< Excused or undecided answers break a law, too.
 };
 
-/// The outcome of a law: it holds, is broken, some cases stayed undecided, too few or none could be
-/// judged, or it does not apply to the candidate.
+/// The outcome of a law: it holds, it is broken, some cases stayed undecided, too few cases or none
+/// could be judged, or it does not apply to the candidate.
 enum class Finding { holds, broken, undecided, too_few_judged, not_judged, left_out };
 /// In words: "too few judged".
-RAYCHECK_API std::string name(Finding finding);
+[[nodiscard]] RAYCHECK_API std::string name(Finding finding);
 
-/// The first case that breaks a law, shrunk as long as it does.
+/// The first case that breaks a law, shrunk as long as it still breaks it.
 struct BrokenCase {
   Case shrunk;         ///< With one ray or pixel, where that still breaks it.
   std::string replay;  ///< For replay().
-  /// What was answered, what is right, and how far apart they are.
+  /// The given answer, the exact one, and their distance.
   std::string discrepancy;
-  /// The classic mistakes that explain the wrong answers; empty where none does.
+  /// The classic mistakes that explain the wrong answers; empty if none does.
   std::vector<std::string> sentences;
 };
 
@@ -113,19 +113,19 @@ struct Verdict {
   std::string law;                      ///< Its name.
   std::string candidate;                ///< The candidate's name.
   Finding finding = Finding::left_out;  ///< In a word.
-  std::uint64_t cases = 0;              ///< That were tried.
-  std::uint64_t comparisons = 0;        ///< Of answers with the truth.
-  std::uint64_t excused = 0;            ///< Wrong ones that are right for inputs close by.
+  std::uint64_t cases = 0;              ///< Cases tried.
+  std::uint64_t comparisons = 0;        ///< Answers compared with the exact ones.
+  std::uint64_t excused = 0;            ///< Wrong answers that are right for inputs close by.
   std::string reason;                   ///< Why cases were left out, or too few judged.
   std::optional<BrokenCase> broken;     ///< Where the law is broken or undecided.
-  /// All of it in lines: the sentence, the discrepancy, the replay string and the shrunk scene.
+  /// For people: the sentence, the discrepancy, the replay string and the shrunk scene.
   std::string text;
 
   /// It was judged, and the law holds.
-  bool holds() const { return finding == Finding::holds; }
-  /// The law holds or does not apply: it is not broken, undecided or judged too rarely. True also
-  /// of a candidate that lacks what the law is about: nothing was judged then.
-  bool passes() const {
+  [[nodiscard]] bool holds() const { return finding == Finding::holds; }
+  /// The law holds or does not apply: it is not broken, undecided or judged too rarely. Also true
+  /// if the candidate lacks the function that the law is about: then nothing was judged.
+  [[nodiscard]] bool passes() const {
     return finding == Finding::holds || finding == Finding::left_out ||
            finding == Finding::not_judged;
   }
@@ -135,17 +135,19 @@ struct Verdict {
 /// severity), or, if none is named, of every source of the candidate's level. The same arguments
 /// give the same verdict. The error bounds are those of direct/cross.
 /// Errors: std::invalid_argument naming an unknown law or source.
-RAYCHECK_API Verdict judge(const Candidate& candidate, const std::string& law,
-                           const std::string& source = "", const JudgeOptions& options = {});
+[[nodiscard]] RAYCHECK_API Verdict judge(const Candidate& candidate, const std::string& law,
+                                         const std::string& source = "",
+                                         const JudgeOptions& options = {});
 
-/// The same for one case of your own. Errors: std::invalid_argument where it is not valid.
-RAYCHECK_API Verdict judge_case(const Candidate& candidate, const std::string& law,
-                                const Case& the_case, const JudgeOptions& options = {});
+/// The same for one given case. Errors: std::invalid_argument if the case is not valid.
+[[nodiscard]] RAYCHECK_API Verdict judge_case(const Candidate& candidate, const std::string& law,
+                                              const Case& the_case,
+                                              const JudgeOptions& options = {});
 
 /// Judges a replay string's case (LAW:CANDIDATE:SOURCE:SEED) again, whatever the candidate's name.
-/// Errors: std::invalid_argument where the string names no law, source or seed.
-RAYCHECK_API Verdict replay(const Candidate& candidate, const std::string& text,
-                            const JudgeOptions& options = {});
+/// Errors: std::invalid_argument if the string does not name a law, a source and a seed.
+[[nodiscard]] RAYCHECK_API Verdict replay(const Candidate& candidate, const std::string& text,
+                                          const JudgeOptions& options = {});
 
 }  // namespace raycheck
 

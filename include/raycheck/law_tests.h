@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_LAW_TESTS_H_
 #define RAYCHECK_LAW_TESTS_H_
 
-// What the headers for test frameworks share: one test for each law and source.
+// Shared by the headers for test frameworks: one test for each law and source.
 
 #include <raycheck/judge.h>
 
@@ -15,7 +15,7 @@ namespace raycheck {
 /// The outcome of one test.
 struct LawOutcome {
   bool passes = false;           ///< The test's result.
-  bool says_too_little = false;  ///< It passes, but proves nothing: another source does.
+  bool says_too_little = false;  ///< It passes, but too few cases, or none, were judged.
   std::string text;              ///< The verdict's.
 };
 
@@ -34,15 +34,15 @@ class LawTests {
     } catch (const std::invalid_argument& error) {
       error_ = error.what();
     }
-    // Nothing to ask is not a success: one test fails.
+    // A candidate without tests is not a success: one test fails.
     if (!error_.empty()) checks_ = {{"candidate", "valid"}};
   }
 
-  /// What the tests ask, in the order of reports.
-  const std::vector<Check>& checks() const { return checks_; }
+  /// The law and the source of each test, in the order of reports.
+  [[nodiscard]] const std::vector<Check>& checks() const { return checks_; }
 
   /// Judges the candidate. Domain: a check of checks().
-  LawOutcome run(const Check& check) const {
+  [[nodiscard]] LawOutcome run(const Check& check) const {
     if (!error_.empty()) return {false, false, error_};
     const Verdict verdict = judge(candidate_, check.law, check.source, options_);
     const bool says_too_little = verdict.finding != Finding::holds &&
@@ -60,7 +60,7 @@ class LawTests {
   Candidate candidate_;
   JudgeOptions options_;
   std::vector<Check> checks_;
-  std::string error_;  ///< Why nothing can be asked; empty if it can.
+  std::string error_;  ///< Why the candidate cannot be tested; empty if it can.
 };
 
 }  // namespace raycheck

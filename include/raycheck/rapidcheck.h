@@ -10,7 +10,7 @@
 //       ...
 //     });
 //
-// What fails is shown as a scene file that reads back bit-identically. C++17; link
+// A failing case is shown as a scene file that reads back bit-identically. C++17; link
 // raycheck::rapidcheck.
 
 #include <rapidcheck.h>
@@ -50,7 +50,7 @@ inline rc::Gen<Case> from(const std::string& source, int severity = -1) {
   };
 }
 
-/// Scenes of a source, or of any with a camera.
+/// Scenes of a source.
 inline rc::Gen<Scene> scene(const std::string& source = "cameras", int severity = -1) {
   return rc::gen::map(from(source, severity), [](Case made) { return std::move(made.scene); });
 }
@@ -67,12 +67,12 @@ inline rc::Gen<RaySphere> ray_and_sphere(const std::string& source = "rays", int
       });
 }
 
-/// Rays that touch a sphere, or nearly so: 2^(52 - severity) ulps of the radius off.
+/// Rays that touch a sphere, or nearly so: off by 2^(52 - severity) ulps of the radius.
 inline rc::Gen<RaySphere> near_tangent(int severity = -1) {
   return ray_and_sphere("tangent-ulps", severity);
 }
 
-/// Rays and spheres of which several are met at the same parameter, or nearly so.
+/// Scenes where a ray meets several spheres at the same parameter, or nearly so.
 inline rc::Gen<Scene> tie(int severity = -1) { return scene("coincident", severity); }
 
 }  // namespace gen

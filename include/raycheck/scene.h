@@ -47,7 +47,7 @@ struct Sphere {
   double radius = 0;  ///< In scene lengths. Domain: at least 0.
 };
 
-/// Where an implementation finds that a ray meets a sphere.
+/// Where a candidate finds that a ray meets a sphere.
 struct Hit {
   double parameter = 0;  ///< s, in multiples of the ray's direction.
   Vector point;          ///< Q, the point of the ray at s.
@@ -78,24 +78,24 @@ enum class Culling { none, back_faces, front_faces };
 struct ValidRoots {
   double t_min = 0;  ///< The least that counts; -infinity where lines are met, not rays.
   double t_max = std::numeric_limits<double>::infinity();  ///< Likewise the largest; >= t_min.
-  Ends ends = Ends::closed;         ///< Whether t_min and t_max count themselves.
+  Ends ends = Ends::closed;         ///< Whether t_min and t_max themselves count.
   TUnit unit = TUnit::absolute;     ///< Their unit.
   Culling culling = Culling::none;  ///< Which faces never count.
 };
 
-/// Whether an implementation accepts every root >= 0, the valid roots that it declares, or those
-/// that the scene asks for.
+/// Whether a candidate accepts every root >= 0, the valid roots that it declares, or those that the
+/// scene asks for.
 enum class Roots { usual, declared, as_asked };
 
-/// Which directions an implementation accepts; unit: it is asked about directions that are unit
-/// but for rounding.
+/// Which directions a candidate accepts; unit: it is called only with directions of length 1, up to
+/// rounding.
 enum class Directions { any, unit };
 
-/// What an implementation returns of a hit: s and Q; s; Q; the distance of Q along the ray in
-/// scene lengths, or its square, as Hit::parameter; or nothing but that it is one.
+/// What a candidate returns for a hit: s and Q; s; Q; the distance of Q along the ray in scene
+/// lengths, or its square, as Hit::parameter; or only that there is a hit.
 enum class Returns { hit, parameter, point, distance, squared_distance, class_only };
 
-/// What the lecture leaves open. libraycheck itself takes as_asked for the value named here.
+/// The choices that the lecture leaves open. libraycheck reads as_asked as the value named here.
 struct Conventions {
   Rows rows = Rows::as_asked;           ///< Else bottom_first.
   Samples samples = Samples::as_asked;  ///< Else edges.
@@ -110,14 +110,14 @@ struct Scene {
   std::optional<Camera> camera;  ///< Empty if rays are given.
   std::vector<Ray> rays;         ///< Empty if there is a camera.
   std::vector<Sphere> spheres;   ///< Indices count in this order.
-  Conventions conventions;       ///< Those that an implementation must follow.
+  Conventions conventions;       ///< A candidate must follow them.
 };
 
-/// The format that an implementation computes in, and is judged in.
+/// The format that a candidate computes in, and is judged in.
 enum class Precision { double_, single };
 
-/// How hard the cases are that an implementation must get right: ordinary (careful doubles),
-/// demanding (stable formulas), extreme (all that doubles can express).
+/// How hard the cases are that a candidate must get right: ordinary (careful doubles), demanding
+/// (stable formulas), extreme (all that doubles can express).
 enum class Level { unstated, ordinary, demanding, extreme };
 
 }  // namespace raycheck

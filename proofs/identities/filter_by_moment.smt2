@@ -1,4 +1,4 @@
-; What the components of h = f x g are off by moves |h|^2, of at most (2 S)^2, by no more than 4 S e + e^2,
+; The errors of the components of h = f x g move |h|^2, of at most (2 S)^2, by at most 4 S e + e^2,
 ; e = e1 + e2 + e3: the image filter's E for far spheres without its roundings
 ; (reference/visibility/visibility_kernel.h).
 (declare-const S Real)
@@ -9,7 +9,7 @@
 (define-fun moved ((h Real) (d Real)) Real (- (* (+ h d) (+ h d)) (* h h)))
 (assert (and (<= (size d1) e1) (<= (size d2) e2) (<= (size d3) e3)))
 (assert (and (<= (size h1) (* 2 S)) (<= (size h2) (* 2 S)) (<= (size h3) (* 2 S))))
-; Component by component; e1^2 + e2^2 + e3^2 is no more than e^2.
+; Component by component; e1^2 + e2^2 + e3^2 is at most e^2.
 (assert (or (> (size (moved h1 d1)) (+ (* 4 S e1) (* e1 e1)))
             (> (size (moved h2 d2)) (+ (* 4 S e2) (* e2 e2)))
             (> (size (moved h3 d3)) (+ (* 4 S e3) (* e3 e3)))))

@@ -1,4 +1,4 @@
-; A ray that passes at |h| = H > 2 S is no hit: of components that are off by e <= S/8 in all, D = |h^|
+; A ray that passes at |h| = H > 2 S misses: with components that are off by e <= S/8 in all, D = |h^|
 ; >= H - e, and r^2 a - D^2 is below -2 S^2 (reference/visibility/visibility_kernel.h).
 (declare-const S Real) (declare-const H Real) (declare-const D Real) (declare-const e Real)
 (declare-const ra Real)

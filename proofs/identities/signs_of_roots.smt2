@@ -1,4 +1,4 @@
-; What decides hit or miss where the line meets the sphere, disc = h^2 > 0: with c < 0 the origin
+; Hit or miss where the line meets the sphere, disc = h^2 > 0: with c < 0 the origin
 ; lies between the roots; with c > 0 both have the sign of b. fast/internal/robust.h, and the
 ; decision of fast/internal/robust_guess.h.
 (set-logic QF_NRA)

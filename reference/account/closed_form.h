@@ -13,7 +13,7 @@
 
 namespace raycheck::reference {
 
-/// An exact number: a sum of terms, in the order in which they are written; 0 has none.
+/// An exact number: a sum of terms, in the order in which they are written; 0 is the empty sum.
 struct ClosedForm {
   /// A positive integer.
   struct Natural {

@@ -56,8 +56,8 @@ struct SphereStageConditions {
 SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere& sphere,
                                        const Intersection& intersection);
 
-/// What the textbook's formula, which is the lecture's, makes of roundings: v = T.D,
-/// d^2 = v^2 - |T|^2 + r^2, s = v -+ d, or the same as a quadratic equation: the condition number
+/// How the textbook's formula, which is the lecture's, magnifies roundings: v = T.D,
+/// d^2 = v^2 - |T|^2 + r^2, s = v -+ d, or the same as a quadratic equation. The condition number
 /// of s with respect to T.D, v^2, |T|^2, r^2 and d as independent operands, the sum
 /// (|T| + d + (2 |T||v| + |T|^2 + r^2) / 2d) / |s|.
 /// Domain: as condition_of_parameter. Infinite at an exact tangent, and where s = 0.

@@ -18,11 +18,11 @@
 namespace raycheck::reference {
 namespace {
 
-/// How far inside a condition the discriminant is put when its root must be small, as a share of
+/// The distance of the discriminant inside a condition when its root must be small, as a share of
 /// its reach.
 constexpr double kJustInside = 0x1p-44;
 
-/// How many times a point is projected to where conditions hold to first order.
+/// The number of projections of a point to where conditions hold to first order.
 constexpr int kProjections = 32;
 /// How far past an inequality's zero a projection goes, times the distance to it.
 constexpr double kBeyond = 1 + 0x1p-10;
@@ -131,8 +131,7 @@ std::vector<double> on_zero(const AnswerBox& box, Decider decider, const Variati
   return t;
 }
 
-/// Points of the box [-1, 1]^n where the conditions hold if they hold anywhere, up to what is not
-/// linear.
+/// Points of the box [-1, 1]^n where the conditions, taken as linear, hold if they hold anywhere.
 std::vector<std::vector<double>> places(const AnswerBox& box, const std::vector<Condition>& all,
                                         const VariationOf& variation_of) {
   std::vector<std::vector<double>> result;
@@ -339,10 +338,10 @@ class AnswerSearch {
         highest(linear_form(box_.variation_at(decider, box_.middle())));
     if (auto found = search_along(decider, rising)) return found;
     for (std::size_t k = 0; k + 1 < rising.size(); ++k) {
-      std::vector<double> alone(rising.size());
-      alone[k] = rising[k];
-      if (alone[k] == 0) continue;
-      if (auto found = search_along(decider, alone)) return found;
+      std::vector<double> single(rising.size());
+      single[k] = rising[k];
+      if (single[k] == 0) continue;
+      if (auto found = search_along(decider, single)) return found;
     }
     return std::nullopt;
   }

@@ -20,7 +20,7 @@ enum class Nearby { kWitness, kRefuted, kUndecided };
 
 struct NearbyAnswer {
   Nearby found = Nearby::kUndecided;
-  InputChange witness;  ///< Of kWitness alone: inputs for which the answer is right.
+  InputChange witness;  ///< Only for kWitness: inputs for which the answer is right.
 };
 
 /// A question about inputs close by: under which conventions, and how close.

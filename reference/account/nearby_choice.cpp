@@ -19,10 +19,10 @@ namespace {
 using Conditions = std::vector<ChoiceCondition>;
 using What = ChoiceCondition::What;
 
-/// How many spheres may change their inputs, and how many ways of meeting them are tried, at most.
+/// The most spheres that may change their inputs, and the most ways of meeting them that are tried.
 constexpr std::size_t kMostSpheres = 12;
 constexpr int kMostWays = 64;
-/// How many parts a neighbourhood is divided into, at most.
+/// The most parts that a neighbourhood is divided into.
 constexpr std::size_t kMostParts = 64;
 
 struct ChoiceQuestion {
@@ -33,7 +33,7 @@ struct ChoiceQuestion {
   const FirstMet& claim;
 };
 
-/// Whether a claim is right, or a sphere that makes it wrong; neither if that cannot be told.
+/// Whether a claim is right, or a sphere that makes it wrong; neither if that is undecided.
 struct Judgement {
   bool is_right = false;
   std::optional<std::size_t> offender;
@@ -130,7 +130,7 @@ class ChoiceSearch {
     if (as_it_is.is_right) return {Nearby::kWitness, {}};
     if (question_.claim.what == FirstMet::What::kSomething) return meet_some();
     if (question_.claim.what == FirstMet::What::kSphere) slots_.push_back(question_.claim.sphere);
-    // Adds spheres that make witnesses wrong, until none does.
+    // Adds spheres that make witnesses wrong, until there are no more.
     for (std::optional<std::size_t> next = as_it_is.offender; slots_.size() <= kMostSpheres;) {
       if (next && !is_slot(*next)) slots_.push_back(*next);
       if (slots_.empty()) return {};
@@ -369,7 +369,7 @@ NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> sp
                           const Neighbourhood& around, const FirstMet& claim) {
   for (const scene::Sphere& sphere : spheres) scene::require_valid(sphere);
   if (claim.what == FirstMet::What::kSphere && claim.sphere >= spheres.size()) {
-    throw std::invalid_argument("the scene has no such sphere");
+    throw std::invalid_argument("the claimed sphere is not in the scene");
   }
   if (!around.valid.is_usual()) {
     NearbyAnswer found = refuted_nearby(ray, spheres, around, claim);

@@ -54,9 +54,8 @@ class Box {
     return (ray_.axial_distance(sphere) + sqrt(ray_.half_chord_sq(sphere))).certain_sign() == -1;
   }
 
-  /// Whether what counts may differ from what every root >= 0 would make count: neither are all
-  /// roots behind, where rays are met, nor do all lie in front and well inside the interval, the
-  /// smaller not culled.
+  /// Whether other roots may count than if every root >= 0 counted: not if, for rays, all roots are
+  /// behind, nor if all lie in front and well inside the interval, the smaller not culled.
   bool ends_matter(const scene::Sphere& sphere) const {
     const Enclosure half_chord_sq = ray_.half_chord_sq(sphere);
     if (half_chord_sq.certain_sign() == -1) return false;
@@ -182,8 +181,8 @@ bool is_outside(const scene::ValidRoots& valid, const ExactRay& ray, const scene
     const bool is_radius = valid.unit == scene::TUnit::kRadius;
     const bool is_length = valid.unit == scene::TUnit::kLength && !ray.source().camera;
     if (!is_radius && !is_length) return s < t ? -1 : s > t ? 1 : 0;
-    // The product of two doubles has at most 106 bits, so a ball of kBits is exact; one of a length
-    // that holds the end holds nothing else that doubles can name.
+    // The product of two doubles has at most 106 bits, so a ball of kBits is exact; a length whose
+    // ball holds the end equals it, as no other length from doubles is that close.
     const Enclosure at = Enclosure(s, kBits), end(t, kBits);
     return (is_length ? at * ray.enclose(kBits).length() - end
                       : at - end * Enclosure(sphere.radius, kBits))

@@ -20,7 +20,7 @@ namespace mp = boost::multiprecision;
 
 /// Bits of the stated numbers where the computed ones are not dyadic rationals.
 constexpr int kStatedBits = 64;
-/// How narrow a vector's intervals are made, relative to its length.
+/// The bits of a vector's intervals relative to its length.
 constexpr int kVectorBits = 64;
 
 Dyadic dyadic_of(const Rational& x) {
@@ -72,7 +72,7 @@ Rational rational_of(arf_srcptr x) {
 }
 
 RationalInterval interval_of(const Enclosure& x) {
-  if (arb_is_finite(x.ball()) == 0) throw std::invalid_argument("a ball without ends");
+  if (arb_is_finite(x.ball()) == 0) throw std::invalid_argument("the ball is not finite");
   arf_t low;
   arf_t high;
   arf_init(low);

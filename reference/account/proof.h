@@ -42,7 +42,7 @@ struct ProvenMeeting {
   std::optional<Bracket> other_s;  ///< The other root, if wanted and different.
 };
 
-/// Square roots between dyadic rationals, as narrow as the rest needs: only for a camera.
+/// Brackets of square roots, as narrow as the proof needs: only for a camera.
 struct ProvenRoots {
   Bracket w;                      ///< |E - A|
   Bracket u;                      ///< |up x (E - A)|
@@ -54,8 +54,8 @@ struct Proof {
   std::vector<ProvenMeeting> meetings;  ///< One for each sphere.
 };
 
-/// What a proof must show; a vector's intervals that follow from its brackets are narrower than
-/// 2^-ExactRay::kValueBits of its length.
+/// The statement that a proof must show; a vector's intervals that follow from its brackets are
+/// narrower than 2^-ExactRay::kValueBits of its length.
 struct Proposition {
   std::span<const scene::Sphere> spheres;  ///< Shows how each is met.
   bool other_roots = false;                ///< For those that are met, shows the other root too.
@@ -71,11 +71,11 @@ struct Proposition {
 };
 
 /// Proofs that rational intervals can follow: every interval in them is computed from the input's
-/// doubles and the given brackets, by +, -, *, / alone.
+/// doubles and the given brackets, only by +, -, *, /.
 /// Domain: as ExactRay.
-/// Error:  every returned proof has been followed that way. Empty if brackets of up to
-///         kMostProofBits bits show nothing: at a value that is 0, or at two that are equal, only
-///         by virtue of square roots.
+/// Error:  every returned proof has been checked that way. Empty if brackets of up to
+///         kMostProofBits bits prove nothing: where a value is 0, or two are equal, only because of
+///         square roots.
 /// Source: docs/certificates.md
 class Prover {
  public:

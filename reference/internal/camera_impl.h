@@ -1,6 +1,6 @@
 #pragma once
 
-// What an ExactCamera holds. Internal to reference/.
+// The data of an ExactCamera. Internal to reference/.
 
 #include "reference/exact_camera.h"
 #include "reference/internal/formulas.h"
@@ -9,7 +9,7 @@
 
 namespace raycheck::reference {
 
-/// The precision of the ladder's middle stage, between intervals and the exact field.
+/// The precision of the filter stage of balls, between double-doubles and the exact field.
 inline constexpr int kMiddleBits = 256;
 
 struct ExactCamera::Impl {
@@ -23,7 +23,7 @@ struct ExactCamera::Impl {
     return use(camera_numbers(lift, camera));
   }
 
-  // What intervals nearly always spare.
+  // Made on demand: intervals nearly always decide.
   const CameraNumbers<DoubleDoubleKernel>& double_doubles() const;
   const CameraNumbers<ExactKernel>& exact() const;
 

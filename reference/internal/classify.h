@@ -28,7 +28,7 @@ std::optional<int> sign_of(Coefficient coefficient, const LineAndSphere<K>& pair
   return certain_sign(coefficient_of(coefficient, pair));
 }
 
-/// The intersection from the signs of three coefficients, each asked for only when it matters;
+/// The intersection from the signs of three coefficients, each computed only when it matters;
 /// empty when one that matters is not certain. With c < 0 the roots have opposite signs; with c > 0
 /// both have b's sign; with c = 0 one of them is 0.
 template <class Sign>

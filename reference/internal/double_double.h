@@ -12,10 +12,10 @@ namespace raycheck::reference {
 /// high the double nearest to high + low. About 104 bits, without heap memory or unlimited
 /// exponents: results that over- or underflow get a radius that says so (infinite or NaN if nothing
 /// is known). Valid only while doubles round to nearest.
-/// Error:  each operation encloses the exact result. With u = 2^-53, what it adds to the radius of
-///         its operands is at most kDoubleDoubleError of the result, or of the larger operand of a
-///         sum, and kDoubleDoubleUnderflow. Of products, quotients and roots that is proved in
-///         proofs/; what sums round off is computed.
+/// Error:  each operation encloses the exact result. With u = 2^-53, it adds to the radius of its
+///         operands at most kDoubleDoubleError of the result, or of the larger operand of a sum,
+///         and kDoubleDoubleUnderflow. For products, quotients and roots that is proved in
+///         proofs/; the rounding errors of sums are computed.
 /// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971; M.
 ///         Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
 ///         blocks of double-word arithmetic, 2017. The bounds here are simpler, and proved below.
@@ -89,9 +89,9 @@ class DoubleDouble {
     const double of_b = sum - a;
     return {sum, (a - (sum - of_b)) + (b - of_b)};
   }
-  /// Exceeds what underflow takes from an operation on x, or with the result x.
+  /// Exceeds the loss by underflow in an operation on x, or with the result x.
   static double underflow_of(double x);
-  /// Exceeds what underflow takes from the product or the quotient of a radius.
+  /// Exceeds the loss by underflow in the product or the quotient of a radius.
   static double underflow_of_radius(double radius);
   /// An upper bound, given a radius that is too small by at most 14 u relatively.
   static double up(double radius) { return radius * (1 + 0x1p-49); }
@@ -106,8 +106,8 @@ inline constexpr double kDoubleDoubleProductError = 9 * 0x1p-106;
 inline constexpr double kDoubleDoubleQuotientError = 16 * 0x1p-106;
 inline constexpr double kDoubleDoubleRootError = 6 * 0x1p-106;
 inline constexpr double kDoubleDoubleError = kDoubleDoubleQuotientError;
-/// Exceeds what underflow takes from one operation (a few times 2^-1075). Nothing underflows where
-/// operands and result are no smaller: their last bits are at most 2^-107 of them.
+/// Exceeds the loss by underflow in one operation (a few times 2^-1075). Nothing underflows where
+/// operands and result are at least this large: their last bits are at most 2^-107 of them.
 inline constexpr double kDoubleDoubleUnderflow = 0x1p-900;
 
 inline double DoubleDouble::underflow_of(double x) {
@@ -128,20 +128,20 @@ inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
           DoubleDouble::up(a.radius_ + b.radius_ + rounding)};
 }
 
-/// What is left of a product beside the rounded one of the high parts, whose error is given.
+/// The low part of a product, given the rounding error of the product of the high parts.
 template <class N>
 N rest_of_product(const N& error, const N& a_high, const N& a_low, const N& b_high,
                   const N& b_low) {
   return error + (a_high * b_low + a_low * b_high);
 }
-/// What q, the rounded quotient of the high parts, leaves of a, given what it leaves of a's high
-/// part.
+/// The remainder a - q b, with q the rounded quotient of the high parts, given the remainder of a's
+/// high part.
 template <class N>
 N remainder_of_quotient(const N& of_high, const N& a_low, const N& q, const N& b_low) {
   return (of_high + a_low) - q * b_low;
 }
-/// What h, the rounded root of the high part, leaves of a, given what it leaves of the high part;
-/// and what is to be added to h for that.
+/// The remainder a - h^2, with h the rounded root of the high part, given the remainder of the high
+/// part; and the correction to h that follows from it.
 template <class N>
 N remainder_of_root(const N& of_high, const N& a_low) {
   return of_high + a_low;
@@ -152,7 +152,7 @@ N rest_of_root(const N& remainder, const N& h) {
 }
 
 /// A product of two doubles is exact. Else, with |low| <= u |high| and in units of
-/// u^2 |a.high b.high|: what is left out, a.low b.low, is 1; the roundings of two products are 1
+/// u^2 |a.high b.high|: the omitted a.low b.low is 1; the roundings of two products are 1
 /// each; of their sum, below 2u, 2; of r, below 3u, 3.
 inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
   const double p = a.high_ * b.high_;
@@ -184,7 +184,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   const bool is_exact = a.low_ == 0 && b.low_ == 0 && remainder == 0;
   const double rounding = is_exact ? 0 : kDoubleDoubleQuotientError * std::abs(q);
   const double size = std::abs(b.high_);
-  // Nothing is known if the divisor may be 0.
+  // The quotient is unknown if the divisor may be 0.
   const double distance = b.radius_ < size / 4 ? size - b.radius_ : 0;
   if (a.is_exact_zero() && distance > 0) return {{q, 0}, 0};
   const double of_radius = DoubleDouble::underflow_of_radius(a.radius_ + b.radius_);
@@ -198,7 +198,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
 /// sqrt(a) = h + (a - h^2)/(sqrt(a) + h). The remainder a.high - h^2, below 2u h^2, is exact, and
 /// so is the root of a double that leaves none. Else, in units of u^2 h: the rounding of its sum
 /// with a.low, below 3u h^2, is 1.5; of the quotient 1.5; and dividing by 2h for sqrt(a) + h, 1.2;
-/// in all less than 6, with what is of higher order.
+/// in all less than 6, with higher orders.
 /// The operand carries |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a); the root of a negative centre is
 /// NaN.
 inline DoubleDouble sqrt(const DoubleDouble& a) {

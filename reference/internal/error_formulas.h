@@ -48,8 +48,8 @@ Triple<DoubleDouble> in_double_doubles(const Given& given) {
   return {DoubleDouble(given.x), DoubleDouble(given.y), DoubleDouble(given.z)};
 }
 
-/// An error by double-doubles is reported if the relative width of its enclosure is at most this:
-/// the bound is too large by at most twice as much.
+/// An error from double-doubles is used if the relative width of its enclosure is at most this: the
+/// bound is then too large by at most twice that.
 inline constexpr double kErrorWidth = 0x1p-30;
 
 /// An upper bound of an error >= 0, in multiples of 2^exponent; empty if its enclosure is too wide.

@@ -8,9 +8,9 @@
 
 namespace raycheck::reference {
 
-/// Keeps what the first caller computes. `compute` must give the same value every time: threads
-/// that ask while the first is still writing compute their own instead of waiting. Thread safety:
-/// get() and copying from may run in several threads at once.
+/// Keeps the value that the first caller computes. `compute` must give the same value every time:
+/// threads that call while the first is still writing compute their own instead of waiting. Thread
+/// safety: get() and copying from may run in several threads at once.
 template <class T>
 class Kept {
  public:
@@ -43,7 +43,7 @@ class Kept {
   mutable T value_;  ///< Read only when ready.
 };
 
-/// A large value, computed by the first thread that asks for it; others wait.
+/// A large value, computed by the first thread that needs it; others wait.
 template <class T>
 class OnDemand {
  public:

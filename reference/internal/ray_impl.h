@@ -1,6 +1,6 @@
 #pragma once
 
-// A ray's line under each kernel, and what an EnclosedRay holds. Internal to reference/.
+// A ray's line under each kernel, and the data of an EnclosedRay. Internal to reference/.
 
 #include "reference/exact_ray.h"
 #include "reference/internal/camera_impl.h"

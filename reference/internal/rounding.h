@@ -1,7 +1,7 @@
 #pragma once
 
-// From a way to enclose a number at any precision, and a way to compare it exactly with a rational,
-// to a narrow enclosure and to the correctly rounded double. Internal to reference/.
+// Computes narrow enclosures and correctly rounded doubles of a number that can be enclosed at any
+// precision and compared exactly with rationals. Internal to reference/.
 
 #include <bit>
 #include <cmath>
@@ -16,7 +16,7 @@ namespace raycheck::reference {
 
 inline constexpr int kFirstBits = 128;
 
-/// Narrows `enclosure`, a first one, about as narrow as enclose(kFirstBits), to relative width
+/// Narrows a first `enclosure`, about as narrow as enclose(kFirstBits), to relative width
 /// 2^-relative_bits. Refining an enclosure of 0 would never end, so zero is decided by `compare`,
 /// the exact sign of x - rational.
 template <class Enclose, class Compare>
@@ -67,7 +67,7 @@ double round_to_nearest(Enclosure enclosure, Enclose enclose, Compare compare) {
 }
 
 /// The float nearest to x, ties to even, from the double nearest to x. If that is not a midpoint of
-/// two floats, x is on the same side of all midpoints, as these are doubles; else `compare` tells.
+/// two floats, x is on the same side of all midpoints (all are doubles); else `compare` decides.
 template <class Compare>
 double round_to_single(double nearest, Compare compare) {
   constexpr auto kSingle = scene::Precision::kSingle;
@@ -83,8 +83,8 @@ double round_to_single(double nearest, Compare compare) {
   return side == 0 || (side > 0) == (rounded > nearest) ? rounded : other;
 }
 
-// Narrow and Round take a first enclosure, a way to make narrower ones and the exact comparison to
-// a value; they ask for a first one that is as narrow as relative_bits.
+// Narrow and Round turn a first enclosure, a function for narrower ones and the exact comparison
+// into a value; the first one must be as narrow as relative_bits.
 
 struct Narrow {
   int relative_bits;

@@ -58,7 +58,7 @@ HWY_INLINE PairLanes two_sum(V x, V y) {
   const V of_y = hn::Sub(sum, x);
   return {sum, hn::Add(hn::Sub(x, hn::Sub(sum, of_y)), hn::Sub(y, of_y))};
 }
-/// The same of |x| >= |y| (Dekker).
+/// The same for |x| >= |y| (Dekker).
 HWY_INLINE PairLanes ordered_sum(V x, V y) {
   const V sum = hn::Add(x, y);
   return {sum, hn::Sub(y, hn::Sub(sum, x))};

@@ -28,14 +28,14 @@ bool fits(double length, int exponent) {
   return length == 0 || (std::isfinite(length) && std::ilogb(length) + exponent < kLargestExponent);
 }
 
-/// A sphere by the bits of its distance, which are in order as those of floats >= 0 are, and the
-/// bands that it reaches.
+/// A sphere by the bits of its distance, which order floats >= 0 like their values, and the bands
+/// that it reaches.
 struct NearFirst {
   std::uint32_t distance, sphere;
   Blocks bands;
 };
 
-/// By distance, those of one distance in the order that they have.
+/// Sorts by distance; equal distances keep their order.
 void sort(std::vector<NearFirst>& items) {
   constexpr int kDigit = (32 - kDistanceRounds) / 2;
   std::vector<NearFirst> sorted(items.size());
@@ -72,8 +72,8 @@ Visibility::Impl::Impl(scene::Scene its_scene, scene::ScenePlan its_plan)
   for (const auto& [field, side] : {std::pair("camera.width", width), {"camera.height", height}}) {
     if (side <= kMostVisibleSide) continue;
     throw std::invalid_argument(std::string(field) + " = " + std::to_string(side) +
-                                ": what is seen is worked out of at most " +
-                                std::to_string(kMostVisibleSide));
+                                ": visibility is computed for at most " +
+                                std::to_string(kMostVisibleSide) + " pixels");
   }
   set_plane();
   require_few_parts();
@@ -148,14 +148,13 @@ void Visibility::Impl::require_few_parts() const {
     if (!plan.spheres[k].pixels.empty()) parts += its_bands.last - its_bands.first;
   }
   if (parts <= kMostVisibleParts) return;
-  throw std::invalid_argument("spheres: they reach into " + std::to_string(parts) +
-                              " bands of rows between them, where what is seen is worked out of "
-                              "at most " +
+  throw std::invalid_argument("spheres: they cover " + std::to_string(parts) +
+                              " bands of rows in all; visibility is computed for at most " +
                               std::to_string(kMostVisibleParts) + "; give fewer rows or spheres");
 }
 
-/// Each reach has as many spheres as would cover the image some times over, several times as often
-/// as the one before, by a sample of them.
+/// Each reach has enough spheres to cover the image several times as often as the one before, as
+/// estimated from a sample.
 void Visibility::Impl::set_reaches() {
   constexpr std::size_t kSamples = 4096;
   constexpr double kTimesOver = 32, kGrowth = 4;

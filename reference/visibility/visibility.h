@@ -18,14 +18,14 @@ namespace raycheck::reference {
 inline constexpr std::int32_t kNoSphere = -1;
 inline constexpr double kNoParameter = std::numeric_limits<double>::infinity();
 
-/// What pixels see, row by row; empty arrays are not filled.
+/// The nearest hits of pixels, row by row; empty arrays are not filled.
 struct SeenRows {
-  std::span<std::int32_t> sphere;  ///< The nearest sphere; the first in the file among equals.
+  std::span<std::int32_t> sphere;  ///< The nearest sphere; the first in the file if several tie.
   std::span<double> parameter;     ///< s
   std::span<double> point_x, point_y, point_z;  ///< Q, all or none of them.
 };
 
-/// How many pixels were decided by what.
+/// The numbers of pixels decided by the filter and by each stage.
 struct DecidedBy {
   std::uint64_t filter = 0;  ///< Doubles, within bounds on their errors.
   /// By the highest stage that a pixel's decisions needed (index: FilterStage): of ExactRay, or the
@@ -37,14 +37,14 @@ struct DecidedBy {
   bool operator==(const DecidedBy&) const = default;
 };
 
-/// What the pixels of an image see, with every decision right: hit or miss, in front or behind,
-/// which sphere is nearer.
+/// The nearest hits of an image's pixels, with every decision right: hit or miss, in front or
+/// behind, which sphere is nearer.
 /// Shape:  rows j_begin <= j < j_end of a camera's image -> one answer per pixel, in (j, i) order.
 /// Units:  scene lengths.
-/// Domain: doubles that round to nearest; what its plan was made for: fewer than 2^31 spheres; a
-/// plan of another scene is an
-///         undetected error. Arrays of the wrong size throw std::invalid_argument, as do, naming
-///         the camera's field, more than kMostVisibleSide columns or rows.
+/// Domain: doubles that round to nearest; the scene that the plan was made for (another one is not
+///         detected), with fewer than 2^31 spheres. Arrays of the wrong size throw
+///         std::invalid_argument, as do, naming the camera's field, more than kMostVisibleSide
+///         columns or rows.
 /// Memory: some 100 bytes per column and row, and up to kMostVisibleParts list entries.
 /// Error:  no decision is wrong. A tangent counts as a hit unless the convention is `miss`. s is
 ///         within kVisibleParameterError |Q - E| and the least double, within a few u of |Q - E|
@@ -73,7 +73,7 @@ class Visibility {
   DecidedBy classes(std::size_t sphere, std::int64_t j_begin, std::int64_t j_end,
                     std::span<HitClass> classes) const;
 
-  /// Rows that are decided together: multiples of it cost least.
+  /// The number of rows that are decided together: calls for multiples of it cost least.
   static constexpr std::int64_t kBandRows = 16;
 
  private:
@@ -86,8 +86,8 @@ inline constexpr double kVisibleParameterError = 0x1p-20;
 
 /// The most columns, or rows: they take 100 MiB.
 inline constexpr std::int64_t kMostVisibleSide = std::int64_t{1} << 22;
-/// Spheres are listed in every band of kBandRows rows that they reach; this is the largest number
-/// of places.
+/// Spheres are listed in every band of kBandRows rows that they reach; this is the largest total
+/// length of the lists.
 inline constexpr std::uint64_t kMostVisibleParts = std::uint64_t{1} << 27;
 
 }  // namespace raycheck::reference

@@ -11,7 +11,7 @@ using scene::Bounds;
 
 double magnitude(const Bounds& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
-/// The form by h takes longer: only where its bound is so much smaller.
+/// The form by h takes longer: it is used where its bound is below this share of the other.
 constexpr double kMomentGain = 0.25;
 
 /// e of h = f x g.

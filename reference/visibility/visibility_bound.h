@@ -12,17 +12,17 @@
 
 namespace raycheck::reference {
 
-// Units of u0 in the bound, which proofs/ proves of the formulas, fused or not.
+// In units of u0; proofs/ proves them for the formulas, fused or not.
 inline constexpr double kSumRoundings = 5;        ///< Of b and a, of B and A.
 inline constexpr double kDiscRoundings = 3.1;     ///< Of b^2 - c a, of B^2 + |c| A.
 inline constexpr double kMomentRoundings = 3;     ///< Of a component of f x g, of P_k.
 inline constexpr double kByMomentRoundings = 33;  ///< Of r^2 a - |f x g|^2, of S^2.
-// What else is in it, which proofs/identities/filter_*.smt2 prove.
-inline constexpr double kSquareShare = 2.2;   ///< Of B E_b, what b is off by moves b^2 by.
+// The other factors of the bound, proved by proofs/identities/filter_*.smt2.
+inline constexpr double kSquareShare = 2.2;   ///< Of B E_b: the error of b^2 that b's causes.
 inline constexpr double kProductShare = 1.1;  ///< Of |c| E_a and rho_c A, likewise c a.
-inline constexpr double kLeastMoment = 8;     ///< By moment, where S is so many times e.
+inline constexpr double kLeastMoment = 8;     ///< By moment only where S/e is at least this.
 inline constexpr double kRootShare = 0.51;    ///< Of sqrt(E/kDecidedBeyond), likewise q.
-/// Covers what computing bounds in doubles loses, and terms of second order.
+/// Covers rounding errors in computing bounds, and terms of second order.
 inline constexpr double kSlack = 1.01;
 
 inline double middle(const scene::Bounds& x) { return x.low / 2 + x.high / 2; }
@@ -45,7 +45,7 @@ struct PlaneSizes {
 PlaneSizes plane_sizes(const std::vector<scene::Bounds>& alpha,
                        const std::vector<scene::Bounds>& beta, const scene::Bounds& near);
 
-/// How well the numbers of a sphere are known.
+/// The uncertainties of a sphere's numbers.
 struct SphereDoubt {
   double rho = 0, rho_c = 0, rho_r = 0;
 };

@@ -1,6 +1,6 @@
 // The arithmetic of the filter of certified visibility, in any type of number that has mul_add(x,
 // y, z) = x y + z, mul_sub(x, y, z) = x y - z and sub_mul(x, y, z) = z - x y, each rounded once:
-// vectors of doubles, and what records operations for proofs/. Internal to reference/. The names
+// vectors of doubles, and the recording numbers of proofs/. Internal to reference/. The names
 // and the bound are those of visibility_kernel.h. Compiled once for each of Highway's targets,
 // hence the guard.
 
@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::reference::HWY_NAMESPACE {
 
-/// What the pixels of a row share; `N` doubles.
+/// The terms that the pixels of a row share; `N` doubles.
 template <class N>
 struct RowTerms {
   N b;       ///< n w + beta v

@@ -1,6 +1,6 @@
 #pragma once
 
-// What Visibility stores of a scene, and the walk over bands and tiles that its functions share.
+// The data that Visibility stores for a scene, and the loop over bands and tiles of its functions.
 // Internal to reference/.
 
 #include <algorithm>
@@ -59,16 +59,16 @@ inline Blocks blocks(std::int64_t begin, std::int64_t end, int size) {
           static_cast<std::uint32_t>((end - 1) / size + 1)};
 }
 
-/// By what spheres are sorted: their nearest distance, rounded down to 12 bits.
+/// The sort key of spheres: their nearest distance, rounded down to 12 bits.
 float no_farther(double distance);
-inline constexpr int kDistanceRounds = 12;  ///< So many bits of a float are 0.
+inline constexpr int kDistanceRounds = 12;  ///< The low bits of a float that are cleared.
 
 struct Visibility::Impl {
   Impl(scene::Scene its_scene, scene::ScenePlan its_plan);
 
   /// The filter's view of a planned sphere.
   FilteredSphere filtered_of(const scene::SpherePlan& planned, std::size_t index) const;
-  /// The filter's view in double-doubles, made when it is first asked for; null if it has none.
+  /// The filter's view in double-doubles, made when first needed; null where it is not used.
   const PairView* pair_view() const;
 
   scene::Scene scene;
@@ -82,11 +82,11 @@ struct Visibility::Impl {
   TileScale scale;
   double axis_doubt = 0;    ///< The largest half width of U, V, W in world coordinates.
   bool scales_fit = false;  ///< Lengths stay in the range of doubles when they are unscaled.
-  /// Of scenes of few spheres, which many tiles share. Of many spheres most are never swept.
+  /// Only for scenes of few spheres, which many tiles share: of many spheres most are never swept.
   std::vector<FilteredSphere> kept;
-  /// The spheres that each band may see, by their nearest distance, of those whose distance is
-  /// below reach_end[reach] and no other's before: of many spheres most are hidden, and are not
-  /// listed unless they are asked for.
+  /// The spheres that may be visible in each band, by nearest distance, with distances between the
+  /// end of the reach before and reach_end[reach]: of many spheres most are hidden, and are listed
+  /// only when needed.
   const Lists& bands(std::size_t reach) const;
   static constexpr std::size_t kReaches = 6;
   std::array<double, kReaches> reach_end{};  ///< The last, or one before, is infinite.
@@ -108,10 +108,10 @@ struct Visibility::Impl {
   Blocks bands_of(std::size_t sphere) const;
 
   void set_plane();
-  /// Throws std::invalid_argument of more than kMostVisibleParts.
+  /// Throws std::invalid_argument for more than kMostVisibleParts.
   void require_few_parts() const;
   void set_reaches();
-  /// Of the spheres whose distance is in [from, to).
+  /// Lists the spheres whose distance is in [from, to).
   Lists list_bands(double from, double to) const;
 };
 

@@ -43,7 +43,7 @@ HWY_INLINE void store_numerators(D d, PairLanes numerators, std::size_t at, Pair
   hn::Store(numerators.low, d, tile.rest.data() + at);
 }
 
-/// Whether any of some columns, as many as a vector has lanes, is asked for.
+/// Whether any of the columns of one vector is wanted.
 HWY_INLINE bool any_wanted(const Tile& /*tile*/, int /*row*/, int /*column*/) { return true; }
 HWY_INLINE bool any_wanted(const PairTile& tile, int row, int column) {
   const std::uint64_t from = tile.wanted[static_cast<std::size_t>(row)] >> column;
@@ -180,7 +180,7 @@ void leave_to_exact(const TileRectangle& pixels, Tile& tile) {
   }
 }
 
-/// Sweeps a sphere in the form that suits it.
+/// Sweeps a sphere by its form of the discriminant (by_moment).
 template <Certified kCertified, Answer kAnswer>
 void sweep_by_form(const SphereInTile& entry, double margin_so_far, const TileRays& rays,
                    Tile& tile) {

@@ -2,7 +2,7 @@
 
 // The filter of certified visibility: a tile of pixels against spheres, front to back, in vectors
 // of doubles as wide as the machine has, every decision within a bound on its error. Internal to
-// reference/; it shares no code with what is under test.
+// reference/; it shares no code with candidates.
 //
 // From the eye, g = n W + alpha U + beta V, a = |g|^2 = n^2 + alpha^2 + beta^2 and, with f = C - E
 // = (u, v, w) along the camera's axes, b = f.g = n w + beta v + alpha u and c = |f|^2 - r^2. The
@@ -41,11 +41,11 @@
 // at least kLeastBound; all this holds while nothing overflows, as it does if E is at most
 // kLargestBound. The bounds are themselves computed in doubles, with 1% to spare.
 //
-// What doubles leave undecided double-doubles sweep again, by h for every sphere. The bound is the
-// same with u0 = kDoubleDoubleError, as each of their operations is within that of its result, and
-// with delta and rho from the same numbers in double-doubles (visibility_pairs.h). They have scenes
-// whose magnitudes need no scaling (scene::kPlainExponent), so that nothing overflows; spheres with
-// e > S/8 are left to the exact ray.
+// Pixels that doubles leave undecided are swept again in double-doubles, by h for every sphere. The
+// bound is the same with u0 = kDoubleDoubleError, as each of their operations is within that of its
+// result, and with delta and rho from the same numbers in double-doubles (visibility_pairs.h). They
+// are used for scenes that need no scaling (scene::kPlainExponent), so nothing overflows; spheres
+// with e > S/8 are left to the exact ray.
 
 #include <array>
 #include <cstddef>
@@ -103,7 +103,7 @@ struct Tile {
   static constexpr int kWidth = 64;
   static constexpr int kHeight = 16;
   static constexpr int kPixels = kWidth * kHeight;
-  static constexpr int kRun = 16;              ///< Pixels of a row that are passed over together.
+  static constexpr int kRun = 16;              ///< Pixels of a row that are skipped together.
   static constexpr int kRuns = kWidth / kRun;  ///< Of a row.
   static constexpr int kAllRuns = kHeight * kRuns;
 
@@ -120,7 +120,7 @@ struct PairTile : Tile {
   std::array<std::uint64_t, kHeight> wanted;     ///< The pixels, one bit per column.
 };
 
-/// What the rays of a tile share, besides their columns' alpha.
+/// The terms that the rays of a tile share, besides their columns' alpha.
 template <class Number>
 struct TileRaysOf {
   std::array<Number, Tile::kHeight> beta{};
@@ -141,13 +141,13 @@ struct PairRays : TileRaysOf<Pair> {
 
 enum class Certified { kNo, kYes };
 
-/// Those of Highway's targets that all this is compiled for.
+/// The targets of Highway that the kernel is compiled for.
 std::int64_t kernel_targets();
 
-/// Resets to nothing seen, everything decided; pixels outside of what is wanted, some rows of the
-/// first columns, see what is nearer than any sphere.
+/// Resets to no sphere and everything decided. Pixels outside the wanted rectangle get a numerator
+/// below any sphere's.
 void clear(Tile& tile, const TileRectangle& wanted);
-/// Resets to nothing seen of these pixels.
+/// Resets these pixels to no sphere.
 void clear(PairTile& tile, const std::array<std::uint64_t, Tile::kHeight>& wanted);
 
 /// Sweeps spheres over the tile, whose pixels but the undecided ones then have the nearest sphere
@@ -156,9 +156,9 @@ void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certifie
            Tile& tile, double& margin);
 /// The same, certified, for the wanted pixels of a tile in pairs.
 void sweep(std::span<const SphereInTileOf<Pair>> spheres, const PairRays& rays, PairTile& tile);
-/// The same for the class of one sphere alone; numerators do not change.
+/// The same for the hit class of one sphere; numerators do not change.
 void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile);
-/// Numerators so far, for what is swept from now on; returns the largest.
+/// Sets `farthest` from the numerators so far; returns the largest.
 double set_farthest(Tile& tile);
 /// Pixels whose numerators are below this, found within `margin`, have met a sphere at a smaller t
 /// than `distance`.
@@ -172,14 +172,14 @@ struct TileOutput {
   std::ptrdiff_t stride = 0;  ///< The distance from one row to the next.
 };
 /// Turns numerators into lengths: t = m/l, s = t 2^lengths - l 2^plane (focal rays: without l), Q =
-/// E + (t/l) g 2^lengths. What a power of two makes subnormal is rounded once.
+/// E + (t/l) g 2^lengths. A result that a power of two makes subnormal is rounded once.
 struct TileScale {
   double lengths = 1;
   double plane = 1;  ///< 0 for focal rays.
   std::array<double, 3> eye{}, U{}, V{}, W{};
 };
 /// Writes the wanted pixels, some rows of the first columns. Returns the least numerator among
-/// them, infinity where nothing is seen.
+/// them, infinity if no sphere is met.
 double finish_tile(const Tile& tile, const TileRectangle& wanted, const TileRays& rays,
                    const TileScale& scale, const TileOutput& output);
 

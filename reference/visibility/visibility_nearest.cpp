@@ -17,7 +17,7 @@ namespace {
 
 using scene::PixelRectangle;
 
-/// One call for some rows: what tiles share is computed once.
+/// One call for some rows: the data that tiles share are computed once.
 class NearestOfRows {
  public:
   NearestOfRows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end)
@@ -30,7 +30,7 @@ class NearestOfRows {
     }
     if (rows.point_x.empty() != rows.point_y.empty() ||
         rows.point_x.empty() != rows.point_z.empty()) {
-      throw std::invalid_argument("points: some coordinates have arrays and some have none");
+      throw std::invalid_argument("points: give an array for each coordinate, or for none");
     }
     rows_ = rows;
     all_quantities_.resize(impl_.plan.items.quantities ? 0 : Tile::kPixels);
@@ -71,8 +71,8 @@ class NearestOfRows {
     }
   }
 
-  /// Lists some more of the band's spheres by their tiles: as many as were listed, and a few more
-  /// for each tile. Most spheres of many are hidden from all.
+  /// Lists more of the band's spheres by their tiles: as many as were listed, and a few for each
+  /// tile. Where spheres are many, most are hidden in all tiles.
   void list_more() {
     if (left_.empty()) left_ = impl_.bands(++reach_).of(band_);
     const auto next = left_.first(
@@ -96,10 +96,10 @@ class NearestOfRows {
   }
   static constexpr std::size_t kListedForEach = 16, kListedAtLeast = 64;
 
-  /// How many pixels are swept between tests whether the rest is hidden.
+  /// The number of pixels swept between tests whether the remaining spheres are hidden.
   static constexpr int kLookAfter = Tile::kPixels;
 
-  /// Lists the spheres that are swept over the tile: no pixel sees any of the rest.
+  /// Lists the spheres that are swept over the tile: the others are hidden in every pixel.
   void sweep_spheres(std::size_t tile, const TileRays& rays, Certified certified) {
     list_.clear();
     computed_.clear();
@@ -143,7 +143,7 @@ class NearestOfRows {
     return computed_.emplace_back(impl_.filtered_of(again, index));
   }
 
-  /// Writes the tile; the exact ray decides what the filter left undecided.
+  /// Writes the tile; the exact ray decides pixels that the filter left undecided.
   void finish(std::size_t tile, const TileRays& rays, Certified certified, DecidedBy& decided_by) {
     const TileRectangle wanted = at_.wanted_of(tile);
     const std::size_t at = at_.output_at(at_.row_begin(), tile);
@@ -281,7 +281,7 @@ class NearestOfRows {
     return false;
   }
 
-  /// How many pixels of a row are exactly tangent to the sphere that alone they may meet. The
+  /// The number of pixels of a row that are tangent to the only sphere that they may meet. The
   /// discriminant is quadratic in alpha: if it is 0 at three columns it is at all. Then (f.d)^2 = c
   /// of every unit direction d in the plane of the row; f.d changes its sign from d to -d, so that
   /// it is 0 somewhere between, and c is: the eye is on the sphere, and the lines of all rays touch
@@ -330,7 +330,7 @@ class NearestOfRows {
       }
       return tangent.stage;
     }
-    std::sort(candidates_.begin(), candidates_.end());  // among equals the first in the file
+    std::sort(candidates_.begin(), candidates_.end());  // of ties the first in the file
     spheres_.clear();
     for (const std::size_t index : candidates_) spheres_.push_back(impl_.scene.spheres[index]);
     const ExactRay ray(impl_.camera, pixel);
@@ -365,7 +365,7 @@ class NearestOfRows {
   std::size_t parts_ = 0, listed_ = 0;
   std::vector<Blocks> columns_;
   std::vector<SphereInTile> list_;
-  std::deque<FilteredSphere> computed_;  ///< Those of list_ that are not kept.
+  std::deque<FilteredSphere> computed_;  ///< The spheres of list_ that are not in `kept`.
   PairTile pair_tile_;
   std::vector<FilteredSphereOf<Pair>> pair_spheres_;
   std::vector<SphereInTileOf<Pair>> pair_list_;

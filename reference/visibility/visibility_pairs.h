@@ -1,7 +1,6 @@
 #pragma once
 
-// What the filter of certified visibility takes of a scene in double-doubles. Internal to
-// reference/.
+// The inputs of the filter of certified visibility in double-doubles. Internal to reference/.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,10 +16,10 @@ namespace raycheck::reference {
 struct PairAxis {
   DoubleDouble first, step;  ///< position = first + index step
   double count;
-  double most;  ///< No position is larger in magnitude.
+  double most;  ///< The largest magnitude of a position.
 
   PairAxis(double low, double high, std::int64_t pixels, scene::Samples samples);
-  /// How far a computed position may be off.
+  /// The largest error of a computed position.
   double doubt() const;
 };
 

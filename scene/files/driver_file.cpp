@@ -118,18 +118,17 @@ class DriverReader {
     }
   }
 
-  /// A file with words that are none of these, and neither a view, bounds nor a size, is of another
-  /// kind.
+  /// A file with unknown keywords and no camera, eye, bounds or res is not a driver file.
   void refuse_other_kind() const {
     if (unknown_.empty() || once_.contains("camera") || once_.contains("eye") ||
         once_.contains("bounds") || once_.contains("res")) {
       return;
     }
     located_.fail(1, "first words", scene::joined(unknown_),
-                  "neither TOML, in a file whose name ends in .toml, nor a driver file");
+                  "not a driver file; the name of a TOML file must end in .toml");
   }
 
-  /// Reads what follows a sphere's place and size: numbers are its material.
+  /// Reads the words after a sphere's centre and radius: numbers are its material.
   void take_material(const Entry& entry) {
     if (entry.words.size() <= kSphereNumbers) return;
     const bool are_numbers =
@@ -158,8 +157,7 @@ class DriverReader {
       for (const char* const keyword : {"eye", "look", "up", "d"}) {
         if (const Entry* const part = find(keyword)) {
           located_.fail(part->line, keyword, part->joined(),
-                        "contradicts the camera line, line " + std::to_string(whole->line) +
-                            ", which already holds it");
+                        "is already given by the camera line, line " + std::to_string(whole->line));
         }
       }
       view = numbers_of(*whole, 10);
@@ -212,7 +210,7 @@ class DriverReader {
     if (whole && d > 0) located_.fail(entry.line, "d", value, "dialect C needs d < 0");
     const Dialect decided = whole ? Dialect::kC : d > 0 ? Dialect::kA : Dialect::kB;
     if (!asked || *asked == decided) return decided;
-    const std::string named = called(*asked) + " (asked for) ";
+    const std::string named = called(*asked) + " (requested) ";
     if (whole) {
       located_.fail(entry.line, "camera", entry.joined(),
                     named + "has no camera line; this file is dialect C");
@@ -234,13 +232,13 @@ class DriverReader {
     if (bounds.is_degenerate() && !bounds_of(numbers, other).is_degenerate()) {
       located_.fail(entry.line, "bounds", entry.joined(),
                     "has no area in " + called(dialect) + "'s order (" + bounds_order(dialect) +
-                        "), but has in " + called(other) + "'s (" + bounds_order(other) +
+                        "), but has one in " + called(other) + "'s (" + bounds_order(other) +
                         "): reorder the numbers; dialect " +
                         (other == Dialect::kA ? "A needs d > 0" : "B needs d < 0"));
     }
     if (bounds.is_mirrored() && !bounds_of(numbers, other).is_mirrored()) {
       warn_once(entry, "mirror the image in " + called(dialect) + "'s order (" +
-                           bounds_order(dialect) + "), would not in " + called(other) + "'s (" +
+                           bounds_order(dialect) + "), but not in " + called(other) + "'s (" +
                            bounds_order(other) + ")");
     }
     camera.left = bounds.left;
@@ -319,24 +317,24 @@ class DriverReader {
 
   inline static const std::set<std::string> kOnce = {"eye",    "look", "up",    "d",
                                                      "bounds", "res",  "camera"};
-  /// Keywords for lights and meshes in the course's scenes.
+  /// The course's keywords for lights and meshes.
   inline static const std::set<std::string> kOfShading = {"ambient", "light", "model",
                                                           "recursionLevel", "recursionlevel"};
   static constexpr std::size_t kSphereNumbers = 4;
-  /// In files of another kind most lines begin with an unknown word.
+  /// In a file that is not a driver file most lines begin with an unknown word.
   static constexpr std::size_t kMostWarnings = 20;
 
   LocatedFields located_;
   LoadedScene loaded_;
-  std::map<std::string, std::size_t> lines_;  ///< Of the camera's fields.
+  std::map<std::string, std::size_t> lines_;  ///< The lines of the camera's fields.
   std::vector<std::size_t> sphere_lines_;
   std::map<std::string, int> of_shading_;
-  std::vector<std::string> first_seen_;  ///< Of those keywords, in the file's order.
+  std::vector<std::string> first_seen_;  ///< The keywords of of_shading_, in the file's order.
   bool has_materials_ = false;
   std::map<std::string, Entry> once_;
   std::set<std::string> warned_;
   static constexpr std::size_t kFirstWords = 3;
-  std::vector<std::string> unknown_;  ///< The first keywords that driver files do not have.
+  std::vector<std::string> unknown_;  ///< The first unknown keywords.
 };
 
 }  // namespace

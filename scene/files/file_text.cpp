@@ -63,7 +63,7 @@ std::string file_text(const fs::path& path, std::uintmax_t most) {
     refuse(path, "it is a device; give a file");
   }
   const std::string too_large =
-      "it has more than " + std::to_string(most) + " bytes, the most that are read";
+      "it has more than " + std::to_string(most) + " bytes, which is the limit";
   if (S_ISREG(status.st_mode) && static_cast<std::uintmax_t>(status.st_size) > most) {
     refuse(path, too_large);
   }

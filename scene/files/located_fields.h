@@ -11,7 +11,7 @@
 
 namespace raycheck::scene {
 
-/// Makes a file's errors, each of which names its line. Lines count from 1. Errors have the form
+/// Makes the errors of a file, with their lines, counted from 1. Errors have the form
 /// `FILE:LINE: FIELD = VALUE: what is wrong`, with control characters escaped (scene/text.h) and
 /// long values truncated, so that each fits on one line.
 class LocatedFields {

@@ -30,7 +30,7 @@ class SceneReader {
       scene.rays.push_back(read<Ray>(each));
     }
     fields_.located().require_valid(scene, [&](const std::string& field) {
-      // Its defect is that it has rays as well as a camera.
+      // The defect "scene": rays as well as a camera.
       const auto given = root.at_path(field == "scene" ? "ray[0]" : field);
       return given ? std::optional<std::size_t>(given.node()->source().begin.line) : std::nullopt;
     });
@@ -79,7 +79,7 @@ LoadedScene load_scene(const std::filesystem::path& path, std::optional<Dialect>
   LoadedScene loaded = read_toml(text, path.string());
   if (dialect) {
     loaded.warnings.push_back(path.string() +
-                              ": a dialect was asked for, but only driver files have one");
+                              ": a dialect was given, but only driver files have one");
   }
   return loaded;
 }

@@ -35,7 +35,7 @@ struct LoadedScene {
   Scene scene;
   std::vector<std::string> warnings;
   std::optional<Dialect> dialect = {};  ///< For a driver file.
-  /// What a driver file contains for shading alone, which is not a problem: "ambient", "2 lights".
+  /// Parts of a driver file that only shading needs, which is not a problem: "ambient", "2 lights".
   std::vector<std::string> not_needed = {};
 };
 

@@ -64,7 +64,7 @@ class Quoter {
     if (c == ',') expects_value_ = inside == '[';
     if ((c == '[' || c == '{') && expects_value_) {
       nesting_ += c;
-      if (nesting_.size() > kMostNested) fail("lists and tables inside each other");
+      if (nesting_.size() > kMostNested) fail("nested lists and tables");
       expects_value_ = c == '[';
     }
     if ((c == ']' && inside == '[') || (c == '}' && inside == '{')) {
@@ -172,7 +172,7 @@ void TomlFields::require_known(const Table& from, std::span<const std::string_vi
   }
   if (unknown) {
     located_.fail(unknown->line, unknown->name, spelled(unknown->node),
-                  "unknown key; " + from.name + " knows " + joined(known));
+                  "unknown key; " + from.name + " accepts " + joined(known));
   }
 }
 
@@ -225,9 +225,9 @@ std::int64_t TomlFields::integer(const Field& field, std::string_view meaning) c
 
 std::string TomlFields::text(const Field& field) const {
   const auto* const text = field.node.as_string();
-  if (text == nullptr) fail(field, "must be a text in quotes");
+  if (text == nullptr) fail(field, "must be a string in quotes");
   // Paths, command-line words and errors end at a NUL.
-  if (text->get().find('\0') != std::string::npos) fail(field, "must be without NUL");
+  if (text->get().find('\0') != std::string::npos) fail(field, "must not contain NUL");
   return text->get();
 }
 

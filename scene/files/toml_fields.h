@@ -1,6 +1,6 @@
 #pragma once
 
-// Shared by the readers of TOML files; only they see toml++.
+// Shared by the readers of TOML files; only they include toml++.
 
 #include <toml++/toml.h>
 
@@ -26,7 +26,7 @@ namespace raycheck::scene {
 inline constexpr std::size_t kMostNested = 32;
 
 /// Parses TOML of which every bare decimal and hexfloat value is first put in quotes, without its
-/// digit-separating underscores, so that parse_number alone decides how they round: toml++ 3.3
+/// digit-separating underscores, so that only parse_number decides how they round: toml++ 3.3
 /// refuses decimals that underflow or exceed 128 characters, and reads hexfloats through 32-bit
 /// integers. Keys, strings, comments, dates, words and integers in other bases stay as they are.
 /// Errors: SceneFileError naming the line, also where nesting exceeds kMostNested.
@@ -35,7 +35,7 @@ toml::table parse_toml(std::string_view text, std::string_view file);
 /// The fields of a TOML file, by kind; every error names file, line, field and value.
 class TomlFields {
  public:
-  /// A value in the file, and what errors call it.
+  /// A value in the file, and its name in errors.
   struct Field {
     const toml::node& node;
     std::string name;
@@ -107,8 +107,8 @@ class TomlFields {
   LocatedFields located_;
 };
 
-/// The conventions that a table sets; for scenes and other files that have them. Those of valid
-/// roots all count as declared if one is given.
+/// The conventions that a table sets, of a scene or another file. If one field of valid roots is
+/// given, all count as declared.
 template <typename Conventions>
 void read_conventions(TomlFields& fields, const TomlFields::Table& from, Conventions& conventions) {
   ValidRoots valid = std::optional<ValidRoots>(conventions.valid).value_or(ValidRoots{});

@@ -72,7 +72,7 @@ std::vector<std::string> lines_of(const Conventions& conventions) {
   return lines;
 }
 
-/// Those that are not the defaults.
+/// The conventions that differ from the defaults.
 std::string conventions_table(const Conventions& conventions) {
   const Conventions usual;
   if (conventions == usual) return "";

@@ -1,6 +1,6 @@
 // Interval arithmetic, in any type of number that scene/numbers.h or scene/lanes.h has functions
-// for. No header by itself: bounds.h includes it in raycheck::scene, plan_kernel.cpp in a namespace
-// of each of Highway's targets, which its functions are then compiled for.
+// for. Not to be included directly: bounds.h includes it in raycheck::scene, and plan_kernel.cpp in
+// the namespace of each of Highway's targets, to compile its functions for that target.
 
 /// All reals from low to high; infinite where nothing is known.
 /// Error:  an operation's result encloses its values for all reals in the operands; unless these
@@ -26,8 +26,8 @@ N lowered(const N& x, const N& magnitude, double widen = kBoundsWiden) {
   return x - magnitude * N(widen);
 }
 
-/// The magnitude that x is lowered by a share of: one that keeps it from vanishing, unless x is
-/// exact.
+/// The magnitude of which a share is subtracted from x: large enough for the share not to vanish,
+/// unless x is exact.
 template <class N>
 N unvanishing(N x, MaskOf<N> is_exact) {
   constexpr double kLeastNormal = std::numeric_limits<double>::min();
@@ -87,7 +87,7 @@ BoundsOf<N> operator*(const BoundsOf<N>& x, const BoundsOf<N>& y) {
           bound_above(high, (high == zero) & !vanished)};
 }
 
-/// x y of y >= 0: the same, sooner.
+/// x y for y >= 0: the same, faster.
 template <class N>
 BoundsOf<N> times_positive(const BoundsOf<N>& x, const BoundsOf<N>& y) {
   const N zero(0.0);
@@ -99,7 +99,7 @@ BoundsOf<N> times_positive(const BoundsOf<N>& x, const BoundsOf<N>& y) {
           bound_above(select(high_is_zero, zero, x.high * by_high), high_is_zero)};
 }
 
-/// x y of bounds y that all lanes share: the same, sooner where their sign is known.
+/// x y for bounds y that all lanes share: the same, faster where their sign is known.
 template <class N, class Shared>
 BoundsOf<N> times_shared(const BoundsOf<N>& x, const Shared& y) {
   const BoundsOf<N> each = {N(y.low), N(y.high)};
@@ -143,7 +143,7 @@ MaskOf<N> is_exactly_scaled(N x, N scaled) {
 template <class N>
 BoundsOf<N> scaled(const BoundsOf<N>& x, int exponent) {
   if (exponent == 0) return x;
-  // In steps, as 2^exponent may be out of range; what becomes tiny in one vanishes in the next.
+  // In steps, as 2^exponent may be out of range; numbers that are tiny in one vanish in the next.
   const N third(std::ldexp(1.0, exponent / 3)), rest(std::ldexp(1.0, exponent - exponent / 3 * 2));
   const N low = x.low * rest * third * third, high = x.high * rest * third * third;
   const MaskOf<N> never = low < low;

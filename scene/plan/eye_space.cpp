@@ -58,7 +58,7 @@ Axis scaled(const Axis& v, int exponent) {
 /// The same direction, its largest coordinate near 1.
 Axis scaled_near_one(const Axis& v) { return scaled(v, -exponent_of(v)); }
 
-/// x - y, a double and what it leaves out, exactly.
+/// x - y as a double and its rounding error, exactly.
 struct Difference {
   double x, rest;
 };
@@ -68,7 +68,7 @@ Difference difference(double x, double y) {
   return {rounded, (x - (rounded + of_y)) + (of_y - y)};
 }
 
-/// Products of numbers no smaller than this leave rests that are doubles.
+/// The rounding errors of products of numbers at least this large are doubles.
 constexpr double kLeastFactor = 0x1p-400;
 
 bool is_plain(double x) { return x == 0 || std::abs(x) >= kLeastFactor; }
@@ -86,8 +86,8 @@ Bounds determinant(double a, const Difference& x, double b, const Difference& y)
   return Bounds::exactly(leading.x) + (Bounds::exactly(rest) + Bounds{-doubt, doubt});
 }
 
-/// up x (E - A), up to a positive factor: of numbers in the plain range however nearly these are
-/// parallel; elsewhere from bounds on E - A.
+/// up x (E - A), up to a positive factor. In the plain range it is precise however nearly these are
+/// parallel; elsewhere it comes from bounds on E - A.
 Axis across(const Camera& camera, const Axis& to_eye) {
   const Axis up = scaled_near_one(exactly(camera.up));
   const Point3 &E = camera.eye, &A = camera.look_at;

@@ -17,7 +17,7 @@ struct Scaling {
   bool operator==(const Scaling&) const = default;
 };
 
-/// A sphere relative to the eye, within bounds: what all rays through the eye share. Lengths are
+/// A sphere relative to the eye, within bounds: shared by all rays through the eye. Lengths are
 /// divided by 2^Scaling::lengths.
 template <class AnyBounds>
 struct EyeSphereOf {
@@ -32,15 +32,15 @@ using EyeSphere = EyeSphereOf<Bounds>;
 /// The image plane's columns (or rows) in the order of their indices.
 struct PixelAxis {
   Bounds first, extent;  ///< Where the plane's side begins, and its length.
-  double pixels = 0;     ///< How many samples fit into that, and the last index.
+  double pixels = 0;     ///< The number of samples that fit into that, and the last index.
   double last = 0;
   bool centred = false;
   bool reversed = false;  ///< Counted from the other end.
 };
 
-/// What is left of a x - b y beside the leading double, of which the rests of the products of a and
-/// b with the leading parts of x and y, and of these products' difference, are given exactly: off
-/// by kDeterminantRoundings u^2, to first order, where the products add up to 1.
+/// The part of a x - b y below its leading double. The rounding errors of the products of a and b
+/// with the leading parts of x and y, and of these products' difference, are given exactly. Off by
+/// kDeterminantRoundings u^2, to first order, where the products add up to 1.
 template <class N>
 N rest_of_determinant(const N& of_difference, const N& of_first, const N& of_second, const N& a,
                       const N& x_rest, const N& b, const N& y_rest) {

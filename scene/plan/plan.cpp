@@ -83,7 +83,7 @@ bool contains(const Sphere& by, const Sphere& sphere) {
   return (apart + Bounds::exactly(sphere.radius)).high < by.radius;
 }
 
-/// Tells of each sphere the first in the file that it equals.
+/// Finds for each sphere the first in the file that equals it.
 class FirstOfEquals {
  public:
   explicit FirstOfEquals(const std::vector<Sphere>& spheres)
@@ -91,7 +91,7 @@ class FirstOfEquals {
     for (std::size_t k = 0; k < kAhead; ++k) look_ahead_to(k);
   }
 
-  /// Of each k in turn.
+  /// To be called for each k in turn.
   std::size_t first(std::size_t k) {
     const std::uint64_t hash = hashes_[k % kAhead], tag = hash << 32;
     look_ahead_to(k + kAhead);
@@ -107,7 +107,7 @@ class FirstOfEquals {
   }
 
  private:
-  /// Slots are all over memory, which is asked for them this many spheres before.
+  /// Slots are scattered over memory: each is prefetched this many spheres ahead.
   static constexpr std::size_t kAhead = 16;
 
   std::uint64_t& slot_at(std::size_t at) { return slots_[at & (slots_.size() - 1)]; }
@@ -129,8 +129,8 @@ class FirstOfEquals {
   std::array<std::uint64_t, kAhead> hashes_{};
 };
 
-/// Which of kMostOccluders rectangles may contain a given one: by each of its four sides, in steps
-/// of some pixels, bits of those that reach beyond.
+/// Which of kMostOccluders rectangles may contain a given one: for each of the four sides, and each
+/// step of some pixels along it, one bit per rectangle that reaches beyond.
 class Containing {
  public:
   Containing(const std::vector<Occluder>& occluders, const Camera& camera) {
@@ -188,7 +188,7 @@ void leave_out_hidden(const Scene& scene, const ForEach& for_each, ScenePlan& pl
   };
   FirstOfEquals equals(spheres);
   double least_size_sq = 0;
-  // Those that look largest.
+  // The spheres that are largest in the image.
   std::vector<std::pair<double, std::size_t>> by_size;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     const std::size_t first = equals.first(k);
@@ -196,7 +196,7 @@ void leave_out_hidden(const Scene& scene, const ForEach& for_each, ScenePlan& pl
     if (first != k) leave_out(k, first);
     const EyeSphere& seen = plans[k].seen;
     if (first != k || plans[k].reaches_behind || !(seen.power.low > 0)) continue;
-    // Most are smaller by more than roundings.
+    // Most are smaller by more than rounding errors.
     if (seen.radius.high * seen.radius.high < least_size_sq * seen.distance_sq.high) continue;
     by_size.emplace_back(-seen.radius.high / std::sqrt(seen.distance_sq.high), k);
     std::push_heap(by_size.begin(), by_size.end());
@@ -227,7 +227,7 @@ void leave_out_hidden(const Scene& scene, const ForEach& for_each, ScenePlan& pl
   });
 }
 
-/// The least and the largest nonzero magnitude; {0, 0} if there is none.
+/// The least and the largest nonzero magnitude; {0, 0} if all are 0.
 struct Magnitudes {
   double smallest = 0, largest = 0;
 

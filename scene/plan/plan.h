@@ -13,26 +13,26 @@
 
 namespace raycheck::scene {
 
-/// What is wanted of a scene.
+/// The results that are wanted for a scene.
 enum class Wanted { kClass, kParameter, kPoint, kNearest };
 inline constexpr std::array<std::string_view, 4> kWantedNames = {"class", "parameter", "point",
                                                                  "nearest"};
 inline constexpr std::array kEveryWanted = {Wanted::kClass, Wanted::kParameter, Wanted::kPoint,
                                             Wanted::kNearest};
 
-/// The things that a plan may do; each can be switched off.
+/// The optimisations of a plan; each can be switched off.
 struct PlanItems {
   bool view = true;    ///< Leave out spheres outside the view volume.
   bool behind = true;  ///< Leave out spheres behind every origin.
   bool hidden = true;  ///< Leave out spheres hidden by a nearer one, where the nearest is wanted.
-  bool rectangles = true;   ///< Test a sphere only at the pixels of its rectangle.
-  bool constants = true;    ///< Compute once what all rays from the eye share about a sphere.
-  bool far_root = true;     ///< Use the far root only where an origin may be inside.
+  bool rectangles = true;  ///< Test a sphere only at the pixels of its rectangle.
+  bool constants = true;   ///< Compute once the terms of a sphere that all rays from the eye share.
+  bool far_root = true;    ///< Use the far root only where an origin may be inside.
   bool behind_test = true;  ///< Compare roots with the origin only where a sphere may reach behind.
   bool scaling = true;      ///< Scale by powers of two only if magnitudes require it.
   bool filter = true;       ///< Decide exactly only where the filter in doubles fails.
   bool basis = true;        ///< Permute coordinates, not multiply, where the axes are the world's.
-  bool quantities = true;   ///< Compute only what is wanted.
+  bool quantities = true;   ///< Compute only the results wanted.
 };
 
 /// Pixels i_begin <= i < i_end, j_begin <= j < j_end.
@@ -56,7 +56,7 @@ enum class LeftOut { kOutsideView, kBehind, kHidden };
 inline constexpr std::array<std::string_view, 3> kLeftOutNames = {"outside the view",
                                                                   "behind the rays", "hidden"};
 
-/// What must be done for a sphere.
+/// The work that a sphere needs.
 struct SpherePlan {
   std::optional<LeftOut> left_out;
   std::optional<std::size_t> hidden_by;
@@ -67,14 +67,14 @@ struct SpherePlan {
   bool operator==(const SpherePlan&) const = default;
 };
 
-/// What a scene needs, decided once from its camera and spheres, rounded outward so that skipping
-/// the rest changes no answer. Scenes of given rays have no plan: their rays share nothing.
+/// The computations that a scene needs, decided once from its camera and spheres, and rounded
+/// outward so that skipping the others changes no answer. Scenes of given rays have no plan.
 /// Shape:  a scene -> one SpherePlan and one distance per sphere, in their order.
 /// Units:  rectangles in pixels (i, j) as the conventions count them; scene lengths.
 /// Domain: a valid scene with a camera; otherwise throws std::invalid_argument naming the field.
-/// Error:  a pixel outside a sphere's rectangle certainly misses it; the rectangle exceeds what its
-///         silhouette bounds call for by at most kRectangleSlack pixels on each side, if these
-///         bounds are well conditioned.
+/// Error:  a pixel outside a sphere's rectangle certainly misses it; the rectangle exceeds the one
+///         of its silhouette bounds by at most kRectangleSlack pixels on each side, if these bounds
+///         are well conditioned.
 /// Source: silhouette bounds of the cone from the eye over the sphere, in the planes (U, W) and (V,
 ///         W): its two tangent directions are the direction of the centre turned by asin(r/rho).
 struct ScenePlan {
@@ -87,10 +87,10 @@ struct ScenePlan {
   std::vector<double> nearest_distance;
 };
 
-/// By how many pixels on each side a rectangle may be too large.
+/// The number of pixels by which a rectangle may be too large on each side.
 inline constexpr std::int64_t kRectangleSlack = 1;
 
-/// How many of the largest-looking spheres each sphere is compared with.
+/// The number of spheres, the largest in the image, that each sphere is compared with.
 inline constexpr std::size_t kMostOccluders = 64;
 
 /// Magnitudes within 2^-kPlainExponent and 2^kPlainExponent need no scaling: products of four of

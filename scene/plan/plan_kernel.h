@@ -9,7 +9,7 @@
 
 namespace raycheck::scene {
 
-/// What the spheres of a scene share. Lengths are in the unit of EyeSphere's.
+/// The terms that the spheres of a scene share. Lengths are in the unit of EyeSphere.
 struct PlanTerms {
   const EyeSpace& eye;
   const PlanItems& items;
@@ -22,7 +22,7 @@ struct PlanTerms {
   Bounds ahead;                ///< The image plane's distance that way, as EyeSpace::near() is.
 };
 
-/// What is planned of several spheres, lane by lane.
+/// The plans of several spheres, lane by lane.
 struct PlannedNumbers {
   static constexpr std::size_t kMostLanes = 32;
 
@@ -35,7 +35,7 @@ struct PlannedNumbers {
   unsigned in_front, origin_outside, behind, none;
 };
 
-/// Plans each sphere by itself: none is hidden yet.
+/// Plans each sphere independently, before hidden spheres are left out.
 void plan_each(const PlanTerms& terms, std::span<const Sphere> spheres, std::span<SpherePlan> plans,
                std::span<double> nearest_distance);
 

@@ -1,5 +1,5 @@
-// What a plan computes of a sphere, in one double or several spheres' side by side. No header by
-// itself, like bounds_formula.h.
+// The formulas of a plan for one sphere in doubles, or for several spheres side by side. Not to be
+// included directly, like bounds_formula.h.
 
 template <class N>
 using AxisOf = std::array<BoundsOf<N>, 3>;
@@ -99,7 +99,7 @@ BoundsOf<N> beyond(const BoundsOf<N>& x, const Bounds& range) {
   return {larger(zero, larger(below.low, above.low)), larger(zero, larger(below.high, above.high))};
 }
 
-/// Plans as many spheres as N has numbers, all by themselves.
+/// Plans as many spheres as N has numbers, each independently.
 template <class N>
 void plan_numbers(const PlanTerms& terms, const std::array<N, 3>& centre, N radius,
                   PlannedNumbers& to) {

@@ -1,4 +1,4 @@
-// Which classes a method can answer on a box, against its answers in it.
+// The hit classes that a method can answer on a box, against its answers in that box.
 
 #include "fast/intersect.h"
 #include "properties/cases/random.h"
@@ -59,7 +59,7 @@ struct Seen {
   int decided_hits = 0, decided_misses = 0, open = 0, contradicted = 0;
 };
 
-/// How many boxes have one class alone by `claims`, and in how many of these `answers` has another.
+/// The number of boxes with only one class by `claims`, and of those where `answers` has another.
 Seen seen(const IntersectMethod& claims, const IntersectMethod& answers, int boxes) {
   Random random(7);
   Seen all;
@@ -91,7 +91,7 @@ Seen seen(const IntersectMethod& claims, const IntersectMethod& answers, int box
 
 class EachFormula : public testing::TestWithParam<const IntersectMethod*> {};
 
-TEST_P(EachFormula, AnswersNothingElseInABox) {
+TEST_P(EachFormula, StaysWithinItsPossibleClasses) {
   const Seen of_own = seen(*GetParam(), *GetParam(), 2000);
   EXPECT_EQ(of_own.contradicted, 0);
   EXPECT_GT(of_own.decided_hits, 80);
@@ -99,13 +99,13 @@ TEST_P(EachFormula, AnswersNothingElseInABox) {
   EXPECT_GT(of_own.open, 80);
 }
 
-/// The claims of one formula are wrong about another's roundings.
-TEST_P(EachFormula, IsContradictedByAnotherFormula) {
+/// The classes of one formula do not cover another's rounding errors.
+TEST_P(EachFormula, HasOtherClassesThanAnotherFormula) {
   const bool in_floats = GetParam()->unit_roundoff > 0x1p-50;
   EXPECT_GT(seen(*GetParam(), in_floats ? kRobust : kSingleLecture, 2000).contradicted, 8);
 }
 
-TEST_P(EachFormula, AnswersOneQuestionAsItDoesAlone) {
+TEST_P(EachFormula, HasOneClassForASingleRay) {
   Random random(3);
   int hits = 0, misses = 0;
   for (int k = 0; k < 5000; ++k) {
@@ -120,7 +120,7 @@ TEST_P(EachFormula, AnswersOneQuestionAsItDoesAlone) {
   EXPECT_GT(misses, 500);
 }
 
-TEST_P(EachFormula, AnswersAnythingWhereItOverflows) {
+TEST_P(EachFormula, HasEveryClassOnOverflow) {
   const Ray ray = {{0, 0, 0}, {0, 0, 1}};
   const auto [hit, miss] = GetParam()->classes_in({ray, {{0, 0, 0}, {0, 0, 1e200}}},
                                                   {{{0, 0, 5}, 1}, {{0, 0, 1e200}, 1e200}}, {});

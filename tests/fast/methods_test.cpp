@@ -1,5 +1,5 @@
-// What every method, exact ones among them, and every one that makes rays does beyond what the laws
-// say of its answers: batches, refusals, ranking.
+// Properties of every method, exact ones included, that the laws do not test: batches, refusals,
+// ranking.
 
 #include "fast/camera_frame.h"
 #include "fast/intersect.h"
@@ -46,7 +46,7 @@ int expect_batch_is_single_calls(const IntersectMethod& method, const std::vecto
   return count;
 }
 
-/// Input that is not a problem is refused by the name of the field, and no other is.
+/// Invalid input is refused, naming the field, and valid input is not.
 void expect_refusals(const IntersectMethod& method) {
   const Ray good = {{-5, 0, 0}, {1, 0, 0}};
   const auto expect_says = [&](const std::vector<Ray>& rays, const Sphere& sphere,
@@ -78,7 +78,7 @@ TEST_P(EachMethod, TakesBatchesOfAnySize) {
   EXPECT_EQ(hits.point.size(), 0u);
 }
 
-TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
+TEST_P(EachMethod, AnswersSingleRaysAsBatches) {
   int hits = 0, asked = 0;
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     for (const properties::CaseSource& source : properties::case_sources()) {
@@ -95,7 +95,7 @@ TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
   EXPECT_GT(asked - hits, 600);
 }
 
-TEST_P(EachMethod, RefusesByTheNameOfTheField) { expect_refusals(*GetParam()); }
+TEST_P(EachMethod, NamesTheFieldOfInvalidInput) { expect_refusals(*GetParam()); }
 
 TEST_P(EachMethod, RanksTheFirstOfEqualSpheresFirst) {
   const std::vector<Sphere> spheres = {
@@ -134,20 +134,20 @@ TEST(PixelRay, TakesBatchesOfAnySize) {
     Rays rays;
     method->focal_rays(camera, {}, many, rays);
     ASSERT_EQ(rays.size(), 1000u);
-    Rays alone;
+    Rays single;
     for (const std::size_t k :
          {std::size_t{0}, std::size_t{31}, std::size_t{64}, std::size_t{127}, std::size_t{999}}) {
-      method->focal_rays(camera, {}, std::span(&many[k], 1), alone);
-      ASSERT_EQ(alone.size(), 1u);
-      EXPECT_EQ(direction(alone, 0), direction(rays, k)) << method->name;
+      method->focal_rays(camera, {}, std::span(&many[k], 1), single);
+      ASSERT_EQ(single.size(), 1u);
+      EXPECT_EQ(direction(single, 0), direction(rays, k)) << method->name;
     }
-    // An answer does not depend on which pixels are asked for before it.
+    // An answer does not depend on the pixels before it.
     const std::vector<Pixel> scattered = {{7, 1},  {8, 2},  {10, 2}, {9, 2},
                                           {63, 2}, {64, 2}, {65, 2}};
-    method->focal_rays(camera, {}, scattered, alone);
+    method->focal_rays(camera, {}, scattered, single);
     for (std::size_t k = 0; k < scattered.size(); ++k) {
       const auto in_order = static_cast<std::size_t>(scattered[k].j * 200 + scattered[k].i);
-      EXPECT_EQ(direction(alone, k), direction(rays, in_order)) << method->name;
+      EXPECT_EQ(direction(single, k), direction(rays, in_order)) << method->name;
     }
     method->focal_rays(camera, {}, {}, rays);  // a batch in use shrinks
     EXPECT_EQ(rays.size(), 0u);
@@ -155,7 +155,7 @@ TEST(PixelRay, TakesBatchesOfAnySize) {
   }
 }
 
-TEST(PixelRay, RefusesByTheNameOfTheField) {
+TEST(PixelRay, NamesTheFieldOfInvalidInput) {
   Camera flat = kFirst, narrow = kFirst, parallel = kFirst, nowhere = kFirst;
   flat.right = flat.left;
   narrow.width = 1;  // i/(w-1) is 0/0 on the edges, and well defined at the centres

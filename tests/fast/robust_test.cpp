@@ -1,5 +1,5 @@
-// The method `robust` held to the letter of its promise: no wrong class and no s off by more than
-// kRobust.max_ulp, on any valid input.
+// The promise of the method `robust`: no wrong hit class and no s off by more than kRobust.max_ulp,
+// on any valid input.
 
 #include "fast/internal/robust.h"
 
@@ -22,7 +22,7 @@ using reference::HitClass;
 using reference::numbers_of;
 using namespace scene;
 
-/// What was compared, so that no test passes for want of cases.
+/// The comparisons made, so that no test passes for lack of cases.
 struct RobustAudit {
   int pairs = 0, hits = 0, tangents = 0, subnormal = 0, overflows = 0, wrong_classes = 0;
   double worst_s = 0;
@@ -60,7 +60,7 @@ void compare(Answer answer, const Ray& ray, const Sphere& sphere, HitRule rule,
   }
 }
 
-/// Under every convention that can make a difference.
+/// Compares under every convention that can matter.
 void compare_all(Answer answer, const Ray& ray, const Sphere& sphere, RobustAudit& audit) {
   compare(answer, ray, sphere, {Root::kNearest, Tangent::kHit}, audit);
   compare(answer, ray, sphere, {Root::kNearest, Tangent::kMiss}, audit);
@@ -85,7 +85,7 @@ void scale_anywhere(Random& random, Ray& ray, Sphere& sphere) {
   for (double* x : numbers_of(ray.direction)) *x = std::ldexp(*x, direction);
 }
 
-/// Cases of each source: 20,000, or what RAYCHECK_ROBUST_CASES says (a million, every night).
+/// Cases of each source: 20,000, or RAYCHECK_ROBUST_CASES (a million, every night).
 std::uint64_t cases_of_each_source() {
   const char* const asked = std::getenv("RAYCHECK_ROBUST_CASES");
   return asked == nullptr ? 20000 : std::stoull(asked);
@@ -195,7 +195,7 @@ TEST(Robust, IsRightOnComponentsOfAnyExponents) {
   EXPECT_GT(audit.overflows, 300);
 }
 
-/// Of the exact case: a step that answers must be right by itself.
+/// Each step, given the exact case, must be right if it answers.
 TEST(Robust, IsRightInEachOfItsSteps) {
   const Answer integers = [](const Ray& ray, const Sphere& sphere, HitRule rule) {
     return answer_by_integers(ray, sphere, rule).if_hit();
@@ -234,8 +234,8 @@ Sphere some_sphere(Random& random) {
   return {{reach * place.x, reach * place.y, reach * place.z}, radius};
 }
 
-/// Where the margins of the first step lie, and somewhat beyond: from beside the surface, up to
-/// 2^17 radii away or inside, and grazing.
+/// Rays around the margins of the first step: from near the surface, up to 2^17 radii away or
+/// inside, and grazing.
 Ray near_margins(Random& random, const Sphere& sphere) {
   const double far = std::exp2(random.between(0, 17));
   const double beside =
@@ -257,8 +257,8 @@ Ray near_margins(Random& random, const Sphere& sphere) {
       {aim(in.x, other.x), aim(in.y, other.y), aim(in.z, other.z)}};
 }
 
-/// By hardly more than a rounding of s, which is all that was ever seen (the first step's proof
-/// says 0.62 ulp); and batches answer as single calls.
+/// s is off by hardly more than its rounding (the first step's proof gives 0.62 ulp), and batches
+/// answer as single calls.
 TEST(Robust, IsRightNearItsMarginsOnEveryTarget) {
   constexpr double kSeenUlp = 0.505;
   for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
@@ -278,11 +278,11 @@ TEST(Robust, IsRightNearItsMarginsOnEveryTarget) {
       Hits hits;
       kRobust.intersect(rays, sphere, rule, hits);
       for (std::size_t ray = 0; ray < rays.size(); ++ray) {
-        const auto alone = kRobust.intersect_one(rays.at(ray), sphere, rule);
-        ASSERT_EQ(alone.has_value(), hits.hit[ray] == 1);
-        if (!alone) continue;
-        ASSERT_EQ(alone->parameter, hits.parameter[ray]);
-        ASSERT_EQ(alone->point, hits.point.at<scene::Point3>(ray));
+        const auto single = kRobust.intersect_one(rays.at(ray), sphere, rule);
+        ASSERT_EQ(single.has_value(), hits.hit[ray] == 1);
+        if (!single) continue;
+        ASSERT_EQ(single->parameter, hits.parameter[ray]);
+        ASSERT_EQ(single->point, hits.point.at<scene::Point3>(ray));
       }
     }
     hwy::SetSupportedTargetsForTest(0);
@@ -291,7 +291,7 @@ TEST(Robust, IsRightNearItsMarginsOnEveryTarget) {
   }
 }
 
-TEST(Robust, AnswersWhatIsNoProblemWithAMiss) {
+TEST(Robust, MissesOnInvalidInput) {
   for (const Ray& ray : {Ray{{kNaN, 0, 0}, {1, 0, 0}}, Ray{{0, 0, 0}, {0, 0, 0}},
                          Ray{{0, 0, 0}, {kInfinity, 0, 0}}, Ray{{kInfinity, 0, 0}, {1, 0, 0}}}) {
     EXPECT_FALSE(kRobust.intersect_one(ray, reference::kUnit, {}));

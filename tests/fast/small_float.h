@@ -34,7 +34,7 @@ struct SmallMask {
   }
 };
 
-/// Numbers of so many significand bits, kFloats side by side, in the range of floats. Every
+/// Numbers of kBits significand bits, kFloats side by side, in the range of floats. Every
 /// operation is rounded once, to nearest and ties to even: a float's 24 bits are at least 2p + 2,
 /// so that rounding the float's result again rounds the exact one (Figueroa, When is double
 /// rounding innocuous?, 1995, for +, -, *, / and square roots). Domain: no subnormal results.
@@ -85,7 +85,7 @@ struct SmallFloat {
   }
 };
 
-/// What guess() requires of these numbers.
+/// The margins that guess() requires for these numbers.
 template <int kBits, class Requirements>
 struct Margins<SmallFloat<kBits, Requirements>> : Requirements {};
 

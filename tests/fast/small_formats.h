@@ -1,12 +1,12 @@
 #pragma once
 #include "tests/standard.h"
 
-// Inputs of formats of few bits, what their formulas require, and what is right by integers.
+// Inputs in formats of few bits, the margins of their formulas, and the right answers by integers.
 
 namespace raycheck::fast {
 
-/// What the signs alone require where u = 2^-p <= 2^-6, without over- and underflow. Let U = 1 + u,
-/// F = f|d|. T's coordinates are off by a share of u, so that
+/// The margins for certain signs where u = 2^-p <= 2^-6, without over- and underflow. Let
+/// U = 1 + u, F = f|d|. T's coordinates are off by a share of u, so that
 ///   a^ <= U^3 a, (r^2)^ <= U r^2, (f^2)^ <= U^5 f^2, as many powers of 1 - u the other way,
 ///   |m^ - m| <= 1.155 (U^3 - U) F + u |m|, as the moment of absolute values is at most 1.155 F,
 ///   |b^ - b| <= (U^4 - 1) F.
@@ -27,7 +27,7 @@ enum class Margin : std::size_t {
 };
 inline constexpr std::size_t kMarginCount = 8;
 
-/// Or with one of these too small.
+/// The margins, of which one may be too small.
 template <int kBits, Margin kMargin = Margin::kRight>
 struct Signs {
   static constexpr double kUnitRoundoff = 1 / static_cast<double>(std::int64_t{1} << kBits);
@@ -56,7 +56,7 @@ struct Signs {
 struct Part {
   std::array<int, 3> origin, direction, centre;
   int radius;
-  std::size_t slice = 0, slices = 1;  ///< Every so many of the directions, from this one on.
+  std::size_t slice = 0, slices = 1;  ///< Every slices-th direction, from this one on.
 };
 
 struct Tally {
@@ -113,8 +113,9 @@ inline std::vector<Point<int>> directions(int bits, const Part& part) {
 /// a r^2 - m is positive where r^2 > m/a, and that is where it is above the quotient's integer
 /// part.
 struct Truth {
-  std::int32_t most_missed, tangent, distance_sq;  ///< Of r^2; the second -1 where there is none.
-  std::int32_t ahead;                              ///< All bits where b >= 0, or none.
+  std::int32_t most_missed, tangent,
+      distance_sq;     ///< Of r^2; `tangent` is -1 if no radius is tangent.
+  std::int32_t ahead;  ///< All bits where b >= 0, or none.
 
   Truth(const Point<std::int64_t>& T, const Point<std::int64_t>& d) {
     const std::int64_t a = d.x * d.x + d.y * d.y + d.z * d.z;

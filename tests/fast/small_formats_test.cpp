@@ -1,15 +1,15 @@
-// The decisions of `robust`, by the same code, in formats so small that their inputs are enumerated
-// and every class that is certain is held against exact integers: that of the nearest root and that
-// of the smaller one.
+// The decisions of `robust`, by the same code, in formats so small that all inputs are enumerated
+// and every certain hit class is compared with exact integers, for the nearest root and for the
+// smaller one.
 //
 // A format of 8 bits has a sign, 2 bits of exponent and 5 of fraction, one of 10 bits 7 of
 // fraction, as IEEE 754 has them but without infinities: 0, 1, ..., 63, then every second number to
-// 126, every fourth to 252, and their negatives; or to 255, 510 and 1020. What is computed has the
+// 126, every fourth to 252, and their negatives; or to 255, 510 and 1020. Results have the
 // same 6 or 8 significant bits, and exponents that nothing overflows.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/fast/small_formats_test.cpp"
-// AVX2 takes half as long as what all have; compiling others, too, would take longer than they
+// AVX2 takes half as long as the baseline; compiling for more targets would take longer than they
 // save.
 #define HWY_DISABLED_TARGETS (~(HWY_AVX2 | HWY_BASELINE_TARGETS))
 #include "tests/fast/small_formats.h"
@@ -24,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-/// The spheres about one centre and the rays from one origin. Radii are innermost: what does not
-/// depend on them is computed once for each ray.
+/// The spheres about one centre and the rays from one origin. Radii are innermost: terms that
+/// do not depend on them are computed once for each ray.
 template <int kBits, class Requirements>
 void enumerate_from(const Point<int>& origin, const Point<int>& centre,
                     const std::vector<int>& radii, const std::vector<Point<int>>& ways,
@@ -106,8 +106,8 @@ Tally enumerate_in(int bits, Margin margin, const Part& part) {
   return (bits == 6 ? kIn6 : kIn8).at(static_cast<std::size_t>(margin))(part);
 }
 
-/// Against doubles, in which sums and products of such numbers are exact, and quotients and roots
-/// nowhere so near a tie that rounding twice matters.
+/// Compares with doubles, in which sums and products of such numbers are exact, and quotients and
+/// roots not so near a tie that rounding twice matters.
 void expect_rounded() {
   using N = SmallFloat<6, Signs<6>>;
   const auto rounded = [](double x) {
@@ -141,7 +141,7 @@ static_assert(Margins<double>::kDiscriminantShare > Signs<53>::kDiscriminantShar
               Margins<double>::kFarShare > Signs<53>::kFarShare &&
               Margins<double>::kSurfaceShare > Signs<53>::kSurfaceShare);
 
-/// A part, how many inputs it has and how many of these are certain.
+/// A part, the number of its inputs, and the number of these that are certain.
 struct Enumerated {
   Part part;
   std::int64_t inputs;
@@ -200,8 +200,8 @@ INSTANTIATE_TEST_SUITE_P(Second, LongSmallFormats, testing::Values(1));
 INSTANTIATE_TEST_SUITE_P(Third, LongSmallFormats, testing::Values(2));
 INSTANTIATE_TEST_SUITE_P(Fourth, LongSmallFormats, testing::Values(3));
 
-/// Margins that are too small are seen, in 10 bits all but two.
-TEST(SmallFormats, HaveWrongClassesByMutants) {
+/// Margins that are too small are detected, in 10 bits all but two.
+TEST(SmallFormats, HaveWrongClassesIfMutated) {
   for (std::size_t k = 1; k < kMarginCount; ++k) {
     SCOPED_TRACE(k);
     const Margin margin{k};

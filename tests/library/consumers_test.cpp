@@ -1,4 +1,4 @@
-// The examples as someone else builds them, against an installed tree.
+// The examples, built against an installed tree.
 
 #include <unistd.h>
 
@@ -16,7 +16,7 @@ class Consumers : public testing::Test {
     installed() =
         shell(std::string("cmake --install ") + RAYCHECK_BUILD + " --prefix " + prefix().string());
   }
-  /// Said here: tests of a suite that cannot be set up are skipped.
+  /// Fails here, as tests of a suite whose set-up fails are skipped.
   void SetUp() override { ASSERT_EQ(installed().code, 0) << installed().text; }
   static Ended& installed() {
     static Ended ended;
@@ -28,7 +28,7 @@ class Consumers : public testing::Test {
     return fs::path(RAYCHECK_BUILD) / "tests" / name;
   }
 
-  /// An example, built once as its CMakeLists.txt says; the folder of the build.
+  /// Builds an example once, by its CMakeLists.txt; returns the folder of the build.
   static fs::path built(const std::string& name, const std::string& options = "") {
     static std::map<std::string, fs::path> known;
     const auto [its, is_new] = known.emplace(name + options, "");
@@ -46,7 +46,7 @@ class Consumers : public testing::Test {
   }
 };
 
-TEST(Installing, of_what_is_not_built_says_what_to_build) {
+TEST(Installing, names_the_target_that_is_not_built) {
   const std::string folder =
       fs::path(RAYCHECK_BUILD) / "tests" / ("bare-" + std::to_string(getpid()));
   ASSERT_EQ(shell("cmake -S " RAYCHECK_SOURCE_DIR " -B " + folder).code, 0);
@@ -56,7 +56,7 @@ TEST(Installing, of_what_is_not_built_says_what_to_build) {
   EXPECT_TRUE(has(installed.text, "raycheck-check is not built: build the target `installed`"));
 }
 
-TEST_F(Consumers, OfGoogleTestPassAndSeeFiveMistakes) {
+TEST_F(Consumers, WithGoogleTestPassAndFindFiveMistakes) {
   const fs::path example = prefix() / "share/raycheck/examples/consumer-gtest";
   EXPECT_LE(lines_of(example / "CMakeLists.txt"), 6u);
   EXPECT_LE(lines_of(example / "tracer_test.cpp"), 5u);
@@ -76,8 +76,8 @@ TEST_F(Consumers, OfGoogleTestPassAndSeeFiveMistakes) {
   }
 }
 
-/// The page has the examples' text, and what they print.
-TEST_F(Consumers, AreAsThePageShowsThem) {
+/// The documentation contains the examples and their output.
+TEST_F(Consumers, MatchTheDocumentation) {
   const fs::path source = RAYCHECK_SOURCE_DIR;
   const std::string page = contents(source / "docs/library.md");
   for (const char* file : {"consumer-gtest/CMakeLists.txt", "consumer-gtest/tracer_test.cpp",
@@ -101,10 +101,10 @@ TEST_F(Consumers, AreAsThePageShowsThem) {
   EXPECT_EQ(shown, 3u);
 }
 
-/// The same, each of which takes as long again.
+/// Consumers that take as long again each.
 class NightlyConsumers : public Consumers {};
 
-TEST_F(NightlyConsumers, OfOtherFrameworksPassAndFail) {
+TEST_F(NightlyConsumers, WithOtherFrameworksPassAndFail) {
   for (const auto& [framework, program, said] :
        {std::tuple("catch2", "tracer_test", "nearest-root/rays"),
         {"doctest", "tracer_test", "nearest-root/rays"},
@@ -120,14 +120,14 @@ TEST_F(NightlyConsumers, OfOtherFrameworksPassAndFail) {
   }
 }
 
-/// What a fuzzer says of the far root, having ended.
+/// Checks the output of a fuzzer that found the far root.
 void expect_far_root(const Ended& bad) {
   EXPECT_NE(bad.code, 0) << bad.text;
   EXPECT_TRUE(has(bad.text, "nearest-root: tracer broken"));
   EXPECT_TRUE(has(bad.text, "[[sphere]]"));
 }
 
-TEST_F(NightlyConsumers, OfLibFuzzerSurviveAndFail) {
+TEST_F(NightlyConsumers, WithLibFuzzerSurviveAndFail) {
   if (shell("echo 'extern \"C\" int LLVMFuzzerTestOneInput() { return 0; }' | clang++ -x c++ "
             "-fsanitize=fuzzer -o /dev/null -")
           .code != 0) {
@@ -142,8 +142,8 @@ TEST_F(NightlyConsumers, OfLibFuzzerSurviveAndFail) {
   expect_far_root(shell("export TRACER_MISTAKE=far_root; " + fuzzer + "-runs=20000"));
 }
 
-/// The same entry, by the compiler that there is, on random bytes.
-TEST_F(NightlyConsumers, OfFuzzHSurviveAndFailOnRandomBytes) {
+/// The same entry, built with the available compiler, on random bytes.
+TEST_F(NightlyConsumers, WithFuzzHSurviveAndFailOnRandomBytes) {
   const fs::path example = prefix() / "share/raycheck/examples/consumer-fuzz";
   const std::string program = (prefix() / "random_bytes").string();
   const std::string library = "$(find " + prefix().string() + " -name libraycheck.so.0)";
@@ -157,8 +157,8 @@ TEST_F(NightlyConsumers, OfFuzzHSurviveAndFailOnRandomBytes) {
   expect_far_root(shell("TRACER_MISTAKE=far_root " + program + " 5000"));
 }
 
-/// How they are compiled touches no proof.
-TEST_F(NightlyConsumers, HaveTheSameTruthHoweverTheyAreCompiled) {
+/// Compiler flags of consumers do not affect answers.
+TEST_F(NightlyConsumers, GetTheSameAnswersHoweverTheyAreCompiled) {
   const Ended plain = shell((built("consumer-exact") / "truth").string());
   EXPECT_EQ(plain.code, 0);
   EXPECT_TRUE(has(plain.text, "exactly"));
@@ -186,7 +186,7 @@ TEST_F(Consumers, FindTheLibraryByPkgConfig) {
   EXPECT_EQ(made.code, 0) << made.text;
 }
 
-TEST_F(Consumers, SeeNothingButTheInterface) {
+TEST_F(Consumers, FindOnlyTheInterface) {
   const Ended symbols =
       shell("nm -D --defined-only -C $(find " + prefix().string() + " -name libraycheck.so.0)");
   ASSERT_EQ(symbols.code, 0) << symbols.text;

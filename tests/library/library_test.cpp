@@ -1,6 +1,5 @@
-// What the library says is what the reference says, and its own ways of writing a number agree.
-// Candidates that are linked in, in doubles and in floats: what is right passes, what is degenerate
-// or wrong does not.
+// The library's answers are the reference's, and its spellings of a number agree. Of linked
+// candidates, in doubles and in floats, right ones pass; degenerate and wrong ones do not.
 
 #include <raycheck/cases.h>
 #include <raycheck/exact.h>
@@ -31,7 +30,7 @@ TEST(Exact, MeetsTheSphereAhead) {
 }
 
 #if defined(__SSE2__)
-/// As a program has it that is linked with -ffast-math.
+/// As in a program that is linked with -ffast-math.
 TEST(Exact, KeepsSubnormalsWhereTheProgramFlushesThem) {
   constexpr unsigned kFlush = 0x8040;
   constexpr double kUnit = 0x1p-1000;
@@ -63,8 +62,8 @@ TEST(Exact, WritesARootInEveryWay) {
   EXPECT_LT(s.ulp_error(s.rounded()), 0.5);
   EXPECT_GT(s.condition(), 1);
   EXPECT_EQ(s.ulp_error(kInfinity), kInfinity);
-  EXPECT_THROW(s.enclosure(1), std::invalid_argument);
-  EXPECT_THROW(s.enclosure(1 << 20), std::invalid_argument);
+  EXPECT_THROW((void)s.enclosure(1), std::invalid_argument);
+  EXPECT_THROW((void)s.enclosure(1 << 20), std::invalid_argument);
 }
 
 TEST(Exact, FollowsTheConventions) {
@@ -93,7 +92,7 @@ TEST(Exact, FindsTheNearestAndItsTies) {
 
 Camera square_camera() { return {{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, -2, -1, 1, -1, 1, 3, 3}; }
 
-TEST(Exact, KnowsACamera) {
+TEST(Exact, AnswersForCameras) {
   const exact::Camera camera(square_camera());
   EXPECT_EQ(camera.axes().w.rounded().z, 1);
   EXPECT_EQ(camera.axes().u.rounded().x, 1);
@@ -109,10 +108,10 @@ TEST(Exact, KnowsACamera) {
   EXPECT_THROW((void)camera.ray({3, 0}), std::invalid_argument);
 }
 
-TEST(Exact, RefusesWhatIsNoProblem) {
+TEST(Exact, RefusesInvalidInput) {
   const Ray none{{0, 0, 0}, {0, 0, 0}};
-  EXPECT_THROW(exact::hit(none, {{0, 0, 5}, 1}), std::invalid_argument);
-  EXPECT_THROW(exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, -1}), std::invalid_argument);
+  EXPECT_THROW((void)exact::hit(none, {{0, 0, 5}, 1}), std::invalid_argument);
+  EXPECT_THROW((void)exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, -1}), std::invalid_argument);
   EXPECT_THROW(exact::Camera{Camera{}}, std::invalid_argument);
   std::vector<Conventions> wrong(5);
   wrong[0].valid.t_min = std::nan("");
@@ -121,24 +120,25 @@ TEST(Exact, RefusesWhatIsNoProblem) {
   wrong[3].valid.ends = static_cast<Ends>(9);
   wrong[4].root = static_cast<Root>(9);
   for (const Conventions& one : wrong) {
-    EXPECT_THROW(exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1}, one), std::invalid_argument);
+    EXPECT_THROW((void)exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1}, one),
+                 std::invalid_argument);
   }
 }
 
-TEST(Cases, AreTheSameByTheirSeed) {
+TEST(Cases, AreDeterminedByTheirSeed) {
   for (const Source& source : sources()) {
     const Case one = make_case(source.name, 7, 3, source.highest);
     EXPECT_EQ(scene_text(one), scene_text(make_case(source.name, 7, 3, source.highest)));
     EXPECT_NE(scene_text(one), scene_text(make_case(source.name, 7, 4, source.highest)))
         << source.name;
     EXPECT_EQ(one.scene.camera.has_value(), source.has_camera);
-    EXPECT_THROW(make_case(source.name, 7, 3, source.highest + 1), std::invalid_argument);
+    EXPECT_THROW((void)make_case(source.name, 7, 3, source.highest + 1), std::invalid_argument);
   }
-  EXPECT_THROW(make_case("nowhere", 1), std::invalid_argument);
+  EXPECT_THROW((void)make_case("nowhere", 1), std::invalid_argument);
 }
 
-/// Every double has a spelling of its own, -0 and subnormal ones, too.
-TEST(Cases, ReadBackAsTheyAreWritten) {
+/// Every double reads back from its spelling, -0 and subnormal ones included.
+TEST(Cases, ReadBackAsWritten) {
   int subnormal = 0;
   for (const Source& source : sources()) {
     for (std::uint64_t number = 0; number < 400; ++number) {
@@ -153,7 +153,7 @@ TEST(Cases, ReadBackAsTheyAreWritten) {
   EXPECT_FALSE(simpler(make_case("rays", 1)).empty());
 }
 
-TEST(Cases, AreMadeOfAnyBytes) {
+TEST(Cases, AreMadeFromAnyBytes) {
   std::string bytes;
   int made = 0;
   for (int k = 0; k < 500; ++k) {
@@ -176,7 +176,7 @@ TEST(Judge, LetsAGoodTracerPassEveryLaw) {
   EXPECT_GT(told, tests.checks().size() * 2 / 3);
 }
 
-TEST(Judge, BreaksWhatIsDegenerate) {
+TEST(Judge, FindsDegenerateCandidatesBroken) {
   Candidate misses("misses");
   misses.intersect = [](const auto&...) { return std::optional<Hit>(); };
   Candidate at_zero("at-zero");
@@ -193,8 +193,8 @@ TEST(Judge, BreaksWhatIsDegenerate) {
   }
 }
 
-/// >= for > at the end that a candidate declares, which the root of every case lies on.
-TEST(Judge, BreaksWhatItsOwnIntervalExcludes) {
+/// >= for > at the declared end, on which the root of every case lies.
+TEST(Judge, FindsRootsOutsideTheDeclaredIntervalBroken) {
   Case one;
   one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
   one.scene.spheres = {{{3, 0, 0}, 1}};
@@ -216,7 +216,7 @@ TEST(Judge, BreaksWhatItsOwnIntervalExcludes) {
   }
 }
 
-TEST(Judge, HoldsACandidateToWhatItReturnsOnTheDirectionsThatItAccepts) {
+TEST(Judge, JudgesOnlyDeclaredReturnsAndDirections) {
   Candidate distances("distances");
   distances.declares.tangent = Tangent::either;
   distances.intersect = [](const Ray& ray, const Sphere& sphere, const Conventions& asked) {
@@ -228,7 +228,7 @@ TEST(Judge, HoldsACandidateToWhatItReturnsOnTheDirectionsThatItAccepts) {
   distances.returns = Returns::distance;
   EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
   EXPECT_EQ(judge(distances, "hit-point", "rays").finding, Finding::left_out);
-  distances.returns = Returns::parameter;  // on unit directions both are one
+  distances.returns = Returns::parameter;  // equal on unit directions
   distances.directions = Directions::unit;
   EXPECT_EQ(judge(distances, "parameter", "rays").finding, Finding::holds);
 }
@@ -264,7 +264,7 @@ TEST(Judge, SaysWhereAndWhyALawIsBroken) {
   EXPECT_EQ(judge_case(tracer(), "nearest-root", verdict.broken->shrunk).finding, Finding::holds);
 }
 
-TEST(Judge, CountsWhateverIsThrownAsNoAnswer) {
+TEST(Judge, CountsExceptionsAsNoAnswer) {
   Candidate why("throws"), seven("throws");
   why.intersect = [](const auto&...) -> std::optional<Hit> { throw std::runtime_error("no idea"); };
   seven.intersect = [](const auto&...) -> std::optional<Hit> { throw 7; };
@@ -275,14 +275,14 @@ TEST(Judge, CountsWhateverIsThrownAsNoAnswer) {
   }
 }
 
-TEST(Judge, AsksOnlyAboutWhatThereIs) {
+TEST(Judge, JudgesOnlyFunctionsThatAreSet) {
   Candidate frames("frames");
   frames.frame = [](const Camera&) { return Frame{}; };
   const auto all = checks(frames);
   ASSERT_FALSE(all.empty());
   EXPECT_TRUE(
       std::none_of(all.begin(), all.end(), [](const Check& one) { return one.law == "class"; }));
-  EXPECT_THROW(checks(Candidate("nothing")), std::invalid_argument);
+  EXPECT_THROW((void)checks(Candidate("nothing")), std::invalid_argument);
   const auto refused = [](auto change) {
     Candidate candidate("mine");
     candidate.intersect = [](const auto&...) { return std::optional<Hit>(); };
@@ -305,11 +305,12 @@ TEST(Judge, AsksOnlyAboutWhatThereIs) {
     c.declares.valid.t_min = std::nan("");
   }));
   EXPECT_FALSE(refused([](Candidate&) {}));
-  EXPECT_THROW(judge(frames, "nothing"), std::invalid_argument);
-  EXPECT_THROW(judge(frames, "class", "nowhere"), std::invalid_argument);
-  EXPECT_THROW(replay(frames, "nothing"), std::invalid_argument);
+  EXPECT_THROW((void)judge(frames, "nothing"), std::invalid_argument);
+  EXPECT_THROW((void)judge(frames, "class", "nowhere"), std::invalid_argument);
+  EXPECT_THROW((void)replay(frames, "nothing"), std::invalid_argument);
   for (const double bound : {-1.0, std::nan("")}) {
-    EXPECT_THROW(judge(frames, "frame", "", {.max_error = bound}), std::invalid_argument) << bound;
+    EXPECT_THROW((void)judge(frames, "frame", "", {.max_error = bound}), std::invalid_argument)
+        << bound;
   }
   const Verdict left_out = judge(frames, "class");
   EXPECT_TRUE(left_out.passes());
@@ -338,7 +339,7 @@ TEST(SinglePrecision, LetsGoodFloatsPassUnlessTheyAreUndeclared) {
   EXPECT_EQ(judge(candidate, "parameter", "rays").finding, Finding::broken);
 }
 
-TEST(SinglePrecision, BreaksWhatIsOffInUlpsOfFloat) {
+TEST(SinglePrecision, FindsErrorsInUlpsOfFloat) {
   const Verdict verdict = judge(floats(0x1p-15), "parameter");
   EXPECT_EQ(verdict.finding, Finding::broken);
   EXPECT_TRUE(has(verdict.text, "ulp of float"));

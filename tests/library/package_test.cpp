@@ -1,5 +1,4 @@
-// The Debian packages: made of the build, unpacked where nothing was, and used as someone else
-// does.
+// The Debian packages: made from the build, unpacked in an empty folder, and used from there.
 
 #include <unistd.h>
 
@@ -14,7 +13,7 @@ const std::vector<std::string> kPackages = {"raycheck", "libraycheck0", "librayc
 
 bool is_installed(const std::string& program) { return shell("command -v " + program).code == 0; }
 
-/// Packages of the build and a root that they are unpacked in, made once for all tests.
+/// The build's packages and the folder that they are unpacked in, made once for all tests.
 class NightlyPackage : public testing::Test {
  protected:
   static fs::path folder() { return fs::path(RAYCHECK_BUILD) / "tests/packages"; }
@@ -29,7 +28,7 @@ class NightlyPackage : public testing::Test {
     if (!can_be_made()) {
       GTEST_SKIP() << "dpkg-dev, file or, where tests are not root's, fakeroot is not installed";
     }
-    // Said here: tests of a suite that cannot be set up are skipped.
+    // Fails here, as tests of a suite whose set-up fails are skipped.
     ASSERT_EQ(why_not_made(), "");
   }
   static std::string& why_not_made() {
@@ -42,7 +41,7 @@ class NightlyPackage : public testing::Test {
     why_not_made() = make();
   }
 
-  /// What went wrong; empty: nothing.
+  /// Returns the error; empty on success.
   static std::string make() {
     fs::remove_all(folder());
     const std::string build = RAYCHECK_BUILD;
@@ -53,8 +52,7 @@ class NightlyPackage : public testing::Test {
     const fs::path admin = folder() / "root/var/lib/dpkg";
     for (const char* below : {"info", "updates", "triggers"}) fs::create_directories(admin / below);
     std::ofstream(admin / "status").flush();
-    // Their dependencies are the system's, which has no packages in this root. A file that two of
-    // them have is an error.
+    // Dependencies are not installed in this root. A file in two of the packages is an error.
     const Ended unpacked = shell(as_root() + "dpkg --root='" + (folder() / "root").string() +
                                  "' --log=/dev/null --force-not-root --unpack " + all());
     return unpacked.code == 0 ? "" : unpacked.text;
@@ -76,17 +74,17 @@ class NightlyPackage : public testing::Test {
   static std::string field(const std::string& package, const std::string& name) {
     return shell("dpkg-deb -f '" + file_of(package).string() + "' " + name).text;
   }
-  /// The files of a package and where its links lead, a line each.
+  /// The files of a package and the targets of its links, one per line.
   static std::string contents(const std::string& package) {
     return shell("dpkg-deb -c '" + file_of(package).string() + "'").text;
   }
-  /// Of a package, a file of those that dpkg reads.
+  /// A control file of a package.
   static std::string control(const std::string& package, const std::string& name) {
     return shell("dpkg-deb -I '" + file_of(package).string() + "' " + name).text;
   }
 };
 
-TEST_F(NightlyPackage, HasWhatItIsFor) {
+TEST_F(NightlyPackage, HasItsFiles) {
   const std::string programs = contents("raycheck"), library = contents("libraycheck0"),
                     development = contents("libraycheck-dev");
   for (const char* file :
@@ -110,7 +108,7 @@ TEST_F(NightlyPackage, HasWhatItIsFor) {
   }
 }
 
-TEST_F(NightlyPackage, NeedsWhatItIsLinkedWith) {
+TEST_F(NightlyPackage, DependsOnLinkedLibraries) {
   for (const char* library : {"libgmp10 ", "libflint", "libstdc++6 ", "libc6 "}) {
     EXPECT_TRUE(has(field("libraycheck0", "Depends"), library));
     EXPECT_TRUE(has(field("raycheck", "Depends"), library));
@@ -136,7 +134,7 @@ TEST_F(NightlyPackage, ServesConsumers) {
   EXPECT_EQ(shell("TRACER_MISTAKE=far_root " + nearest).code, 1);
 }
 
-/// With the rubric, the headers and the adapters that lie beside it, and nothing of the sources.
+/// With the rubric, the headers and the adapters beside it, without the sources.
 TEST_F(NightlyPackage, HasAProgramThatJudgesAndSendsAnAutograder) {
   const std::string raycheck = (prefix() / "bin/raycheck").string();
   const fs::path rubric = prefix() / "share/raycheck/rubrics/lecture7";
@@ -154,14 +152,14 @@ TEST_F(NightlyPackage, HasAProgramThatJudgesAndSendsAnAutograder) {
                            "raycheck/share/raycheck/raycheck_candidate.py"}) {
     EXPECT_TRUE(has(listed.text, file));
   }
-  // What goes to graders is the program of the package, and loads what is sent along.
+  // The bundle for graders has the package's program, which loads the libraries in the bundle.
   const std::string sent = (folder() / "sent").string();
   const Ended loaded = shell("python3 -m zipfile -e " + archive.string() + " " + sent + " && ldd " +
                              sent + "/raycheck/libexec/raycheck/raycheck-grade | grep libgmp");
   EXPECT_TRUE(has(loaded.text, sent));
 }
 
-TEST_F(NightlyPackage, GivesLintianNothingToSay) {
+TEST_F(NightlyPackage, PassesLintian) {
   if (!is_installed("lintian")) GTEST_SKIP() << "lintian is not installed";
   const Ended said = shell("lintian --allow-root --fail-on error,warning " + all());
   EXPECT_EQ(said.code, 0) << said.text;

@@ -1,5 +1,5 @@
-// random_bytes COUNT: libFuzzer's entry, called on so many strings of random bytes, for compilers
-// that have no libFuzzer.
+// random_bytes COUNT: calls libFuzzer's entry on COUNT strings of random bytes, for compilers
+// without libFuzzer.
 
 #include <cstddef>
 #include <cstdint>

@@ -8,7 +8,7 @@ namespace raycheck::tests {
 
 struct Ended {
   int code = -1;
-  std::string text;  ///< Of both its outputs.
+  std::string text;  ///< Its standard output and standard error.
 };
 
 /// Runs a command by the shell.

@@ -1,6 +1,6 @@
-// The bounds that decisions stand on, proved by Gappa of the formulas themselves: each script is
-// what a formula writes down when it is called. And the identities that formulas and proofs rest
-// on, by a solver of real arithmetic.
+// The bounds that decisions rely on, proved by Gappa for the code's formulas: calling a formula
+// records its script. And the identities that formulas and proofs rely on, proved by a solver for
+// real arithmetic.
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -19,12 +19,12 @@ const fs::path kScripts = fs::path(RAYCHECK_SOURCE_DIR) / "proofs";
 
 bool has_gappa() { return shell("command -v gappa").code == 0; }
 
-/// A place of this process: tests run side by side.
+/// A path for this process only: tests run in parallel.
 fs::path own_path(const std::string& name) {
   return fs::path(testing::TempDir()) / ("raycheck_" + std::to_string(getpid()) + name);
 }
 
-/// What Gappa, which gives up by itself, says of a script: nothing where it is proved.
+/// Gappa's output for a script, empty if it is proved. (Gappa gives up by itself.)
 std::string complaint(const std::string& script, const std::string& options = "") {
   const fs::path file = own_path(".gappa");
   std::ofstream(file) << script;
@@ -33,13 +33,13 @@ std::string complaint(const std::string& script, const std::string& options = ""
   return ended.code == 0 ? ended.text : ended.text + "not proved";
 }
 
-/// The script, under a comment that says what it is about.
+/// The script, under a comment that names the bound and the formula's file.
 std::string commented(const Bound& bound) {
   return "# " + std::string(bound.what) + ": " + std::string(bound.where) + "\n" +
          bound.script(bound.value, {}).text();
 }
 
-TEST(Bounds, AreProvedOfTheFormulasAsTheyAre) {
+TEST(Bounds, AreProvedForTheFormulas) {
   std::set<std::string> names;
   for (const Bound& bound : bounds()) {
     const fs::path file = kScripts / (std::string(bound.name) + ".gappa");
@@ -52,9 +52,10 @@ TEST(Bounds, AreProvedOfTheFormulasAsTheyAre) {
   }
   for (const auto& entry : fs::directory_iterator(kScripts)) {
     if (entry.path().extension() != ".gappa") continue;
-    EXPECT_TRUE(names.contains(entry.path().filename())) << entry.path() << " is of no bound";
+    EXPECT_TRUE(names.contains(entry.path().filename()))
+        << entry.path() << " does not belong to a bound";
   }
-  if (!has_gappa()) GTEST_SKIP() << "there is no gappa to prove bounds by";
+  if (!has_gappa()) GTEST_SKIP() << "gappa is not installed";
 }
 
 /// Whether Gappa reads the script and does not find it proved.
@@ -65,11 +66,10 @@ bool is_refused(const std::string& script, const std::string& options) {
          said.find("no contradiction was found") != std::string::npos;
 }
 
-/// Each operation of each formula done otherwise, and each constant halved. Gappa splits no
-/// intervals where it need not to prove the formula: what is wrong it would split for a second
-/// each.
-TEST(LongBounds, AreRefusedOfMutatedFormulas) {
-  if (!has_gappa()) GTEST_SKIP() << "there is no gappa to refuse anything";
+/// Each operation of each formula replaced, and each constant halved. Gappa may not split intervals
+/// where the true formula needs no splits: it would spend a second on each wrong one.
+TEST(LongBounds, AreNotProvedForMutatedFormulas) {
+  if (!has_gappa()) GTEST_SKIP() << "gappa is not installed";
   int mutants = 0;
   for (const Bound& bound : bounds()) {
     const Script script = bound.script(bound.value, {});
@@ -87,7 +87,7 @@ TEST(LongBounds, AreRefusedOfMutatedFormulas) {
   EXPECT_GE(mutants, 100);
 }
 
-TEST(Bounds, AreNotIdle) {
+TEST(Bounds, AreNearObservedErrors) {
   for (const Bound& bound : bounds()) {
     const double observed = bound.observed(2000);
     EXPECT_LE(observed, bound.value) << bound.name;
@@ -95,11 +95,11 @@ TEST(Bounds, AreNotIdle) {
   }
 }
 
-/// Coq checks the proofs that Gappa writes for it. Its library has rounding to doubles, and not
+/// Coq checks the proofs that Gappa writes for it. Its library has rounding to doubles, but not
 /// Gappa's relative operators, nor its rule for negated doubles.
 TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
   if (!has_gappa() || shell("command -v coqc").code != 0) {
-    GTEST_SKIP() << "there is no gappa, or no coq, to check proofs by";
+    GTEST_SKIP() << "gappa or coq is not installed";
   }
   const fs::path folder = own_path("_coq");
   fs::create_directories(folder);
@@ -116,7 +116,7 @@ TEST(LongCoq, ChecksProofsOfDoubleDoubles) {
   fs::remove_all(folder);
 }
 
-/// The file that the first test compares with, for who changes a formula.
+/// Writes the files that the first test compares with; run it after changing a formula.
 TEST(Bounds, DISABLED_WriteTheirScripts) {
   for (const Bound& bound : bounds()) {
     std::ofstream(kScripts / (std::string(bound.name) + ".gappa")) << commented(bound);
@@ -142,8 +142,8 @@ const std::map<std::string, std::pair<std::string, std::string>> kMistakes = {
     {"third_axis", {"(- (* Wy Uz) (* Wz Uy))", "(+ (* Wy Uz) (* Wz Uy))"}},
 };
 
-/// The command of a solver, which gives up after so many steps, on any machine the same; empty
-/// where there is none.
+/// The command of a solver with a limit of steps, the same on any machine; empty if no solver is
+/// installed.
 std::string solver() {
   if (shell("command -v z3").code == 0) return "z3 rlimit=100000000 ";
   if (shell("command -v cvc5").code == 0) return "cvc5 --rlimit-per=10000000 ";
@@ -151,7 +151,7 @@ std::string solver() {
 }
 
 TEST(Identities, HoldForAllReals) {
-  if (solver().empty()) GTEST_SKIP() << "neither z3 nor cvc5 is there to check identities";
+  if (solver().empty()) GTEST_SKIP() << "neither z3 nor cvc5 is installed";
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(kIdentities)) {
     EXPECT_EQ(shell(solver() + "'" + entry.path().string() + "'").text, "unsat\n") << entry.path();
@@ -159,7 +159,7 @@ TEST(Identities, HoldForAllReals) {
   }
   for (const auto& [name, mistake] : kMistakes) EXPECT_TRUE(names.contains(name)) << name;
   EXPECT_EQ(names.size(), kMistakes.size());
-  // The constants of the code's, as the identities have them.
+  // The code's constants, as the identities have them.
   using namespace reference;
   const std::string by_roots = contents(kIdentities / "filter_by_roots.smt2"),
                     root = contents(kIdentities / "filter_root.smt2"),
@@ -171,8 +171,8 @@ TEST(Identities, HoldForAllReals) {
   EXPECT_TRUE(has(miss, fmt::format("(/ S {})", kLeastMoment)));
 }
 
-TEST(Identities, AreNotFoundOfWrongSigns) {
-  if (solver().empty()) GTEST_SKIP() << "neither z3 nor cvc5 is there to check identities";
+TEST(Identities, FailWithWrongSigns) {
+  if (solver().empty()) GTEST_SKIP() << "neither z3 nor cvc5 is installed";
   const fs::path changed = own_path(".smt2");
   int counterexamples = 0;
   for (const auto& [name, mistake] : kMistakes) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Numbers by which the tests judge reference/: MPFR at a precision at which the literal formulas
-// lose nothing that matters, and none of reference/'s own arithmetic.
+// The numbers of the tests of reference/: MPFR, precise enough for the literal formulas, and
+// without reference/'s arithmetic.
 
 #include <boost/multiprecision/mpfr.hpp>
 
@@ -12,7 +12,7 @@
 namespace raycheck::reference {
 
 /// About 6600 bits: the exact square of a sum of doubles of all magnitudes, and as much again for
-/// what is divided or rooted.
+/// quotients and roots.
 using Big = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<2000>,
                                           boost::multiprecision::et_off>;
 
@@ -44,7 +44,7 @@ inline bool is_nearest(double value, const Big& x) {
 }
 
 /// Whether the enclosure holds x; x itself carries the rounding errors of a few operations on
-/// doubles of any size, which are far below all that an enclosure tells apart.
+/// doubles of any size, which are far below any enclosure's width.
 inline bool contains(const Enclosure& enclosure, const Big& x) {
   const Big error = abs(x) * power_of_two(-6000) + power_of_two(-4300);
   Enclosure truth(0, 8000);

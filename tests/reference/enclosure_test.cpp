@@ -110,7 +110,7 @@ TEST(EnclosureWidth, IsRelativeToTheValue) {
   EXPECT_FALSE(ball.is_within(82));
 }
 
-/// Whether x is known at all, and if so within how much of itself.
+/// Whether x has a finite radius.
 bool is_known(const DoubleDouble& x) {
   return std::isfinite(x.high()) && std::isfinite(x.radius());
 }
@@ -118,7 +118,7 @@ bool is_known(const DoubleDouble& x) {
 void expect_holds(const DoubleDouble& x, const Big& exact, const std::string& what) {
   if (!is_known(x)) return;
   const Big error = abs(Big(x.high()) + Big(x.low()) - exact);
-  // 2^-6000 |exact| is what the rounding of `exact` itself may amount to.
+  // 2^-6000 |exact| bounds the rounding error of `exact` itself.
   EXPECT_TRUE(error <= Big(x.radius()) + abs(exact) * power_of_two(-6000))
       << what << ": " << scene::hexfloat(x.high()) << " + " << scene::hexfloat(x.low())
       << " within " << scene::hexfloat(x.radius()) << ", off by " << error.convert_to<double>();
@@ -149,7 +149,7 @@ void expect_holds(const DoubleDouble& x, const Big& exact, const std::string& wh
   }
 }
 
-/// A number, and what it is exactly.
+/// A number and its exact value.
 struct Pair {
   DoubleDouble number;
   Big exact;
@@ -166,7 +166,7 @@ std::optional<Pair> operate(Random& random, const Pair& a, const Pair& b) {
   return std::nullopt;
 }
 
-/// Random expressions of a few operations each; how many results were narrow.
+/// Checks random expressions of a few operations each; returns the number of narrow results.
 int check_expressions(Sizes sizes, std::uint64_t seed, int count) {
   Random random(seed);
   int narrow = 0;
@@ -178,7 +178,7 @@ int check_expressions(Sizes sizes, std::uint64_t seed, int count) {
       // Neighbours, whose differences cancel.
       const double close = nudged(x, random.integer(-3, 3));
       if (std::isfinite(close)) known.push_back({DoubleDouble(close), Big(close)});
-      // An end of what is known to within a relative change.
+      // An end of a number known to within a relative change.
       const double change =
           std::ldexp(random.between(0.5, 1), -static_cast<int>(random.integer(0, 9)));
       const double end = random.sign();
@@ -215,7 +215,7 @@ TEST(DoubleDouble, KeepsExactZeros) {
     EXPECT_EQ(result.certain_sign(), 0);
     EXPECT_TRUE(result.is_within(1000));
   }
-  // A product that underflows is no zero.
+  // A product that underflows is not zero.
   const DoubleDouble product = DoubleDouble(kSmallest) * DoubleDouble(kSmallest);
   EXPECT_EQ(product.certain_sign(), std::nullopt);
   EXPECT_FALSE(product.is_within(1));
@@ -236,7 +236,7 @@ TEST(DoubleDouble, KeepsExactResultsExact) {
   }
 }
 
-TEST(DoubleDouble, SaysWhereItKnowsNothing) {
+TEST(DoubleDouble, HasNoSignOrWidthWhereNothingIsKnown) {
   const DoubleDouble zero(0), one(1), large(kLargest);
   const DoubleDouble root = sqrt(DoubleDouble(2));
   const DoubleDouble around_zero = root * root - DoubleDouble(2);

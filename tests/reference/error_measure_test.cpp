@@ -1,4 +1,4 @@
-// Errors: against what they are by hand, rational arithmetic and balls.
+// Errors, against values by hand, rational arithmetic and balls.
 
 #include "reference/error_measure.h"
 
@@ -90,7 +90,7 @@ TEST(RelativeError, IsTheDistanceOverTheLengthInUnitsOfU) {
   EXPECT_EQ(relative_error(scene::UnitVector3{1, 0, 0x1p-53}, real3(1, 0, 0)).value, 1);
 }
 
-TEST(RelativeError, OfTheOriginIsNothingOrEverything) {
+TEST(RelativeError, OfTheOriginIsZeroOrInfinite) {
   EXPECT_EQ(relative_error(scene::Point3{0, 0, 0}, real3(0, 0, 0)).value, 0);
   EXPECT_EQ(relative_error(scene::Point3{0, kSmallest, 0}, real3(0, 0, 0)).value, kInfinity);
   EXPECT_EQ(relative_error(scene::Point3{0, kNaN, 0}, real3(1, 0, 0)).value, kInfinity);
@@ -109,7 +109,7 @@ TEST(RelativeError, OfDoublesIsThatOfTheirEnclosures) {
   EXPECT_EQ(relative_error(infinite, infinite).value, kInfinity);
 }
 
-TEST(AngleError, IsBlindToLengthAndInfiniteFromARightAngleOn) {
+TEST(AngleError, IgnoresLengthAndIsInfiniteFromARightAngleOn) {
   EXPECT_EQ(angle_error({1.2, 1.6, 0}, real3(0.6, 0.8, 0)).value, 0);
   const Enclosure3 along_x = real3(1, 0, 0);
   EXPECT_EQ(angle_error({1, 0x1p-53, 0}, along_x).value, 1);
@@ -206,7 +206,7 @@ TEST(BackwardError, IsExactWhereItIsSpecial) {
   }
 }
 
-TEST(BackwardError, IsInfiniteOfWhatIsNotFiniteAndRefusesWhatIsNoProblem) {
+TEST(BackwardError, IsInfiniteForNonFiniteValuesAndRefusesInvalidInput) {
   for (const double s : {kInfinity, -kInfinity, kNaN}) {
     EXPECT_EQ(backward_error(kAlongX, kUnit, s).value, kInfinity) << s;
   }
@@ -241,11 +241,10 @@ TEST(BackwardError, IsExactOnRandomCases) {
   }
 }
 
-/// Balls so narrow that what they leave open of an error does not count.
+/// Balls so narrow that their width is negligible beside any error.
 constexpr int kBits = 400;
 
-/// Compares errors with those measured by balls alone; counts those that are neither 0 nor
-/// infinite.
+/// Compares errors with those measured only by balls; counts those that are neither 0 nor infinite.
 class Comparison {
  public:
   void expect_same(double error, double by_balls) {
@@ -253,7 +252,7 @@ class Comparison {
     EXPECT_NEAR(error, by_balls, 0x1p-16 + by_balls * 0x1p-29);
     if (error > 0 && std::isfinite(error)) ++measured_;
   }
-  /// The bound is no smaller than the error itself.
+  /// The bound is at least the error.
   void expect_bound(double error, double by_balls) {
     if (!std::isfinite(by_balls)) {
       EXPECT_EQ(error, by_balls);
@@ -365,7 +364,7 @@ TEST(RayError, OfTheExactValueIsZero) {
   EXPECT_FALSE(sphere_residual({{0, 0, 0}, 0}, {1, 0, 0}).has_value());
 }
 
-TEST(RayError, OfWhatIsNotFiniteIsInfinite) {
+TEST(RayError, OfNonFiniteValuesIsInfinite) {
   const ExactRay ray(scene::Ray{{-5, 0, 0}, {1, 0.5, 0}});
   const scene::Sphere sphere{{0, 1, 0}, 2};
   const Intersection at = ray.intersect(sphere);

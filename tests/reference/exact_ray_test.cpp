@@ -1,5 +1,5 @@
 // Decisions of reference/exact_ray.h over the whole double range, under small changes of the input,
-// in boxes of rays and spheres, and on input that is no problem. Its correctly rounded values and
+// in boxes of rays and spheres, and on invalid input. Its correctly rounded values and
 // enclosures, and those of exact_camera.h, against the literal formulas in MPFR.
 
 #include "reference/exact_ray.h"
@@ -77,7 +77,7 @@ void expect_refused(const std::function<void()>& action, const std::string& fiel
   EXPECT_TRUE(has(thrown_by(action), field));
 }
 
-TEST(InvalidInput, IsRefusedByTheNameOfItsField) {
+TEST(InvalidInput, IsRefusedNamingTheField) {
   expect_refused([] { ExactRay(Ray{{0, kNaN, 0}, {1, 0, 0}}); }, "ray.origin");
   expect_refused([] { ExactRay(Ray{{0, 0, 0}, {0, 0, 0}}); }, "ray.direction");
   Camera camera{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 2};
@@ -172,8 +172,8 @@ struct BoxCounts {
   int hits = 0, misses = 0, open = 0, contradicted = 0;
 };
 
-/// Boxes of spheres that the ray about grazes, and questions in them whose numbers are changed by
-/// up to `change`.
+/// Counts on boxes of spheres that the ray nearly grazes, and on questions in them whose numbers
+/// are changed by up to `change`.
 BoxCounts box_counts(double change) {
   Random random(11);
   BoxCounts all;
@@ -208,7 +208,7 @@ BoxCounts box_counts(double change) {
   return all;
 }
 
-TEST(IntersectionInBoxes, IsThatOfAllInThemAndOfAllCloseBy) {
+TEST(IntersectionInBoxes, HoldsInThemAndCloseBy) {
   const BoxCounts within = box_counts(kBoxChange * (1 - 0x1p-30));
   EXPECT_EQ(within.contradicted, 0);
   EXPECT_GT(within.hits, 200);
@@ -216,7 +216,7 @@ TEST(IntersectionInBoxes, IsThatOfAllInThemAndOfAllCloseBy) {
   EXPECT_GT(within.open, 200);
 }
 
-TEST(IntersectionInBoxes, IsNotThatOfOnesFartherOff) {
+TEST(IntersectionInBoxes, DoesNotHoldFartherOff) {
   EXPECT_GT(box_counts(4 * kBoxChange).contradicted, 20);
 }
 
@@ -234,7 +234,7 @@ TEST(IntersectionInBoxes, IsTheExactOneOfASingleRayThatPassesClearly) {
   EXPECT_GT(decided, 1900);
 }
 
-TEST(IntersectionInBoxes, RefusesWhatIsNoProblem) {
+TEST(IntersectionInBoxes, RefusesInvalidInput) {
   const Ray ray = {{0, 0, 0}, {0, 0, 1}};
   const Ray none = {{0, 0, 0}, {0, 0, 0}};
   EXPECT_THROW(intersection_in({none, ray}, {kUnit, kUnit}, 0, {}), std::invalid_argument);
@@ -244,7 +244,7 @@ TEST(IntersectionInBoxes, RefusesWhatIsNoProblem) {
 
 constexpr auto kSingle = scene::Precision::kSingle;
 
-/// How many values were compared, and how many of them lie at the ends of the double range.
+/// The number of values compared, and of those at the ends of the double range.
 struct RoundedCounts {
   int values = 0, hits = 0, subnormal = 0, overflowed = 0, zero = 0;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The formulas of docs/problem.md, letter by letter, in numbers that lose nothing that matters.
+// The formulas of docs/problem.md, literally, in numbers of sufficient precision.
 
 #include "scene/camera.h"
 #include "scene/conventions.h"

@@ -1,4 +1,4 @@
-"""Decides rays and spheres by integers alone, as an oracle for python_oracle_test.cpp.
+"""Decides rays and spheres only by integers, as an oracle for python_oracle_test.cpp.
 
 Each line of standard input: ten hexfloats (origin, direction, centre, radius), t_min, t_max, the
 ends ("[]", "[)", "(]", "()"), "absolute" or "radius", the culling and the root convention. Each line

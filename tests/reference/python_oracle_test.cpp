@@ -1,5 +1,5 @@
-// Given rays and spheres against tests/reference/oracle.py, which knows only Python's integers and
-// fractions: which root is met, by every convention, and the doubles nearest to both.
+// Given rays and spheres against tests/reference/oracle.py, which uses only Python's integers and
+// fractions: which root is met, under every convention, and the doubles nearest to both.
 
 #include <unistd.h>
 
@@ -33,7 +33,7 @@ std::string line_of(const Asked& one) {
          " " + std::string(name(valid.culling)) + " " + std::string(name(one.conventions.root));
 }
 
-/// The oracle's answers, a line a case; fails when it cannot be asked.
+/// The oracle's answers, one line per case; fails if it cannot be run.
 std::vector<std::string> ask_oracle(const std::vector<Asked>& cases) {
   const std::string asked = testing::TempDir() + "raycheck_" + std::to_string(getpid()) + "_oracle";
   {
@@ -55,7 +55,7 @@ std::string met(const ExactRay& ray, const Asked& one, const scene::Conventions&
          (at.root == WhichRoot::kSmaller ? "near" : "far");
 }
 
-/// How often what is met, or s, is of each kind.
+/// The number of answers, or of s, of each kind.
 using Counts = std::map<std::string, int>;
 
 template <class Make>

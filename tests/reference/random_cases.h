@@ -47,7 +47,7 @@ Triple triple(Random& random, Sizes sizes, std::int64_t size = 9) {
   return {x, y, number(random, sizes, size)};
 }
 
-/// Of all sizes, every other one is about as large as its centre is far, so that rays do meet some.
+/// With kAll, every other sphere is about as large as its centre is far, so that rays meet some.
 inline scene::Sphere random_sphere(Random& random, Sizes sizes) {
   const auto centre = triple<scene::Point3>(random, sizes, 12);
   if (sizes == Sizes::kAll && random.one_in(2)) {
@@ -117,7 +117,7 @@ inline double nudged(double value, std::int64_t steps) {
   return value;
 }
 
-// Spellings by which a counterexample can be pasted back.
+// Spellings of counterexamples that can be pasted into tests.
 template <class Triple>
 std::string spelled(const Triple& v) {
   return "{" + scene::hexfloat(v.x) + ", " + scene::hexfloat(v.y) + ", " + scene::hexfloat(v.z) +

@@ -1,6 +1,6 @@
 // A second opinion on the decisions of reference/exact_ray.h: CGAL's kernel with square roots,
 // whose numbers are CORE's. It shares no arithmetic and no formula with reference/. CORE's
-// reference counts are not atomic: one thread a process, and ctest runs each test in its own.
+// reference counts are not atomic: one thread per process, and ctest runs each test in its own.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 
@@ -54,7 +54,7 @@ struct Roots {
   }
 };
 
-/// What was decided, so that no kind of decision goes untested.
+/// The numbers of decisions by kind, so that no kind goes untested.
 struct Counts {
   int decisions = 0, hits = 0, larger_roots = 0, tangents = 0, misses = 0, behind = 0;
   int order[3] = {0, 0, 0};  ///< The first sphere nearer, a tie, the second nearer.
@@ -126,7 +126,7 @@ void nudge(Random& random, Sphere& sphere) {
   sphere.radius = std::abs(sphere.radius);
 }
 
-// Cases of each test, and what they decide together.
+// The numbers of cases of each test, and of their decisions.
 constexpr int kOrdinaryRays = 12800;
 constexpr int kTangents = 12000;
 constexpr int kOrigins = 9600;
@@ -134,7 +134,7 @@ constexpr int kTies = 11200;
 constexpr int kCameras = 2400;
 static_assert(2 * (kOrdinaryRays + kTangents + kOrigins) + kTies >= 80000);
 
-/// What is decided of so many rays and spheres that `make` gives.
+/// The decisions on `cases` rays and spheres from `make`.
 template <class Make>
 Counts decided(std::uint64_t seed, int cases, Make make) {
   Random random(seed);

@@ -15,7 +15,7 @@ namespace {
 
 using scene::Sphere;
 
-/// Everything that reference/ says of one ray and two spheres; doubles as hexfloats.
+/// All results of reference/ for one ray and two spheres; doubles as hexfloats.
 std::vector<std::string> everything(const ExactCamera& camera, const ExactRay& ray,
                                     const ClosedFormRay& forms, const std::array<Sphere, 2>& pair) {
   std::vector<std::string> said;
@@ -109,7 +109,7 @@ std::vector<Case> random_cases_of(Sizes sizes, std::uint64_t seed) {
   return cases;
 }
 
-TEST(Threads, SharingOneCameraAndItsRaysSayWhatOneThreadSays) {
+TEST(Threads, SharingOneCameraGetTheAnswersOfOneThread) {
   const std::vector<Case> cases = random_cases_of(Sizes::kSmallIntegers, 1);
   constexpr std::size_t kThreads = 8;
   std::array<int, kThreads> compared{};
@@ -120,7 +120,7 @@ TEST(Threads, SharingOneCameraAndItsRaysSayWhatOneThreadSays) {
       for (std::size_t k = 0; k < 2 * cases.size(); ++k) {
         const Case& one = cases[(k + 7 * t) % cases.size()];
         ++compared[t];
-        // Every second time through a ray of the thread's own.
+        // Every second time through the thread's own ray.
         const ExactRay own(*one.camera, one.pixel);
         const ExactRay& ray = k % 2 == 0 ? *one.ray : own;
         different[t] += everything(*one.camera, ray, *one.forms, one.pair) == one.said ? 0 : 1;

@@ -1,5 +1,4 @@
-// What all else stands on: numbers and text as they are read and written, interruption, the
-// arithmetic of the processor.
+// The basics: reading and writing numbers and text, interruption, the processor's arithmetic.
 
 #include <cfenv>
 #include <thread>
@@ -131,7 +130,7 @@ TEST(Number, IsSpelledAsDocumented) {
 
 const std::string kNone = "\uFFFD";
 
-TEST(HostileText, keeps_what_only_says_something) {
+TEST(HostileText, keeps_printable_text) {
   for (const char* text :
        {"", "plain", "M\u00fcller", "\u00a0", "\u4e2d\u6587 \U0001F600", "a\nb\tc"}) {
     EXPECT_EQ(visible(text), text);
@@ -139,7 +138,7 @@ TEST(HostileText, keeps_what_only_says_something) {
   EXPECT_EQ(visible_line("M\u00fcller"), "M\u00fcller");
 }
 
-TEST(HostileText, spells_what_acts_on_a_terminal) {
+TEST(HostileText, escapes_terminal_controls) {
   EXPECT_EQ(visible("\x1b]0;x\a"), "\\x1b]0;x\\x07");
   EXPECT_EQ(visible("a\rb\x7f"), "a\\x0db\\x7f");
   EXPECT_EQ(visible(std::string("\0", 1)), "\\x00");
@@ -149,7 +148,7 @@ TEST(HostileText, spells_what_acts_on_a_terminal) {
   EXPECT_EQ(visible_line("a\nb\tc"), "a\\x0ab\\x09c");
 }
 
-TEST(HostileText, has_a_mark_for_each_byte_that_is_no_utf_8) {
+TEST(HostileText, replaces_each_byte_that_is_not_utf_8) {
   EXPECT_EQ(visible("\xff"), kNone);
   EXPECT_EQ(visible("a\xe9z"), "a" + kNone + "z");
   EXPECT_EQ(visible("\xc3"), kNone) << "ends too early";
@@ -164,7 +163,7 @@ TEST(HostileText, has_a_mark_for_each_byte_that_is_no_utf_8) {
       << "a control of C1 in one byte";
 }
 
-TEST(Poll, ThrowsWhereTheLastOneAskedSaysSo) {
+TEST(Poll, ThrowsIfTheInnermostIsInterrupted) {
   const std::function<bool()> never = [] { return false; };
   const std::function<bool()> always = [] { return true; };
   EXPECT_NO_THROW(poll());
@@ -183,7 +182,7 @@ TEST(Poll, ThrowsWhereTheLastOneAskedSaysSo) {
 
 TEST(Arithmetic, IsThatOfIeee754) { EXPECT_EQ(arithmetic_defect(), ""); }
 
-TEST(Arithmetic, IsFoundToRoundOtherwise) {
+TEST(Arithmetic, IsCheckedForOtherRounding) {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     std::fesetround(mode);
     const std::string defect = arithmetic_defect();
@@ -193,7 +192,7 @@ TEST(Arithmetic, IsFoundToRoundOtherwise) {
 }
 
 #if defined(__SSE2__)
-TEST(Arithmetic, IsFoundToFlushToZero) {
+TEST(Arithmetic, IsCheckedForFlushToZero) {
   constexpr unsigned kFlushResults = 0x8000, kFlushOperands = 0x0040;
   for (const unsigned flush : {kFlushResults, kFlushOperands}) {
     const unsigned before = _mm_getcsr();

@@ -41,7 +41,7 @@ Camera changed(const std::function<void(Camera&)>& change) {
   return camera;
 }
 
-TEST(Validate, AcceptsWhatIsOddButHasAnAnswer) {
+TEST(Validate, AcceptsOddButValidInput) {
   expect_none(changed([](Camera& c) { std::swap(c.left, c.right); }));
   expect_none(changed([](Camera& c) { std::swap(c.bottom, c.top); }));
   expect_none(changed([](Camera& c) { c.near = 30; }));
@@ -105,7 +105,7 @@ TEST(Validate, DecidesParallelUpExactly) {
   }
 }
 
-TEST(Validate, NamesWhatIsDegenerate) {
+TEST(Validate, NamesDegenerateFields) {
   using Change = void (*)(Camera&);
   for (const auto& [change, field, value] :
        std::vector<std::tuple<Change, const char*, const char*>>{

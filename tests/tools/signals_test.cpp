@@ -307,7 +307,7 @@ TEST(HostileSizes, of_pictures_are_planned_and_not_timed) {
           run_in_memory({"plan", path, "--wanted", wanted, "--format", "json"});
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
       EXPECT_TRUE(has(outcome.err, "nothing is timed: " + std::string(field) +
-                                       " = 2147483647: what is seen is worked out of at most "
+                                       " = 2147483647: visibility is computed for at most "
                                        "4194304"));
       const json report = json::parse(outcome.out);
       expect_values(report, {{"image_ms", nullptr}, {"pixels_timed", 0}});

@@ -204,7 +204,7 @@ TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
   const std::string nul(1, '\0');
   const std::string rubric = contents(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7.toml");
   expect_refused("grade " + file("nul.toml", "bounds = \"cross\\u0000x\"\n" + rubric),
-                 "nul.toml:1: bounds = \"cross\\x00x\": must be without NUL\n");
+                 "nul.toml:1: bounds = \"cross\\x00x\": must not contain NUL\n");
   expect_refused("check scene/examples/driver-b.txt --baseline " +
                      file("known", "a; b; c; d; %4" + nul + "1\n"),
                  "line 1: '%4\\x00' is not % and two hexadecimal digits\n");

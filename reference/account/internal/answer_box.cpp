@@ -47,7 +47,7 @@ std::vector<double> AnswerBox::sizes() const {
   return result;
 }
 
-/// How far s may be off.
+/// The error that s may have.
 Enclosure AnswerBox::slack_of_answer() const {
   const auto largest = [](const auto& v) {
     Enclosure most(0);
@@ -65,7 +65,8 @@ Enclosure AnswerBox::slack_of_answer() const {
          Enclosure(around_.relative_change, kVariationBits);
 }
 
-/// How much each input, and s, moves the values, by slopes at lifted inputs and within `off` of s.
+/// The changes of the values with each input and with s, from slopes at lifted inputs and within
+/// `off` of s.
 template <std::size_t N, class BaseLift, class Values>
 std::array<std::vector<Enclosure>, N> AnswerBox::reaches_of(const Values& values,
                                                             const BaseLift& base,
@@ -180,7 +181,7 @@ InputChange AnswerBox::change_at(const std::vector<double>& t) const {
   return change;
 }
 
-/// How the ray and the sphere meet when their inputs are changed; empty where balls cannot tell.
+/// How the ray and the sphere meet when their inputs are changed; empty if balls cannot decide.
 std::optional<Intersection> AnswerBox::intersect_changed(const InputChange& change) const {
   for (int bits = kFirstWitnessBits; bits <= kLastWitnessBits; bits *= 4) {
     const auto at = with_pair(ChangedLift(bits, change), [&](const auto& pair) {

@@ -27,11 +27,10 @@ class AnswerBox {
   /// The sizes of the inputs, without the answer's s.
   std::vector<double> sizes() const;
 
-  /// How a decider varies over the whole box, by the mean-value form: values outside it are taken
-  /// nowhere in the box.
+  /// How a decider varies over the whole box, by the mean-value form: it encloses all values.
   const Variation& variation(Decider decider);
-  /// Vectors and lengths that tell more where the neighbourhood is not small: f x g and r |g| (the
-  /// line misses if the vector is longer); and from the point at s to the centre, and r.
+  /// Vectors and lengths to compare where the neighbourhood is wide: f x g and r |g| (the line
+  /// misses if the vector is longer); and from the point at s to the centre, and r.
   VectorAndLength moment() const;
   VectorAndLength from_answer() const;
   /// g, in doubles.

@@ -97,7 +97,7 @@ typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typ
 }
 
 /// A decider over the neighbourhood, a box: value + sum_k t_k reach_k, every t_k in [-1, 1],
-/// encloses its value where input k changes by the share t_k of what is allowed; or, to first order
+/// encloses its value where input k changes by the share t_k of its range; or, to first order
 /// only, value + sum_k (t_k - at_k) reach_k is its value near another point. The last t_k is for
 /// the answer's s.
 struct Variation {
@@ -135,7 +135,7 @@ inline Variation shifted(const Variation& variation, int sign, const Enclosure& 
   return result;
 }
 
-/// The same in doubles, as a share of what it can reach, and at most.
+/// The same in doubles, as a share of its reach, rounded up.
 inline LinearForm linear_form(const Variation& variation) {
   const auto share = [&](const Enclosure& part) {
     return variation.most.certain_sign() == 1 ? (part / variation.most).upper() : 0;
@@ -162,8 +162,8 @@ inline LeastOptimum best_place(const std::vector<Variation>& all, std::size_t di
   return highest_least(forms);
 }
 
-/// Whether their sum, each times its multiplier, is negative everywhere, so that everywhere one of
-/// them is negative.
+/// Whether their sum, each times its multiplier, is negative everywhere, so that at every point one
+/// of them is negative.
 inline bool exclude_each_other(const std::vector<Variation>& all,
                                const std::vector<double>& multipliers) {
   Enclosure value(0);

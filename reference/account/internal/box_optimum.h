@@ -1,7 +1,7 @@
 #pragma once
 
 // Linear programs over a box, with at most one equation or with several inequalities, in doubles:
-// they tell where to look, and prove nothing. Internal to reference/.
+// they guide the search and prove nothing. Internal to reference/.
 
 #include <optional>
 #include <vector>
@@ -25,8 +25,8 @@ struct BoxOptimum {
 /// Where a form is largest; t_k is 0 if it does not matter.
 std::vector<double> highest(const LinearForm& f);
 
-/// Where f is largest among the points of the box at which g = 0; empty if there is none. Nowhere
-/// in the box is f + multiplier g larger than f is there.
+/// Where f is largest among the points of the box at which g = 0; empty if g has no zero there.
+/// That value of f is also the maximum of f + multiplier g over the box.
 /// Source: the dual's breakpoints, as in G. B. Dantzig's fractional knapsack.
 std::optional<BoxOptimum> highest_where_zero(const LinearForm& f, const LinearForm& g);
 
@@ -37,8 +37,8 @@ struct LeastOptimum {
   std::vector<double> multipliers;
 };
 
-/// Where the minimum of one or more forms of equal dimension is largest: nowhere in the box is the
-/// sum of the forms, each times its multiplier, larger than that.
+/// Where the minimum of one or more forms of equal dimension is largest; that minimum bounds the
+/// sum of the forms, each times its multiplier, over the box.
 /// Source: the simplex method with bounded variables (G. B. Dantzig).
 LeastOptimum highest_least(const std::vector<LinearForm>& forms);
 

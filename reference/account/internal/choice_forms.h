@@ -33,14 +33,14 @@ struct ChoiceCondition {
 };
 
 /// A part of the box [-1, 1]^n, a point t of which changes input k by t_k times the relative change
-/// of the neighbourhood: a box about a middle, or the middle alone.
+/// of the neighbourhood: a box about a middle, or only the middle.
 struct Part {
   std::vector<double> middle;
-  std::vector<double> half_width;  ///< Empty: the middle alone.
+  std::vector<double> half_width;  ///< Empty: only the middle.
 };
 
 /// Lifts doubles to balls of their values in a part of the neighbourhood: a ray's inputs first,
-/// then those from where move_to() says.
+/// then those from the index given to move_to().
 class PartLift {
  public:
   using Kernel = EnclosureKernel;

@@ -25,7 +25,7 @@ namespace raycheck::reference {
 /// saves most of the work.
 template <class T, int N>
 class Dual {
-  static_assert(N <= 32, "one bit an input");
+  static_assert(N <= 32, "one bit per input");
 
  public:
   Dual() : value_(0) {}
@@ -149,7 +149,7 @@ inline constexpr int kSphereInputs = 4;
 inline constexpr int kGivenInputs = 6 + kSphereInputs;
 inline constexpr int kCameraInputs = 14 + kSphereInputs;
 
-/// Records what it lifts.
+/// Records the doubles that it lifts.
 struct NotingLift {
   using Kernel = CGAL::Simple_cartesian<double>;
 
@@ -220,7 +220,7 @@ Sensitivity<typename Lift::Base> sensitivity(const Lift& lift, const CGAL::Vecto
   return {sqrt(square(x) + square(y) + square(z)), sum};
 }
 
-/// The condition number, where the intervals are narrow enough to tell.
+/// The condition number; empty if the intervals are too wide.
 std::optional<double> narrow_condition(const Sensitivity<Interval>& sensitivity);
 
 /// Precisions of the balls: the first, and the last, past which a width is taken to be infinite.

@@ -37,7 +37,7 @@ Interval largest(const IntervalKernel::Vector_3& v) {
           std::max({size[0].sup(), size[1].sup(), size[2].sup()})};
 }
 
-/// A tangent may be either.
+/// A tangent may become a hit or a miss.
 PossibleMeeting possible_meeting(const LineAndSphere<IntervalKernel>& pair, scene::Root root) {
   const Interval squared_root = discriminant(pair);
   if (squared_root.sup() < 0) return {};
@@ -50,7 +50,7 @@ PossibleMeeting possible_meeting(const LineAndSphere<IntervalKernel>& pair, scen
                      (!(c.sup() < 0) && !(b.inf() > 0));
   const auto may_be_at = [&](const Interval& s) {
     meeting.may_hit = true;
-    // Where intervals overflow, a bound that is not a number bounds nothing.
+    // Where intervals overflow, a bound may be NaN, and is then no bound.
     meeting.earliest = std::min(meeting.earliest, s.inf() >= 0 ? s.inf() : 0);
     meeting.latest = s.sup() >= meeting.latest   ? s.sup()
                      : s.sup() <= meeting.latest ? meeting.latest
@@ -79,7 +79,7 @@ bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
   const Interval gap = is_beyond ? s - Interval(roots.sup()) : Interval(roots.inf()) - s;
   const Interval scale = line.is_unit ? Interval(1) : largest(line.g);
   const Interval slack = (s + largest(to_centre(pair)) / scale) * Interval(around.relative_change);
-  // What is 0 at a root varies by at most half the interval's width.
+  // A function that is 0 at a root varies by at most half the interval's width.
   const Interval at_answer = value_of(Decider::kAtAnswer, pair, s);
   const Interval reach = Interval(at_answer.sup()) - Interval(at_answer.inf());
   const Interval apart = gap / length;

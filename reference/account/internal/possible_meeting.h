@@ -15,8 +15,8 @@ namespace raycheck::reference {
 bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
                        const Neighbourhood& around, const std::optional<double>& answer);
 
-/// Whether a claim is right everywhere in a neighbourhood, or nowhere, if intervals can tell; and
-/// the spheres that may make it wrong or right somewhere: the others do not matter.
+/// Whether a claim is right everywhere in a neighbourhood, or nowhere, if intervals can decide; and
+/// the spheres that may make it wrong or right somewhere.
 struct Contenders {
   std::optional<bool> is_right;
   std::vector<std::size_t> spheres;

@@ -1,7 +1,7 @@
 #pragma once
 
 // The number type of proofs: the formulas of reference/internal/formulas.h over intervals with
-// rational ends, which anyone can recompute. Internal to reference/.
+// rational ends, which any program with integers can recompute. Internal to reference/.
 
 #include <algorithm>
 #include <cstdint>

@@ -16,7 +16,7 @@ using Numbers = std::array<double, 3>;
 constexpr int kSweeps = 40;
 /// How many sectors are searched, at most.
 constexpr std::size_t kMostSectors = 200;
-/// Exceeds what rounding changes in a unit vector's length.
+/// Exceeds the rounding error of a unit vector's length.
 constexpr double kRoom = 1 + 0x1p-40;
 
 Enclosure exact(double x) { return Enclosure(x, kVariationBits); }

@@ -23,7 +23,7 @@ struct Shortest {
   std::array<double, 3> direction;
 };
 Shortest shortest(const VectorAndLength& both);
-/// The length less the vector's component along a direction: >= 0 if the vector is no longer.
+/// The length minus the vector's component along a direction: >= 0 if the vector is not longer.
 Variation less_share_along(const VectorAndLength& both, const std::array<double, 3>& direction);
 
 /// Whether the vector, nearly at right angles to `axis`, is certainly shorter everywhere: in every

@@ -5,8 +5,8 @@ the public headers' types) with a committed baseline of the same compiler.
   abi.py LIBRARY COMPILER             fails where such a program would have to be compiled again
   abi.py LIBRARY COMPILER --accept    writes a new baseline, BASELINES/COMPILER.abi.xz
 
-What is only new is no failure, but said. The baseline is compressed, 20 times: most of it is how the
-standard library lays out what public structs have.
+Additions are reported, not a failure. The baseline is compressed to 1/20: most of it is the layouts
+of the standard library's types in public structs.
 Exit code: 0 compatible, 1 not, 77 skipped, and why.
 """
 
@@ -61,16 +61,16 @@ def main():
             print(f"accepted as {baseline}")
             return
         if not baseline.exists():
-            skip(f"there is no baseline of {compiler}; {ACCEPT} makes one")
+            skip(f"no baseline for {compiler}; create one with {ACCEPT}")
         before.write_bytes(lzma.decompress(baseline.read_bytes()))
         written(library, now)
         broken = difference(before, now, "--no-added-syms")
         if broken:
             print(broken)
-            print(f"\nPrograms that are linked with libraycheck.so.0 break. If that is meant, "
+            print(f"\nPrograms that are linked with libraycheck.so.0 break. If that is intended, "
                   f"accept a new baseline: {ACCEPT}")
             sys.exit(1)
-        print(difference(before, now) or "as the baseline")
+        print(difference(before, now) or "same as the baseline")
 
 
 main()

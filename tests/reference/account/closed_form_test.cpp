@@ -34,7 +34,7 @@ class ClosedFormValue {
   }
 
  private:
-  /// By the short product where there is one.
+  /// From the short product if it has one.
   static Big value_of(const ClosedForm::Natural& n) {
     return n.is_short_product() ? Big(ldexp(Big(n.odd), static_cast<int>(n.twos))) : Big(n.digits);
   }
@@ -120,7 +120,7 @@ TEST(ClosedForm, TermsThatVanishAreDropped) {
 TEST(ClosedForm, SquareFactorsAreTakenOut) {
   EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {2, 2, 2}}).length().text(), "2*sqrt(3)");
   EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {0.5, 0.25, 0}}).length().text(), "1/4*sqrt(5)");
-  // 65537 is beyond the primes that are tried; what is left of this radicand is its square.
+  // 65537 is beyond the primes that are tried; the cofactor of this radicand is its square.
   EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {65537, 65537, 0}}).length().text(), "65537*sqrt(2)");
   EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {65521, 65521, 65521}}).length().text(), "65521*sqrt(3)");
 }
@@ -183,7 +183,7 @@ void expect_same(const ClosedForm3& forms, const Enclosure3& values) {
   EXPECT_TRUE(has_value(forms[2], values.z)) << forms[2].text();
 }
 
-/// What the two say of one ray and a sphere; whether it was a hit.
+/// Compares the two on one ray and a sphere; returns whether it was a hit.
 bool expect_same_hit(const ClosedFormRay& forms, const ExactRay& ray, const Sphere& sphere) {
   expect_same(forms.origin(), ray.origin());
   expect_same(forms.direction(), ray.direction());

@@ -16,7 +16,7 @@ using namespace scene;
 
 std::array<Big, 3> coordinates_of(const Big3& v) { return {v.x, v.y, v.z}; }
 
-/// Of two upper bounds, or a bound and the value itself: the stated width, and one for rounding.
+/// The allowed difference of two upper bounds, or of a bound and the exact value.
 constexpr double kAgreement = 1.25 * kConditionWidth;
 
 /// Checks a condition number against its exact value.
@@ -38,7 +38,7 @@ void expect_same_condition(double one, double other, const std::string& what) {
       << what << ": " << one << " and " << other;
 }
 
-/// A camera's ray and a sphere: what a condition number is asked of.
+/// A camera's ray and a sphere, of which condition numbers are computed.
 struct CameraCase {
   Camera camera;
   scene::Conventions conventions;
@@ -68,7 +68,7 @@ double norm_of(const std::vector<Enclosure>& v) {
 }
 
 /// sum |dq/dx|_2 |x| / |q|_2 by central differences of doubles 2^-21 |x| apart, whose values are
-/// enclosed at 400 bits: what a second derivative leaves is far below kDifferenceError.
+/// enclosed at 400 bits: the error by higher derivatives is far below kDifferenceError.
 double condition_by_differences(const CameraCase& at, const Value& value) {
   double sum = 0;
   CameraCase moved = at;
@@ -87,7 +87,7 @@ double condition_by_differences(const CameraCase& at, const Value& value) {
   return sum / norm_of(value(at));
 }
 constexpr double kDifferenceError = 0x1p-8;
-/// Beyond, differences would leave too much; small ones lack nothing.
+/// Larger condition numbers are not compared, as differences would be too inaccurate.
 constexpr double kMostComparedCondition = 0x1p12;
 
 std::vector<Enclosure> listed(const Enclosure3& v) { return {v.x, v.y, v.z}; }
@@ -179,12 +179,12 @@ std::vector<double> all_conditions(const ExactRay& ray, const Sphere& sphere) {
   return result;
 }
 
-/// So large that squares are no doubles: intervals then show nothing, and balls are asked.
+/// Makes lengths so large that squares overflow: intervals then decide nothing, and balls are used.
 void enlarge(const std::vector<double*>& lengths) {
   for (double* const x : lengths) *x = std::ldexp(*x, 700);
 }
 
-/// How many finite condition numbers agreed.
+/// The number of finite condition numbers that agreed.
 int compare(const std::vector<double>& ordinary, const std::vector<double>& enlarged,
             const std::string& what) {
   EXPECT_EQ(ordinary.size(), enlarged.size()) << what;
@@ -243,7 +243,7 @@ TEST(Condition, IsInfiniteAtATangent) {
   EXPECT_LT(condition_of_axial_distance(ray, kUnit), 3);
 }
 
-TEST(Condition, IsInfiniteOfAValueThatSmallChangesMoveFromZero) {
+TEST(Condition, IsInfiniteWhereSmallChangesMoveAValueFromZero) {
   // v = T.D = 0, of terms that cancel.
   const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 1, 0}});
   EXPECT_EQ(condition_of_axial_distance(ray, {{3, -3, 0}, 1}), kInfinity);
@@ -255,7 +255,7 @@ TEST(Condition, IsInfiniteOfAValueThatSmallChangesMoveFromZero) {
   EXPECT_EQ(condition_of_parameter(close, {{0, 0, 0}, 1}, kSmallerHit), kInfinity);
 }
 
-TEST(Condition, IsZeroOfAZeroThatNoSmallChangeMoves) {
+TEST(Condition, IsZeroWhereNoSmallChangeMovesAZero) {
   // T = (0, 3, 0) and D = (1, 0, 0): relative changes leave v = 0.
   const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(condition_of_axial_distance(ray, {{0, 3, 0}, 1}), 0);
@@ -341,7 +341,7 @@ int compare_with_closed_forms(Sizes sizes, std::uint64_t seed, int cases) {
     if (at.hit_class == HitClass::kTangent) continue;
     const ByHand by_hand(ray, sphere, at);
     const std::string what = spelled(ray) + spelled(sphere);
-    // A v or d^2 that is 0 only up to the rounding of the closed form says nothing.
+    // A v or d^2 that is 0 only up to the rounding of the closed form is not compared.
     if (abs(by_hand.v) > by_hand.axial_sum * power_of_two(-5000)) {
       expect_condition(condition_of_axial_distance(exact, sphere),
                        by_hand.axial_sum / abs(by_hand.v), "v of " + what);
@@ -446,7 +446,7 @@ TEST(StageCondition, IsThatOfTheStepsByHand) {
       const ExactRay exact(ExactCamera(camera, conventions), pixel);
       const LectureRay ray = lecture_ray(camera, conventions, pixel);
       const std::string what = spelled(camera) + spelled(sphere);
-      // A P that is 0 but for rounding says nothing.
+      // A P that is 0 but for rounding is not compared.
       if (norm(ray.P) < power_of_two(-3000)) continue;
       expect_ray_stages(stage_conditions(exact), ray, big(camera.eye), Big(camera.near), what);
       const Big3 L = conventions.origin == scene::Origin::kPixel ? ray.P : big(camera.eye);

@@ -1,5 +1,5 @@
 // Witnesses and refutations of wrong choices among spheres: of given rays against rational
-// arithmetic, of cameras against cameras so changed. tools/verify_certificates.py holds those of
+// arithmetic, of cameras against the changed cameras. tools/verify_certificates.py checks those of
 // single answers, and all witnesses again.
 
 #include "reference/account/nearby_choice.h"
@@ -22,14 +22,14 @@ constexpr double kChange = 16 * kU;
 
 int sign(const Fraction& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
-/// Of p + q sqrt(x), x >= 0.
+/// The sign of p + q sqrt(x), x >= 0.
 int sign_of_sum(const Fraction& p, const Fraction& q, const Fraction& x) {
   const int of_root = x == 0 ? 0 : sign(q);
   if (of_root == 0 || sign(p) == of_root) return of_root == 0 ? sign(p) : of_root;
   return sign(p) == 0 ? of_root : sign(p) * sign(p * p - q * q * x);
 }
 
-/// Of p + q sqrt(x) + r sqrt(y).
+/// The sign of p + q sqrt(x) + r sqrt(y).
 int sign_of_sum(const Fraction& p, const Fraction& q, const Fraction& x, const Fraction& r,
                 const Fraction& y) {
   const int first = sign_of_sum(p, q, x);
@@ -41,7 +41,7 @@ int sign_of_sum(const Fraction& p, const Fraction& q, const Fraction& x, const F
 /// A sphere's equation along a ray at changed inputs: a mu^2 - 2 b mu + c.
 struct Met {
   Fraction b = 0, c = 0, discriminant = 0;
-  int root = 0;  ///< -1 or 1: that which the conventions ask for; 0: none.
+  int root = 0;  ///< -1 or 1: the root that the conventions ask for; 0: a miss.
 };
 
 /// A ray and spheres at changed inputs, and whether a claim is right there.
@@ -108,7 +108,7 @@ TEST(NearbyChoice, TellsToTheLastBitHowCloseTwoSpheresAre) {
   // The far one's front is 1 - k u of the near one's radius away from it.
   for (int k = 1; k <= 80; ++k) {
     const Spheres spheres = {{{0, 0, 0}, 1}, {{0, 0, 0}, 1 - k * kU}};
-    if (k == 32) continue;  // 256 u^2 alone decides
+    if (k == 32) continue;  // only 256 u^2 decides
     EXPECT_EQ(found(spheres, {What::kSphere, 1}), k < 32 ? Nearby::kWitness : Nearby::kRefuted)
         << k;
   }
@@ -120,7 +120,7 @@ TEST(NearbyChoice, WithoutSpheresNothingIsMet) {
   EXPECT_THROW(found({}, {What::kSphere, 0}), std::invalid_argument);
 }
 
-/// A sphere as large or small as it takes to pass close by a point of the ray.
+/// A sphere whose surface passes close to a point of the ray.
 Sphere through(Random& random, const scene::Point3& point) {
   Sphere sphere = random_sphere(random, Sizes::kOrdinary);
   const scene::Vector3 off = point - sphere.centre;
@@ -128,7 +128,7 @@ Sphere through(Random& random, const scene::Point3& point) {
   return sphere;
 }
 
-/// One that the ray touches.
+/// A sphere that the ray touches.
 Sphere touched(Random& random, const ExactRay& ray) {
   Sphere sphere = random_sphere(random, Sizes::kOrdinary);
   const double d_sq = ray.enclose(128).half_chord_sq(sphere).upper();
@@ -176,8 +176,8 @@ struct Counts {
   int witnesses = 0, not_right = 0, refutations = 0, undecided = 0;
 };
 
-/// Holds what is found of a wrong claim about `inputs` numbers against whether it is right where
-/// they are changed: as the witness says, or anywhere within `most` where there is none.
+/// Checks the result for a wrong claim about `inputs` numbers: the claim is right at the witness,
+/// or, if there is no witness, nowhere within `most`.
 template <class IsRight>
 void expect_holds(Random& random, const NearbyAnswer& nearby, std::size_t inputs, double most,
                   int places, Counts& counts, const IsRight& is_right) {
@@ -226,12 +226,12 @@ TEST(NearbyChoice, OfNearTiesIsWitnessedOrRefutedAndFractionsAgree) {
     EXPECT_GE(counts.witnesses, 80);
     EXPECT_GE(counts.refutations, 80);
     EXPECT_EQ(counts.not_right, 0);
-    // What a change by a hundredth does is far from linear.
+    // The effect of a change by a hundredth is far from linear.
     EXPECT_LE(counts.undecided, change < 1e-2 ? 0 : 4);
   }
 }
 
-/// So much larger than roundings that changed inputs may be rounded.
+/// A change far larger than rounding errors, so that changed inputs may be rounded.
 constexpr double kWide = 0x1p-26;
 
 /// Spheres that all pass close by one point of the ray, or whose silhouettes pass close by it.

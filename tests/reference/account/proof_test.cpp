@@ -102,7 +102,7 @@ TEST(Proof, ShowsTheOrderOfSpheres) {
   EXPECT_FALSE(is_shown({{{0, 0, 0}, 1}, {{1, 0, 0}, 2}}));
 }
 
-TEST(Proof, RefusesWhatIsNoProblem) {
+TEST(Proof, RefusesInvalidInput) {
   EXPECT_THROW(Prover(Ray{{0, 0, 0}, {0, 0, 0}}, Conventions{}), std::invalid_argument);
   EXPECT_THROW(Prover(camera_345({0, 0, 0}), {}, scene::Pixel{0, 0}), std::invalid_argument);
   EXPECT_THROW(Prover(camera_345({0, 0, -2}), {}, scene::Pixel{2, 0}), std::invalid_argument);

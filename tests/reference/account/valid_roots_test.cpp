@@ -35,7 +35,7 @@ const scene::Sphere kFromTwoToFour{{3, 0, 0}, 1};
 const scene::Sphere kRadius3{{}, 3};
 
 TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
-  // D is unit, g = (1, 1, -1): s counts lengths, and sqrt(3) is none.
+  // D is unit, g = (1, 1, -1): s counts lengths; |g| = sqrt(3) is not a double.
   const scene::Camera camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 2, 2};
   scene::Conventions focal;
   focal.origin = scene::Origin::kFocal;
@@ -55,7 +55,7 @@ TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
   EXPECT_EQ(met(ray, around, {0, 1, Ends::kClosed, TUnit::kRadius, {}}), "far");
 }
 
-TEST(ValidRoots, AreTheSameByEveryStageBesideTheEnds) {
+TEST(ValidRoots, AgreeInEveryStageNearTheEnds) {
   Random random(6);
   int hits = 0;
   for (int k = 0; k < 3000; ++k) {
@@ -86,7 +86,7 @@ TEST(ValidRoots, MayBeSceneLengthsAlongTheRay) {
   EXPECT_EQ(met(ray, sphere, from(1, Ends::kClosed)), "near");
   EXPECT_EQ(met(ray, sphere, from(1, Ends::kOpen)), "far");
   EXPECT_EQ(met(ray, sphere, from(nudged(2, 1), Ends::kClosed)), "miss");
-  // |direction| = sqrt(3) is no double: the sphere lies from 10 sqrt(3) on.
+  // |direction| = sqrt(3) is not a double: the sphere begins at 10 sqrt(3).
   const ExactRay slanted(scene::Ray{{0, 0, 0}, {1, 1, 1}});
   const scene::Sphere point{{10, 10, 10}, 0};
   const double s = 10 * std::sqrt(3.0);
@@ -113,7 +113,7 @@ Nearby nearby(const std::optional<double>& answer, const scene::ValidRoots& vali
       .found;
 }
 
-TEST(RefutedNearby, IsWhatNoInputsCloseByMakeRight) {
+TEST(RefutedNearby, IsAnAnswerThatNoInputsCloseByMakeRight) {
   const scene::ValidRoots from_one{1, kNoEnd, {}, {}, {}};
   EXPECT_EQ(nearby({}, from_one), Nearby::kRefuted);                  // a miss, where 2 counts
   EXPECT_EQ(nearby(4, from_one), Nearby::kRefuted);                   // the far root
@@ -121,7 +121,7 @@ TEST(RefutedNearby, IsWhatNoInputsCloseByMakeRight) {
   EXPECT_EQ(nearby(2, {2.5, kNoEnd, {}, {}, {}}), Nearby::kRefuted);  // the culled near one
 }
 
-/// Tangents far from any end are excused as they are where every root >= 0 counts.
+/// Tangents far from any end are excused as if every root >= 0 counted.
 TEST(RefutedNearby, LeavesTangentsFarFromAnyEndToTheSearchForWitnesses) {
   const scene::Sphere touched{{3, 1, 0}, 1};
   const auto missed = [&](const scene::ValidRoots& valid) {
@@ -136,9 +136,9 @@ TEST(RefutedNearby, LeavesTangentsFarFromAnyEndToTheSearchForWitnesses) {
   EXPECT_EQ(missed({1e-3, kNoEnd, Ends::kOpen, {}, Culling::kFrontFaces}), Nearby::kUndecided);
 }
 
-/// Of lines tangents behind the origin are as those ahead, and what is missed by far is not
+/// For lines, tangents behind the origin are treated like those ahead, and a clear miss is not
 /// excused.
-TEST(RefutedNearby, TakesLinesBehindTheirOriginForTheirReverse) {
+TEST(RefutedNearby, ReversesLinesBehindTheirOrigin) {
   const auto missed = [](const scene::Sphere& sphere, const scene::ValidRoots& valid) {
     return right_nearby(kRayAlongX, sphere, {.relative_change = kNearby, .valid = valid}, {}).found;
   };
@@ -167,7 +167,7 @@ TEST(RefutedNearby, IsAnAnswerThatTheIntervalExcludesHoweverCloseToItsEnd) {
   EXPECT_EQ(nearby(2, {0, 2, Ends::kOpenMin, {}, {}}), Nearby::kUndecided);
 }
 
-/// The product of t and the radius is taken exactly: 0.1 * 3 is no double.
+/// The product of t and the radius is taken exactly: 0.1 * 3 is not a double.
 TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
   const double rounded = 0.1 * 3;  // above the product
   ASSERT_GT(std::fma(-0.1, 3, rounded), 0);
@@ -188,7 +188,7 @@ TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
       is_outside({0x1p-1000, 1, Ends::kClosed, TUnit::kRadius, {}}, kRayAlongX, {{}, 0x1p-60}, 0));
 }
 
-/// As of one sphere: where no end matters, witnesses are searched for.
+/// As for one sphere: where no end matters, witnesses are searched for.
 TEST(RefutedNearby, LeavesWhatIsMetFirstToTheSearchForWitnesses) {
   const std::vector<scene::Sphere> touched = {{{3, 1, 0}, 1}, {{-9, 0, 0}, 1}};
   const auto claim = [&](FirstMet::What what, double t_min) {
@@ -222,7 +222,7 @@ TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
     return right_nearby(ray, kUnit, {.relative_change = kNearby}, answer).found;
   };
   for (int k = 1; k <= 80; ++k) {
-    if (k == 32) continue;  // 256 u^2 alone decides
+    if (k == 32) continue;  // only 256 u^2 decides
     const Nearby expected = k < 32 ? Nearby::kWitness : Nearby::kRefuted;
     EXPECT_EQ(found(1 - k * 0x1p-53, std::nullopt), expected) << k;
     if (k % 2 == 0) {
@@ -251,7 +251,7 @@ double at(const Variation& variation, const std::vector<double>& t) {
   return value;
 }
 
-/// What answers far from right are refuted by.
+/// The lengths that refute answers far from right.
 TEST(VectorLength, IsShortestWhereNoOtherPointOfTheBoxIsShorter) {
   Random random(5);
   int certainly_longer = 0;

@@ -42,7 +42,8 @@ ExactRay ray_at(const ExactCamera& camera, std::size_t pixel) {
   return {camera, {index % width, index / width}};
 }
 
-/// Compares every pixel, or one in so many, with the exact ray; returns how many see a sphere.
+/// Compares every pixel, or one in `step`, with the exact ray; returns the number that meet a
+/// sphere.
 int expect_exact(const scene::Scene& scene, const Seen& seen, std::size_t step = 1) {
   const ExactCamera camera(*scene.camera, scene.conventions);
   const scene::Point3& E = scene.camera->eye;
@@ -74,7 +75,7 @@ int expect_exact(const scene::Scene& scene, const Seen& seen, std::size_t step =
   return hits;
 }
 
-/// Compares the classes of every pixel with every so many of the spheres.
+/// Compares the hit classes of every pixel with every step-th sphere.
 void expect_exact_classes(const scene::Scene& scene, std::size_t step) {
   const ExactCamera camera(*scene.camera, scene.conventions);
   const Visibility of_all(scene,
@@ -183,7 +184,7 @@ TEST(Visibility, IsExactAtEveryScale) {
   EXPECT_GT(hits, 2000);
 }
 
-TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
+TEST(Visibility, IsExactWithMoreSpheresThanAreListedAtFirst) {
   // Many near ones on the left, few far ones on the right, and almost all behind the eye.
   Uniform between{std::mt19937_64(1)};
   scene::Scene scene;
@@ -199,11 +200,11 @@ TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
   }
   const Seen seen = see(visibility_of(scene));
   const int hits = expect_exact(scene, seen);
-  const auto sees = [&](int kind) {
+  const auto meets = [&](int kind) {
     return std::any_of(seen.sphere.begin(), seen.sphere.end(),
                        [kind](std::int32_t sphere) { return sphere % 60 == kind; });
   };
-  EXPECT_TRUE(sees(0) && sees(30));
+  EXPECT_TRUE(meets(0) && meets(30));
   EXPECT_LT(hits, 70 * 18);
 
   // In parts, by several threads of which each may be the first to list more; and of other roots.
@@ -227,8 +228,8 @@ TEST(Visibility, IsExactOfMoreSpheresThanAreListedAtFirst) {
   EXPECT_GT(expect_exact(scene, see(visibility_of(scene)), 11), 30);
 }
 
-TEST(Visibility, PassesOverNothingThatIsSeen) {
-  // Surfaces as near as each other everywhere: of those that come later some are seen.
+TEST(Visibility, SkipsNoVisibleSphere) {
+  // Surfaces equally near everywhere: some of the later spheres are visible.
   for (const int count : {300, 5'000}) {
     for (const std::uint64_t seed : {1U, 2U}) {
       SCOPED_TRACE(seed);
@@ -286,11 +287,11 @@ TEST(Visibility, DecidesWholeRowsOfTangents) {
     for (const auto tangent : {scene::Tangent::kHit, scene::Tangent::kMiss}) {
       scene::Scene scene = tangent_row(0, samples, {0, 0, -1});
       scene.conventions.tangent = tangent;
-      const Seen alone = see(visibility_of(scene));
+      const Seen first = see(visibility_of(scene));
       const bool is_hit = tangent == scene::Tangent::kHit;
-      EXPECT_EQ(std::count(alone.sphere.begin(), alone.sphere.begin() + 131, 0), is_hit ? 131 : 0);
-      expect_exact(scene, alone);
-      EXPECT_GE(alone.decided_by.fallback(), 131U);
+      EXPECT_EQ(std::count(first.sphere.begin(), first.sphere.begin() + 131, 0), is_hit ? 131 : 0);
+      expect_exact(scene, first);
+      EXPECT_GE(first.decided_by.fallback(), 131U);
       // A sphere from which some of the rays start, before the other in the file.
       scene.spheres.insert(scene.spheres.begin(), {{1, 0, -1}, std::sqrt(2.0)});
       scene.spheres.push_back({{3, 0, -6}, 1});
@@ -299,9 +300,9 @@ TEST(Visibility, DecidesWholeRowsOfTangents) {
   }
 }
 
-/// What is not exactly tangent there would be, were fewer columns asked, other rows' tangents
-/// counted, or other spheres.
-TEST(Visibility, TakesNoOtherRowsForTangents) {
+/// Pixels that would count as tangent if fewer columns were checked, or if tangents of other rows
+/// or spheres counted.
+TEST(Visibility, FindsNoTangentsInOtherRows) {
   scene::Scene scene = tangent_row(0, scene::Samples::kEdges, {0, 0, -1});
   const scene::Sphere below = scene.spheres.front(), aside = {{3, 0, -5}, 3};
   scene.camera->width = 11;
@@ -378,7 +379,7 @@ TEST(Visibility, DecidesNearTangentsInPairs) {
   }
 }
 
-TEST(Visibility, DoesNotDependOnHowRowsAreAskedFor) {
+TEST(Visibility, DoesNotDependOnTheRowsOfACall) {
   const Visibility visibility = visibility_of(random_scene(2));
   const Seen one = see(visibility);
   const auto width = static_cast<std::size_t>(visibility.scene().camera->width);
@@ -393,7 +394,7 @@ TEST(Visibility, DoesNotDependOnHowRowsAreAskedFor) {
 }
 
 TEST(Visibility, DoesNotDependOnTheTarget) {
-  // With a sphere that rays leave or miss so near to the eye that it takes pairs to tell where.
+  // With a sphere that rays leave or miss so near to the eye that only pairs decide where.
   scene::Scene scene = random_scene(3);
   scene.conventions.origin = scene::Origin::kFocal;
   const auto& [x, y, z] = scene.camera->eye;
@@ -419,7 +420,7 @@ TEST(Visibility, ClassesAreExact) {
 }
 
 /// Under intervals and culling, where the nearest sphere is often one behind others.
-TEST(Visibility, IsThatOfTheRootsThatCount) {
+TEST(Visibility, FollowsTheRootsThatCount) {
   int differing = 0;
   for (const scene::ValidRoots& valid : {scene::ValidRoots{4, kInfinity, {}, {}, {}},
                                          {0, 9, scene::Ends::kOpen, {}, {}},

@@ -57,7 +57,7 @@ TEST(ReadDriverFile, ReadsSpheresInOrder) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
-TEST(ReadDriverFile, KnowsWhatOnlyShadingNeeds) {
+TEST(ReadDriverFile, ListsWhatOnlyShadingNeeds) {
   const std::string sphere = "sphere 0 0 -9 1";
   std::string text = kB + "ambient .1 .1 .1\nlight 1 1 1\nrecursionLevel 3\nlight 2 2 2\n" +
                      "model 0 1 0 45 2 0 0 0 cube.obj\nrecursionlevel 2\n";
@@ -90,21 +90,21 @@ TEST(ReadDriverFile, WarnsOnceOfEachOddity) {
 
 TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
   EXPECT_EQ(error_of(kB, Dialect::kA),
-            "f.txt:4: d = -2: dialect A (asked for) needs d > 0; this file is dialect B");
+            "f.txt:4: d = -2: dialect A (requested) needs d > 0; this file is dialect B");
   EXPECT_EQ(error_of(kA, Dialect::kB),
-            "f.txt:4: d = 2: dialect B (asked for) needs d < 0; this file is dialect A");
+            "f.txt:4: d = 2: dialect B (requested) needs d < 0; this file is dialect A");
   EXPECT_EQ(error_of(kA, Dialect::kC),
-            "f.txt:4: d = 2: dialect C (asked for) needs a camera line instead; this file is "
+            "f.txt:4: d = 2: dialect C (requested) needs a camera line instead; this file is "
             "dialect A");
   for (const Dialect dialect : {Dialect::kA, Dialect::kB}) {
     EXPECT_EQ(error_of(kC, dialect),
               std::string("f.txt:1: camera = 0 0 4 0 0 0 0 1 0 -2: dialect ") +
                   (dialect == Dialect::kA ? "A" : "B") +
-                  " (asked for) has no camera line; this file is dialect C");
+                  " (requested) has no camera line; this file is dialect C");
   }
 }
 
-TEST(ReadDriverFile, NamesWhatIsWrongByFileLineFieldAndValue) {
+TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
   constexpr const char* kNoSign = ": must be above zero (dialect A) or below (B and C)";
   const std::pair<std::string, std::string> errors[] = {
       {replaced(kA, "d 2\n", ""),
@@ -114,9 +114,8 @@ TEST(ReadDriverFile, NamesWhatIsWrongByFileLineFieldAndValue) {
       {replaced(kA, "d 2", "d nan"), "f.txt:4: d = nan" + std::string(kNoSign)},
       {replaced(kC, "-2", "2"), "f.txt:1: d = 2: dialect C needs d < 0"},
       {replaced(kA, "d 2", "d 1e400"), "f.txt:4: camera.near = -inf: is not finite"},
-      {kC + "look 1 2 3\n",
-       "f.txt:4: look = 1 2 3: contradicts the camera line, line 1, which already holds it"},
-      {"d 2\n" + kC, "f.txt:1: d = 2: contradicts the camera line, line 2, which already holds it"},
+      {kC + "look 1 2 3\n", "f.txt:4: look = 1 2 3: is already given by the camera line, line 1"},
+      {"d 2\n" + kC, "f.txt:1: d = 2: is already given by the camera line, line 2"},
       {kA + "\nup 1 0 0\n", "f.txt:8: up = 1 0 0: is given twice, first on line 3"},
       {kC + "res 16 9\n", "f.txt:4: res = 16 9: is given twice, first on line 3"},
       {replaced(kA, "eye 0 0 4", "eye 0 zero 4"), "f.txt:1: eye[1] = zero: is not a number"},
@@ -133,11 +132,11 @@ TEST(ReadDriverFile, NamesWhatIsWrongByFileLineFieldAndValue) {
 TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
   EXPECT_EQ(error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
             "f.txt:5: bounds = -1 -1 1 1: has no area in dialect B's order (left right bottom "
-            "top), but has in dialect A's (left bottom right top): reorder the numbers; "
+            "top), but has one in dialect A's (left bottom right top): reorder the numbers; "
             "dialect A needs d > 0");
   EXPECT_EQ(error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
             "f.txt:5: bounds = -1 1 -1 1: has no area in dialect A's order (left bottom right "
-            "top), but has in dialect B's (left right bottom top): reorder the numbers; "
+            "top), but has one in dialect B's (left right bottom top): reorder the numbers; "
             "dialect B needs d < 0");
   EXPECT_EQ(error_of(kView + "d 2\nbounds 1 1 1 1\nres 2 2\n"),
             "f.txt:5: camera.right = 1: equals left, so the image has no width\n"
@@ -156,9 +155,8 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
   EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
 }
 
-TEST(ReadDriverFile, SaysWhatKindOfFileItIsNot) {
-  const std::string kOther =
-      ": neither TOML, in a file whose name ends in .toml, nor a driver file";
+TEST(ReadDriverFile, RefusesOtherKindsOfFiles) {
+  const std::string kOther = ": not a driver file; the name of a TOML file must end in .toml";
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nres 2 2\n"),
             "f.txt:1: eye: is missing");
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nresolution 2 2\n"),
@@ -174,7 +172,7 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
                      "res 0 1\nsphere 0 0 inf 1\n"),
             "f.txt:3: camera.look_at = [0, 0, 4]: is the same point as eye\n"
             "f.txt:7: camera.width = 0: is below 1 pixel\n"
-            "f.txt:7: camera.height = 1: leaves one sample between two edges; samples = edges "
+            "f.txt:7: camera.height = 1: is too few; samples = edges "
             "needs 2 or more\n"
             "f.txt:1: sphere[0].radius = -1: is negative\n"
             "f.txt:8: sphere[1].centre = [0, 0, inf]: is not finite");
@@ -182,7 +180,7 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
             "f.txt:1: camera.up = [0, 0, 5]: is exactly parallel to eye - look_at");
 }
 
-// A reader that takes quadratic time does not come to an end here.
+// A reader that takes quadratic time would not finish here.
 TEST(HostileDriverFile, of_a_million_spheres_is_read) {
   constexpr std::size_t kSpheres = 1000000;
   std::string text = "eye 0 0 10\nlook 0 0 0\nup 0 1 0\nd -5\nbounds -1 1 -1 1\nres 4 4\n";
@@ -225,7 +223,7 @@ class HostileFile : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(HostileFile, that_is_none_is_refused) {
+TEST_F(HostileFile, that_is_a_pipe_a_device_or_a_folder_is_refused) {
   const fs::path pipe = folder_ / "pipe", link = folder_ / "link";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   fs::create_symlink(pipe, link);
@@ -244,12 +242,12 @@ TEST_F(HostileFile, of_more_than_the_limit_is_refused) {
   std::ofstream(file) << std::string(100, 'x');
   EXPECT_EQ(file_text(file, 100).size(), 100u);
   fs::resize_file(file, 101);
-  const std::string why = ": cannot be read: it has more than 100 bytes, the most that are read";
+  const std::string why = ": cannot be read: it has more than 100 bytes, which is the limit";
   EXPECT_EQ(refusal(file), file.string() + why);
   fs::resize_file(file, std::uintmax_t{1} << 40);  // without taking room
   EXPECT_EQ(
       thrown_by<SceneFileError>([&] { load_scene(file); }),
-      file.string() + ": cannot be read: it has more than 268435456 bytes, the most that are read");
+      file.string() + ": cannot be read: it has more than 268435456 bytes, which is the limit");
 }
 
 TEST_F(HostileFile, that_is_a_pipe_of_a_shell_is_read) {
@@ -270,13 +268,13 @@ TEST(LoadScene, NamesTheFileAndTheReason) {
   }
 }
 
-TEST_F(HostileFile, of_toml_warns_that_a_dialect_does_not_concern_it) {
+TEST_F(HostileFile, of_toml_warns_that_it_has_no_dialect) {
   const fs::path path = folder_ / "dialect.toml";
   std::ofstream(path) << "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n";
   EXPECT_TRUE(load_scene(path).warnings.empty());
   EXPECT_EQ(load_scene(path, Dialect::kA).warnings,
-            (std::vector<std::string>{
-                path.string() + ": a dialect was asked for, but only driver files have one"}));
+            (std::vector<std::string>{path.string() +
+                                      ": a dialect was given, but only driver files have one"}));
 }
 
 TEST(Examples, EachLoadsSaysWhatItShowsAndShowsSomething) {
@@ -296,7 +294,7 @@ TEST(Examples, EachLoadsSaysWhatItShowsAndShowsSomething) {
     EXPECT_EQ(read_toml(write_toml(scene), "again").scene, scene);
     ++scenes;
     if (!scene.camera || entry.path().stem() == "sphere-behind-eye") continue;
-    // From the eye on, so that what is before the image plane counts.
+    // From the eye, so that hits in front of the image plane count.
     Conventions conventions = scene.conventions;
     conventions.origin = Origin::kFocal;
     const auto spheres = plan_scene(scene, conventions, Wanted::kNearest).spheres;

@@ -1,4 +1,4 @@
-// What bounds promise, held against exact rationals.
+// The promises of bounds, checked with exact rationals.
 
 #include "scene/plan/bounds.h"
 
@@ -73,7 +73,7 @@ void expect_tight(const Bounds& bounds, const Rational& least, const Rational& m
   }
 }
 
-/// Both ends of the operands, and something between.
+/// Both ends of the operands, and a number between.
 template <class Operation>
 void expect_binary(Operation operation, bool divides = false) {
   Doubles doubles;
@@ -168,7 +168,7 @@ TEST(Bounds, HoldEveryPowerOfTwo) {
   EXPECT_GT(exact_ends, kTries / 8);
 }
 
-TEST(Bounds, KnowNothingBeyondTheLargestDouble) {
+TEST(Bounds, AreInfiniteBeyondTheLargestDouble) {
   EXPECT_EQ(sqrt(Bounds{0, kInfinity}).high, kInfinity);
   const Bounds all = Bounds::everything();
   for (const Bounds& result : {all + all, all - all, all * all, all / Bounds::exactly(2),
@@ -178,7 +178,7 @@ TEST(Bounds, KnowNothingBeyondTheLargestDouble) {
   }
 }
 
-TEST(Bounds, OfNothingTimesAnythingAreNothing) {
+TEST(Bounds, OfZeroTimesAnythingAreZero) {
   const Bounds zero = Bounds::exactly(0);
   for (const Bounds& x : {Bounds::exactly(3), Bounds::everything(), Bounds{-1, kLargest}}) {
     EXPECT_EQ((zero * x).low, 0);

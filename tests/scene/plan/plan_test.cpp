@@ -1,4 +1,4 @@
-// Plans worked by hand, and how large rectangles are.
+// Plans worked by hand, and the sizes of rectangles.
 
 #include "scene/plan/plan.h"
 
@@ -83,7 +83,7 @@ TEST(Rectangle, IsThatOfTheSilhouette) {
   }
 }
 
-TEST(Plan, KnowsHowNearSpheresAre) {
+TEST(Plan, BoundsTheDistancesOfSpheres) {
   const ScenePlan plan = plan_of(scene_of(
       {ahead(0, 0, 10, 6), ahead(0.25, -0.5, 0.125, 3), ahead(0, 0, -2, 1), ahead(0, 0, 20, 1)}));
   EXPECT_LE(plan.nearest_distance[0], 4);
@@ -196,7 +196,7 @@ TEST(Plan, DoesNotDependOnTheOrderOfItsParts) {
   EXPECT_GT(parts, 8U);
 }
 
-TEST(Plan, DoesWhatItIsToldToLeaveAlone) {
+TEST(Plan, CanSwitchOffEachOptimisation) {
   const Sphere outside = ahead(50, 0, 10, 2), behind = ahead(0, 0, -4, 1);
   const Sphere big = ahead(0, 0, 10, 3), hidden = ahead(0, 0, 20, 1);
   const auto all = [&](const PlanItems& items) {
@@ -208,7 +208,7 @@ TEST(Plan, DoesWhatItIsToldToLeaveAlone) {
   EXPECT_EQ(whole.spheres[3].left_out, LeftOut::kHidden);
   EXPECT_EQ(all({.view = false}).spheres[0].left_out, std::nullopt);
   EXPECT_EQ(all({.view = false}).spheres[0].pixels, kImage);
-  // What is behind is outside the view too.
+  // A sphere behind is also outside the view.
   EXPECT_EQ(all({.behind = false}).spheres[1].left_out, LeftOut::kOutsideView);
   EXPECT_EQ(all({.view = false, .behind = false}).spheres[1].left_out, std::nullopt);
   EXPECT_EQ(all({.hidden = false}).spheres[3].left_out, std::nullopt);
@@ -219,7 +219,7 @@ TEST(Plan, DoesWhatItIsToldToLeaveAlone) {
   EXPECT_FALSE(all({.basis = false}).eye.axis_aligned());
 }
 
-TEST(Plan, OfGivenRaysIsRefused) {
+TEST(Plan, RefusesGivenRays) {
   Scene scene;
   scene.rays.push_back({{0, 0, 0}, {0, 0, 1}});
   EXPECT_TRUE(has(thrown_by([&] { plan_of(scene); }), "camera"));
@@ -227,7 +227,7 @@ TEST(Plan, OfGivenRaysIsRefused) {
   EXPECT_THROW(plan_of(scene), std::invalid_argument);
 }
 
-/// How many sides of rectangles were compared, and how many of them lie where exact ones would.
+/// The number of sides of rectangles compared, and of those that lie where exact ones would.
 struct Tightness {
   int sides = 0, exact = 0;
 
