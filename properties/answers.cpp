@@ -116,7 +116,7 @@ const std::vector<scene::ScenePlan>& Answers::plans() {
       plans.push_back(candidate_.plan(case_.scene, conventions_, wanted));
       const std::size_t spheres = plans.back().spheres.size();
       if (spheres != case_.scene.spheres.size()) {
-        throw CandidateFailed("the plan speaks of " + std::to_string(spheres) + " spheres of " +
+        throw CandidateFailed("the plan names " + std::to_string(spheres) + " spheres of " +
                               std::to_string(case_.scene.spheres.size()));
       }
     }

@@ -97,7 +97,8 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
       errors[ray].standing = standing_of(trial, ray, got);
     } else if (got) {
       const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
-      if (hit == nullptr) throw CandidateFailed("candidate misses the sphere it sees");
+      if (hit == nullptr)
+        throw CandidateFailed("the candidate misses the sphere that it names as nearest");
       const reference::ExactRay& exact = trial.exact_ray(ray);
       errors[ray].ulp =
           reference::parameter_error(exact, spheres[*got],

@@ -134,15 +134,14 @@ enum class Wrong {
   kFailed
 };
 inline constexpr std::size_t kWrongCount = 8;
-inline constexpr std::array<std::string_view, kWrongCount> kWrongNames = {
-    "",
-    "missed",
-    "false hit",
-    "wrong sphere",
-    "wrong root",
-    "refused",
-    "answered what is not a problem",
-    "failed"};
+inline constexpr std::array<std::string_view, kWrongCount> kWrongNames = {"",
+                                                                          "missed",
+                                                                          "false hit",
+                                                                          "wrong sphere",
+                                                                          "wrong root",
+                                                                          "refused",
+                                                                          "answered what is not a problem",
+                                                                          "failed"};
 constexpr std::string_view name(Wrong wrong) {
   return kWrongNames[static_cast<std::size_t>(wrong)];
 }

@@ -90,18 +90,18 @@ const fast::IntersectMethod kArb = {
     .intersect_one = fast::intersect_one_ray<Arb>,
     .max_ulp = kCorrectlyRoundedUlp + kLostByArb,
     .max_point_ulp = kCorrectlyRoundedPointUlp + kLostByArb,
-    .not_kept = "what 128 bits do not tell apart: tangents, sizes 2^60 apart",
+    .not_kept = "tangents and sizes 2^60 apart, which 128 bits do not separate",
     .domain = kWideDomain,
 };
 
 const fast::IntersectMethod kReferenceIntervals = {
     .name = "reference-intervals",
-    .sentence = "the reference's intervals of doubles alone; what they leave open is a miss",
+    .sentence = "only the reference's intervals of doubles; undecided pairs are misses",
     .intersect = fast::intersect_ray_by_ray<Intervals>,
     .intersect_one = fast::intersect_one_ray<Intervals>,
     .max_ulp = 96,
     .max_point_ulp = 192,
-    .not_kept = "what intervals do not decide: grazing rays, origins on the surface",
+    .not_kept = "grazing rays and origins on the surface, which intervals do not decide",
 };
 
 const fast::IntersectMethod kReference = {

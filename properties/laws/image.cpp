@@ -41,7 +41,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
     judge_choice(trial, verdict, choice, met.expected(k), [&] { return excuse_of(trial, choice); });
   }
   if (unidentified > 0) {
-    verdict.leave_out("which sphere is shown where a colour is none of the spheres'");
+    verdict.leave_out("which sphere a pixel shows whose colour is not a sphere's");
   }
 }
 

@@ -161,7 +161,8 @@ void judge_class(Trial& trial, Verdict& verdict) {
 }
 
 void leave_out_without_hits(Verdict& verdict) {
-  if (verdict.compared() == 0) verdict.leave_out("no hit of the candidate's is one");
+  if (verdict.compared() == 0)
+    verdict.leave_out("no hit that both the candidate and the reference find");
 }
 
 void judge_root(Trial& trial, Verdict& verdict) {
@@ -368,7 +369,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
     }
   }
   if (verdict.compared() == 0) {
-    return verdict.leave_out("no sphere is met at one root from both origins");
+    return verdict.leave_out("no sphere is hit at the same root from both origins");
   }
 }
 

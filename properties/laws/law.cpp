@@ -35,49 +35,49 @@ bool has(const Trial& trial) {
 
 /// In the order of checking: no image has a size where there is no camera.
 constexpr Need kNeeds[] = {
-    {Needs::kImage, has<&Functions::image>, "the candidate makes no images"},
+    {Needs::kImage, has<&Functions::image>, "the candidate draws no images"},
     {Needs::kMadeRays, has_camera, "the rays are given, not made from a camera", true},
     {kOfCameras, has_camera, "the scene has no camera", true},
-    {Needs::kFrame, has<&Functions::frame>, "the candidate gives no frame"},
-    {Needs::kPixelPoints, has<&Functions::pixel_points>, "the candidate gives no pixel points"},
+    {Needs::kFrame, has<&Functions::frame>, "the candidate does not implement frame()"},
+    {Needs::kPixelPoints, has<&Functions::pixel_points>,
+     "the candidate does not implement pixel_point()"},
     {Needs::kBothOrigins,
      [](const Trial& trial) {
        return has<&Functions::pixel_rays>(trial) && has<&Functions::focal_rays>(trial);
      },
-     "the candidate has rays from one origin only"},
-    {Needs::kIntersect, has<&Functions::intersect>, "the candidate intersects nothing"},
+     "the candidate makes rays from only one origin"},
+    {Needs::kIntersect, has<&Functions::intersect>, "the candidate does not implement intersect()"},
     {Needs::kEither | Needs::kParameters | Needs::kPoints,
      [](const Trial& trial) { return trial.candidate().returns != Returns::kClass; },
-     "the candidate says hit or miss, and no more"},
+     "the candidate returns only hit or miss"},
     {Needs::kParameters,
      [](const Trial& trial) { return gives_parameter(trial.candidate().returns); },
-     "the candidate returns points, and no s"},
+     "the candidate returns points, not s"},
     {Needs::kPoints, [](const Trial& trial) { return gives_point(trial.candidate().returns); },
-     "the candidate returns s, and no points"},
-    {Needs::kNearest, has<&Functions::nearest>,
-     "the candidate does not tell which sphere a ray meets first"},
-    {Needs::kVisible, has<&Functions::visible>, "the candidate sees nothing"},
-    {Needs::kPlan, has<&Functions::plan>, "the candidate plans nothing"},
+     "the candidate returns s, not points"},
+    {Needs::kNearest, has<&Functions::nearest>, "the candidate does not implement nearest()"},
+    {Needs::kVisible, has<&Functions::visible>, "the candidate does not implement visible()"},
+    {Needs::kPlan, has<&Functions::plan>, "the candidate does not implement plan()"},
     {Needs::kRefusals, [](const Trial& trial) { return trial.candidate().refuses; },
-     "the candidate is never given invalid input"},
+     "this kind of candidate is never given invalid input"},
     {Needs::kImage,
      [](const Trial& trial) {
        const scene::Camera& camera = *trial.scene().camera;
        return camera.width <= trial.candidate().most_image_pixels / camera.height;
      },
-     "the image is larger than the candidate makes"},
+     "the image is larger than the candidate draws"},
     {Needs::kSpheres, [](const Trial& trial) { return !trial.scene().spheres.empty(); },
-     "the scene has no sphere", true},
+     "the scene has no spheres", true},
     {Needs::kVisible,
      [](const Trial& trial) {
        const scene::Camera& camera = *trial.scene().camera;
        return std::max(camera.width, camera.height) <= trial.candidate().most_visible_across;
      },
-     "the image is larger than the candidate sees"},
+     "the image is larger than visible() is asked for"},
     {Needs::kRays | Needs::kMadeRays, [](const Trial& trial) { return trial.has_rays(); },
-     "the candidate makes no rays from this origin"},
+     "the candidate does not make rays from this origin"},
     {Needs::kSeveralSpheres, [](const Trial& trial) { return trial.scene().spheres.size() > 1; },
-     "the scene has one sphere: its class says it all", true},
+     "one sphere: already judged as hit or miss", true},
 };
 
 }  // namespace

@@ -211,7 +211,7 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
             {"scaled by 2^" + std::to_string(exponent), [](const scene::Vector3& v) { return v; },
              std::ldexp(1.0, exponent)});
   }
-  if (!is_tried) verdict.leave_out("no scaled scene stays in the method's stated domain");
+  if (!is_tried) verdict.leave_out("every scaled scene leaves the candidate's stated domain");
 }
 
 /// A permutation of the world axes with signs: coordinates are never rounded.
@@ -338,12 +338,14 @@ void judge_moved(Trial& trial, Verdict& verdict, Moved scene::Camera::*member,
 void judge_look_at(Trial& trial, Verdict& verdict) {
   judge_moved(trial, verdict, &scene::Camera::look_at, {0.5, -1, -2, -8},
               "look-at moved along the view axis");
-  if (verdict.compared() == 0) verdict.leave_out("no point A + k (A - E) tried is of the format");
+  if (verdict.compared() == 0)
+    verdict.leave_out("no point A + k (A - E) that was tried is representable");
 }
 
 void judge_up(Trial& trial, Verdict& verdict) {
   judge_moved(trial, verdict, &scene::Camera::up, {-1, 0.5, 1, 4}, "up + k (E - A)");
-  if (verdict.compared() == 0) verdict.leave_out("no vector up + k (E - A) tried is of the format");
+  if (verdict.compared() == 0)
+    verdict.leave_out("no vector up + k (E - A) that was tried is representable");
 }
 
 void judge_growing_radius(Trial& trial, Verdict& verdict) {
@@ -351,7 +353,8 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
     return verdict.leave_out("with root = smaller, a grown sphere may swallow the origin");
   }
   if (!trial.conventions().valid.is_usual()) {
-    return verdict.leave_out("with t_min, t_max or culling, a grown sphere's roots may leave them");
+    return verdict.leave_out(
+        "with t_min, t_max or culling, the roots of a grown sphere may no longer count");
   }
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
@@ -380,7 +383,8 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
       }
     }
   }
-  if (verdict.compared() == 0) return verdict.leave_out("the candidate finds no hit to begin with");
+  if (verdict.compared() == 0)
+    return verdict.leave_out("the candidate finds no hit before the radius grows");
 }
 
 constexpr Law kMetamorphicLawTable[] = {
@@ -397,13 +401,13 @@ constexpr Law kMetamorphicLawTable[] = {
      .quantity = Quantity::kInvariance,
      .judge = judge_axes},
     {.name = "look-at",
-     .sentence = "moving look-at along the view axis leaves the frame alone",
+     .sentence = "moving look-at along the view axis does not change the frame",
      .per = Per::kScene,
      .needs = Needs::kFrame,
      .quantity = Quantity::kInvariance,
      .judge = judge_look_at},
     {.name = "up",
-     .sentence = "adding a multiple of W to up leaves the frame alone",
+     .sentence = "adding a multiple of W to up does not change the frame",
      .per = Per::kScene,
      .needs = Needs::kFrame,
      .quantity = Quantity::kInvariance,

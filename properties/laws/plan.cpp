@@ -341,7 +341,7 @@ void judge_roots(Trial& trial, Verdict& verdict) {
 
 constexpr Law kPlanLawTable[] = {
     {.name = "plan-left-out",
-     .sentence = "no ray sees a sphere that the plan leaves out",
+     .sentence = "no ray meets a sphere that the plan leaves out",
      .per = Per::kPair,
      .needs = Needs::kPlan | Needs::kSpheres,
      .quantity = Quantity::kClass,

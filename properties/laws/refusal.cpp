@@ -135,7 +135,7 @@ void judge_refusal(Trial& trial, Verdict& verdict) {
     spoil_intersections(trial, verdict);
   }
   if (verdict.compared() == 0) {
-    return verdict.leave_out("the candidate has nothing that the scene's input could spoil");
+    return verdict.leave_out("the candidate implements no function that takes the scene's input");
   }
 }
 

@@ -28,7 +28,7 @@ inline constexpr std::size_t kMostAlternatives = 3;
 
 /// Of wrong answers that are right where the same question is the first.
 inline constexpr std::string_view kKeepsState =
-    "answers differently when asked first, and rightly: it keeps something between questions";
+    "answers differently, and correctly, when it is asked first: it keeps state between questions";
 
 /// The least share of the errors that an explanation must explain; a right answer that it
 /// contradicts counts as an unexplained error.

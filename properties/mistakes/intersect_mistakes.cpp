@@ -246,9 +246,9 @@ std::vector<Mistake> intersect_mistakes() {
        {
            of_hits("no ray ever hits a sphere",
                    {.choose = [](const Ray&, const Roots&, const Conventions&) { return Hit(); }}),
-           always_at(0, "every ray is said to hit every sphere"),
-           always_at(1, "every ray is said to hit every sphere, at s = 1"),
-           of_hits("d^2 < 0 is not tested: where spheres are missed s is no number",
+           always_at(0, "every ray hits every sphere"),
+           always_at(1, "every ray hits every sphere, at s = 1"),
+           of_hits("d^2 < 0 is not tested: s is NaN where spheres are missed",
                    {.choose = untested(false)}),
            of_hits("d^2 < 0 counts as d^2 = 0: spheres that are missed are hit",
                    {.choose = untested(true)}),
@@ -273,7 +273,7 @@ std::vector<Mistake> intersect_mistakes() {
                [](const Ray& ray, const Roots& roots, const Conventions& c) {
                  return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
                }),
-           of_answers("s is |v - d|, which from inside a sphere is no root", without_sign),
+           of_answers("s is |v - d|, which is not a root from inside a sphere", without_sign),
            of_answers(
                "the root with the smaller |s| is taken, and where it is negative it is a miss",
                [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
@@ -337,7 +337,7 @@ std::vector<Mistake> intersect_mistakes() {
                },
                returns_multiples),
            of_value(
-               "s is a length, and Q = L + s D though D is no unit vector",
+               "s is a length, and Q = L + s D though D is not a unit vector",
                [](const Ray& ray, const Sphere&, const HitAnswer& hit) {
                  return hit_at(ray, hit.parameter * norm(ray.direction));
                },

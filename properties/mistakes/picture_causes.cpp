@@ -166,10 +166,10 @@ std::vector<Explanation> explanations(const Causes& causes) {
       say("the picture is black: it shows no sphere");
       break;
     case CauseKind::kUniform:
-      say("the picture is of one colour, whatever the scene");
+      say("the picture has one colour, whatever the scene");
       break;
     case CauseKind::kBackground:
-      say("no pixel is black: where there is no sphere another colour is shown");
+      say("no pixel is black: pixels without a sphere have another colour");
       break;
     case CauseKind::kExplained:
       say(sentence_of(causes.alternatives) + (roundings.empty() ? "" : "; and " + roundings));

@@ -79,7 +79,7 @@ constexpr Shape kShapes[] = {
      [](const Scene& s) { return is_uneven_across(s) && is_uneven_upwards(s); }, true},
     {"the eye is not at the origin",
      [](const Scene& s) { return !(s.camera->eye == scene::Point3{}); }},
-    {"what a ray's line meets is all behind the ray's start", has_ray_with_all_behind},
+    {"everything that a ray's line meets is behind the ray's origin", has_ray_with_all_behind},
     {"some number has a fraction", has_fractions},
     {"eye, look or up has a fraction", has_fractions_in_view, true},
     {"d has a fraction", has_fraction_in_near, true},

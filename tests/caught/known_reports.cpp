@@ -188,7 +188,7 @@ std::span<const KnownReport> known_reports() {
        "the hit point is a distance times the unnormalised direction",
        "length-along-the-direction",
        length_along_the_direction,
-       {"s is a length, and Q = L + s D though D is no unit vector"}},
+       {"s is a length, and Q = L + s D though D is not a unit vector"}},
       {.thread = "ziotom78/pytracer#22, TzuChieh/Photon-v2#7",
        .said = "in floats, rays from far away miss small spheres",
        .mutant = "quadratic-in-floats",

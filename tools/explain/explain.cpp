@@ -292,7 +292,7 @@ ExplainReport explain(const ExplainOptions& options) {
     report.nearest = nearest->index;
   }
   if (scene.spheres.empty()) {
-    if (options.sphere) throw scene::InvalidInput("sphere", "", "the scene has no sphere");
+    if (options.sphere) throw scene::InvalidInput("sphere", "", "the scene has no spheres");
     return report;
   }
   report.sphere = options.sphere.value_or(report.nearest.value_or(0));

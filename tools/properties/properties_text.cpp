@@ -71,7 +71,7 @@ std::string finding_text(const CampaignReport& campaign, bool colours) {
   return std::string(name(campaign.finding));
 }
 
-/// "1000 cases, 1712 comparisons, 3 excused, 12 left out: the scene has no sphere"
+/// "1000 cases, 1712 comparisons, 3 excused, 12 left out: the scene has no spheres"
 std::string counts_text(const CampaignResult& result) {
   const properties::CaseCounts& counts = result.counts;
   std::string text =
@@ -104,7 +104,7 @@ void add_law(const CampaignReport& campaign, std::string& laws) {
   laws += (laws.empty() ? "" : ", ") + std::string(campaign.law->name);
 }
 
-/// A line for each reason: "  frame, look-at, up: the candidate gives no frame".
+/// A line for each reason: "  frame, look-at, up: the candidate does not implement frame()".
 std::string left_out_text(const PropertiesReport& report) {
   struct LeftOut {
     std::string_view candidate, reason;
@@ -195,7 +195,7 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
   if (!broken && !open.empty()) return fmt::format("nothing broken, but not all decided: {}", open);
   if (!broken && !held) {
     return is_outside ? "nothing judged: no case lies within the lengths that it declares"
-                      : "nothing judged: it offers no function that these laws need";
+                      : "nothing judged: it implements no function that these laws test";
   }
   if (!broken) return fmt::format("right on {} cases, as far as it was asked", name(*held));
   const std::string right =

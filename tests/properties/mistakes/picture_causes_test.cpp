@@ -476,7 +476,7 @@ TEST(PictureCauses, OfWhatIsNoPictureOfSpheresAreSaid) {
   std::vector<ShownPicture> pictures = shown_with({}, rubric_scenes());
   for (ShownPicture& one : pictures) std::fill(one.image.begin(), one.image.end(), 0);
   EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kUniform);
-  EXPECT_EQ(sentences_for(pictures), Sentences{"the picture is of one colour, whatever the scene"});
+  EXPECT_EQ(sentences_for(pictures), Sentences{"the picture has one colour, whatever the scene"});
   std::vector<ShownPicture> some = shown_with({}, rubric_scenes());
   some.front() = pictures.front();
   EXPECT_EQ(picture_causes(some).kind, CauseKind::kUnknown);
@@ -652,7 +652,7 @@ TEST(ShapeCause, IsWhatAllFailuresHaveInCommonAndNothingElse) {
     return s == rubric_scene("before") || s == rubric_scene("behind") || s == probe();
   };
   EXPECT_EQ(cause_where(scenes, has_all_behind),
-            "it fails only where what a ray's line meets is all behind the ray's start");
+            "it fails only where everything that a ray's line meets is behind the ray's origin");
   EXPECT_EQ(cause_where(scenes, [](const Scene& s) { return s.spheres.size() % 2 == 1; }),
             std::nullopt);
 }

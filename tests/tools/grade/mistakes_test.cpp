@@ -108,7 +108,7 @@ const std::vector<Mistake> kOfPictures = {
      "", 0},
     {"sorted_once", 108, "whole scenes", "", 0},
     {"exits_where_all_is_behind", 98, "ray origin, robustness",
-     "it fails only where what a ray's line meets is all behind the ray's start", 4},
+     "it fails only where everything that a ray's line meets is behind the ray's origin", 4},
     {"lines_for_columns", 105, "width and height",
      "the loops that write the picture are exchanged: as many lines as there are columns, of as "
      "many values as there are rows; rays are traced beyond the image, too",
@@ -140,7 +140,7 @@ const std::vector<Mistake> kOfForms = {
     {"axes_dropped", 0,
      "camera frame, boundary pixels, width and height, pixel (0, 0), unit directions, ray origin, "
      "hit or miss, nearest root, nearest sphere, whole scenes, robustness",
-     "the picture is of one colour, whatever the scene", 11},
+     "the picture has one colour, whatever the scene", 11},
     {"crossed_bounds", 95, "boundary pixels, robustness",
      "near is d itself, as in driver files from 2019 on, but the bounds are read in the order of "
      "2017 and 2018, or: W has the wrong sign",

@@ -135,9 +135,10 @@ TEST(PropertiesCommand, asks_what_fails_of_a_fresh_process) {
                "static double t_max = INFINITY;\nif (s < 0 || s > t_max) return {};\nt_max = s;");
   const Outcome kept = run(
       "properties --candidate source:" + temporary_file("remembers.cpp", text) + " --cases 60", 1);
-  expect_parts(lines_of(kept.out).front(),
-               {"answers differently when asked first, and rightly: it keeps something between "
-                "questions"});
+  expect_parts(
+      lines_of(kept.out).front(),
+      {"answers differently, and correctly, when it is asked first: it keeps state between "
+       "questions"});
   EXPECT_FALSE(has(kept.out, "no ray ever hits")) << kept.out;
 }
 
