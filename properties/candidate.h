@@ -69,7 +69,7 @@ struct RayHit {
 /// The hits of several rays with one sphere, in the order of the rays; a ray not listed is a miss.
 using SphereHits = std::vector<RayHit>;
 
-/// What a candidate sees through a pixel.
+/// The nearest sphere of a pixel, and its s.
 struct SeenAnswer {
   std::size_t sphere = 0;
   double parameter = 0;  ///< s
@@ -131,7 +131,7 @@ struct Functions {
   /// Every ray with every sphere: one list of hits per sphere.
   CandidateFunction<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
   /// A superset of the classes that `intersect`, which this is about, answers on boxes of valid
-  /// input. Whoever replaces that one empties or replaces this one.
+  /// input. Code that replaces that one must empty or replace this one.
   CandidateFunction<scene::PossibleClasses(const scene::Box<scene::Ray>&,
                                            const scene::Box<scene::Sphere>&, scene::HitRule)>
       classes_in;
@@ -150,7 +150,7 @@ struct Functions {
   /// What is asked from now on is a part of a batch that failed, and gets this share, in (0, 1], of
   /// the time for an answer. Empty: it has no such limit.
   std::function<void(double share)> allow;
-  /// Who gave no reply some times is asked no more; from now on it is again. Empty: it always
+  /// Resets the count of time-outs after which a candidate is dropped. Empty: it always
   /// replies.
   std::function<void()> forget_silence;
   /// What it keeps between questions is lost: it is started anew. Empty: it cannot be.
@@ -167,7 +167,7 @@ struct Promises {
   /// The format that it is judged in: cases are rounded to it (rounded_case), and errors and
   /// bounds count its ulp and u.
   scene::Precision precision = scene::Precision::kDouble;
-  /// Whether it is asked about rays with unit directions alone.
+  /// Whether it is given only rays with unit directions.
   bool unit_directions = false;
   InputFormat input_format() const { return {precision, unit_directions}; }
   /// What its own functions return of a hit; s and Q are completed (completed()).
@@ -213,7 +213,7 @@ struct ImagePolicy {
   std::int64_t most_visible_across = scene::kMostPixelsAcross;
 };
 
-/// An implementation under judgement. Code that needs one part of it takes that base class alone.
+/// An implementation under judgement. Code that needs one part of it takes only that base class.
 /// It is used by one thread at a time: where several judge, each has its own candidate.
 struct Candidate : Functions, Promises, Domain, ImagePolicy {
   std::string name;
@@ -221,8 +221,8 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
 };
 
 /// A hit with what was not returned: s is the distance over the direction's length, or the
-/// projection of Q; Q is the point at s; of a class alone both are where the ray comes closest to
-/// the centre at s >= 0. Laws judge what was returned alone (Needs).
+/// projection of Q; Q is the point at s; with only a hit class both are where the ray comes closest
+/// to the centre at s >= 0. Laws judge only what was returned (Needs).
 HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
                     const scene::Sphere& sphere);
 /// The same functions, with the hits of `intersect` completed.

@@ -67,7 +67,7 @@ struct OtherSize : CandidateFailed {
   std::int64_t width, height;
 };
 
-/// raycheck itself fails, whatever the candidate answers: nothing is said of it.
+/// raycheck itself fails, whatever the candidate answers: it gets no verdict.
 struct InternalError : std::logic_error {
   explicit InternalError(const std::string& what, std::optional<Case> on = {})
       : std::logic_error(what), the_case(std::move(on)) {}
@@ -130,8 +130,8 @@ class CandidateFunction<Answer(Arguments...)> : public std::function<Answer(Argu
   Answer operator()(Arguments... arguments) const {
     return asked([&] { return as_is(std::forward<Arguments>(arguments)...); });
   }
-  /// What it throws passes through, untranslated: for whoever expects it, since each throw takes
-  /// time.
+  /// What it throws passes through, untranslated: for callers that expect it, since each throw
+  /// takes time.
   Answer as_is(Arguments... arguments) const {
     return Base::operator()(std::forward<Arguments>(arguments)...);
   }

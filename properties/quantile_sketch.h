@@ -16,7 +16,7 @@ inline constexpr int kSketchBits = 11;
 inline constexpr double kSketchResolution = 1.0 / (1 << (kSketchBits - 1));
 
 /// Quantiles of numbers >= 0 (subnormal and infinite ones too) that are counted and not kept.
-/// The answers depend on the numbers alone, in whatever order they were added and merged.
+/// The answers depend only on the numbers, not on the order of adding and merging.
 /// Error:  quantile() returns the upper end of the bin that the exact quantile lies in, for errors
 ///         are upper bounds: never less than the exact one, more by less than kSketchResolution of
 ///         it. Numbers of at most kSketchBits significant bits, 0 and infinity are exact, and so is
@@ -25,13 +25,13 @@ inline constexpr double kSketchResolution = 1.0 / (1 << (kSketchBits - 1));
 ///         most 1024 numbers that wait to be counted.
 class QuantileSketch {
  public:
-  /// What is no number counts as infinite; throws std::invalid_argument for negative numbers.
+  /// NaN counts as infinite; throws std::invalid_argument for negative numbers.
   void add(double number);
   void merge(const QuantileSketch& other);
 
   bool empty() const { return count_ == 0; }
   std::uint64_t count() const { return count_; }
-  /// The least number that is no smaller than that share of all; empty when there is none.
+  /// The least number that is at least as large as that share of all; empty without numbers.
   std::optional<double> quantile(double share) const;
   /// The largest one, exactly.
   std::optional<double> max() const;

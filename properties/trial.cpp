@@ -18,8 +18,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// A part of a batch has its share of the time for a reply, and no less than this one; what is
-/// asked alone has all of it.
+/// A part of a batch has its share of the time for a reply, and at least this share; a single
+/// question has all of it.
 constexpr double kLeastShare = 0.1;
 
 std::shared_ptr<TrialPart> part_of(const Trial& whole, std::size_t from, std::size_t to) {
@@ -121,7 +121,7 @@ Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions opti
       inside_domain_(is_inside_domain(candidate, the_case.scene)) {
   scene::require_valid(the_case.scene);
   if (!is_of_format(the_case.scene, candidate.precision)) {
-    throw std::invalid_argument("a number of the scene is no " +
+    throw std::invalid_argument("the scene has a number that is not representable as " +
                                 std::string(name(candidate.precision)));
   }
   if (!options_.truth) options_.truth = std::make_shared<Truth>(the_case, conventions());

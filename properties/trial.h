@@ -31,7 +31,7 @@ inline constexpr int kMostFailuresSought = 8;
 /// A search for failures, shared by successive trials.
 struct FailureSearch {
   int batches = 0;     ///< Batches that failed and were asked in parts.
-  int found = 0;       ///< Rays, or rays with a sphere, that fail alone.
+  int found = 0;       ///< Rays, or rays with a sphere, that fail when asked separately.
   int together = 0;    ///< Parts that fail, but whose halves are answered.
   int not_sought = 0;  ///< Batches, or parts, that failed once it was over.
   /// The messages of failures whatever is asked: each is reported once.
@@ -45,7 +45,7 @@ std::uint64_t count_asked(const Trial& trial, bool by_sphere);
 /// A trial that failed, asked in parts.
 class FailedParts {
  public:
-  /// The two halves of its rays, or of one ray's spheres, as trials of their own that are kept.
+  /// The two halves of its rays, or of one ray's spheres, as separate trials that are kept.
   /// Domain: more than one ray or sphere.
   const std::vector<std::shared_ptr<TrialPart>>& halves(const Trial& whole);
   bool is_halved() const { return !halves_.empty(); }
@@ -85,7 +85,7 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
 /// tangent than kOrdinaryTangency.
 double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
                     const scene::Sphere& sphere);
-/// The same of a centre so many radii away.
+/// The same for a centre at that distance, in radii.
 constexpr double plain_change_at(double radii) { return (3 * radii * radii + 1) / 2; }
 /// By how much the change that excuses a decision grows with it: a quarter of it, as one of 4 u
 /// would that r has to make up for in place of all inputs.
@@ -111,7 +111,7 @@ struct MeasuredError {
 };
 
 /// A case, the truth about it and a candidate's answers to it: what laws compare, and how they
-/// judge it. The truth never sees the candidate.
+/// judge it. The truth does not depend on the candidate.
 /// Domain: a valid scene (scene/validate.h) whose numbers are of the candidate's format
 ///         (rounded_case), pixels inside its image; otherwise the constructor throws
 ///         std::invalid_argument.
@@ -181,8 +181,8 @@ class Trial : public Answers {
   }
 
   /// The excuse for answers that are wrong or contradict each other: for each wrong one, inputs
-  /// within excused_change() of its own for which it is right, or within what plain_change() makes
-  /// of that. If one has none, there is no excuse.
+  /// within excused_change() of the given one for which it is right, or within what plain_change()
+  /// makes of that. If one has no such input, there is no excuse.
   Excuse excuse(std::initializer_list<RayAnswer> answers) const;
   /// Where a witness is searched.
   reference::Neighbourhood neighbourhood(double relative_change) const;

@@ -15,7 +15,7 @@
 
 namespace raycheck::properties {
 
-/// The element of a ray in a list sorted by ray; null if there is none.
+/// The element of a ray in a list sorted by ray; null if it is absent.
 template <class List>
 auto* find_ray(List& list, std::size_t ray) {
   const auto at = std::lower_bound(list.begin(), list.end(), ray,
@@ -31,9 +31,9 @@ struct Meeting {
 };
 
 /// The truth about a case under some conventions, each part computed on demand and kept. It never
-/// sees a candidate; candidates judged under the same conventions share it. With a plan of the
-/// case's scene under these conventions it looks only at the pixels of a sphere's rectangle; laws
-/// that judge plans use a truth without one.
+/// depends on a candidate; candidates judged under the same conventions share it. With a plan of
+/// the case's scene under these conventions it looks only at the pixels of a sphere's rectangle;
+/// laws that judge plans use a truth without one.
 class Truth {
  public:
   Truth(const Case& the_case, const scene::Conventions& conventions,

@@ -134,14 +134,15 @@ enum class Wrong {
   kFailed
 };
 inline constexpr std::size_t kWrongCount = 8;
-inline constexpr std::array<std::string_view, kWrongCount> kWrongNames = {"",
-                                                                          "missed",
-                                                                          "false hit",
-                                                                          "wrong sphere",
-                                                                          "wrong root",
-                                                                          "refused",
-                                                                          "answered what is not a problem",
-                                                                          "failed"};
+inline constexpr std::array<std::string_view, kWrongCount> kWrongNames = {
+    "",
+    "missed",
+    "false hit",
+    "wrong sphere",
+    "wrong root",
+    "refused",
+    "answered what is not a problem",
+    "failed"};
 constexpr std::string_view name(Wrong wrong) {
   return kWrongNames[static_cast<std::size_t>(wrong)];
 }
@@ -263,7 +264,7 @@ struct Tally {
 /// What is to blame for an answer that failed.
 enum class Blame {
   kNone,      ///< No failure that was searched for.
-  kQuestion,  ///< One question, which fails when it is asked alone.
+  kQuestion,  ///< One question, which fails when it is asked separately.
   kAmong,     ///< One of several; not searched for which.
   kTogether,  ///< Several asked at once: asked in parts, they are answered.
   kAnything   ///< It fails whatever it is asked.
@@ -278,7 +279,7 @@ constexpr std::string_view name(Blame blame) {
 struct FailureSite {
   Blame blame = Blame::kNone;
   std::uint64_t count = 0;  ///< How many are to blame, from the discrepancy's place on.
-  /// The single question as a scene; empty if there is none, or several.
+  /// The single question as a scene; empty unless there is exactly one.
   std::optional<scene::Scene> scene;
   std::optional<CodeLine> line = {};  ///< In the candidate's source, if known.
   bool timed_out = false;             ///< It gave no reply in time.

@@ -110,7 +110,7 @@ Case far_camera(int severity, std::uint64_t seed) {
 constexpr int kMostUpOfCameraLengths = 1016;
 constexpr int kMostUpOfUp = 1022;
 
-/// The image plane is behind the eye now and then. `up` has a scale of its own.
+/// The image plane is behind the eye now and then. `up` is scaled separately.
 Case camera_scale(int severity, std::uint64_t seed) {
   return valid_case(seed, [severity](Random& random, Case& result) {
     Camera camera = ordinary_camera(random);

@@ -50,7 +50,7 @@ Camera course_camera(Random& random) {
   return camera;
 }
 
-/// Where a camera sees what.
+/// The axes of a camera, and a point in its view.
 struct View {
   explicit View(const Camera& of) : camera(of), axes(of) {}
 

@@ -22,7 +22,7 @@ class Random {
     z = (z ^ (z >> 27)) * 0x94d049bb133111eb;
     return z ^ (z >> 31);
   }
-  /// As if so many bits() had been drawn.
+  /// Skips that number of draws.
   void skip(std::uint64_t draws) { state_ += draws * 0x9e3779b97f4a7c15; }
   /// Uniform in [0, 1), a multiple of 2^-53.
   double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }

@@ -76,7 +76,8 @@ Case distance(int severity, std::uint64_t seed) {
 constexpr int kExactlyCoincident = 16;
 
 /// Equal spheres one behind the other along the ray, listed in any order. Their centres are close
-/// to the world's origin more often than not, so that their rounding leaves the separation alone.
+/// to the world's origin more often than not, so that their rounding does not change the
+/// separation.
 Case coincident(int severity, std::uint64_t seed) {
   Random random(seed);
   Case result;

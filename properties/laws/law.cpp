@@ -33,7 +33,7 @@ bool has(const Trial& trial) {
   return static_cast<bool>(trial.candidate().*function);
 }
 
-/// In the order of checking: no image has a size where there is no camera.
+/// In the order of checking: an image has a size only where there is a camera.
 constexpr Need kNeeds[] = {
     {Needs::kImage, has<&Functions::image>, "the candidate draws no images"},
     {Needs::kMadeRays, has_camera, "the rays are given, not made from a camera", true},
@@ -153,7 +153,7 @@ struct LawJudgement {
   bool failed = false;
 };
 
-/// Whether each sphere of a ray is a question of its own. A ray that is not made is one question.
+/// Whether each sphere of a ray is a separate question. A ray that is not made is one question.
 bool asks_by_sphere(const Law& law, const Trial& trial) {
   return law.per == Per::kPair && !trial.lacks_rays();
 }

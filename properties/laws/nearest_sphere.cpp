@@ -58,7 +58,7 @@ Enclosure distance_from_eye(const ExactRay& ray, const Enclosure& s, scene::Orig
   return origin == scene::Origin::kFocal ? s : s + ray.enclose(kDistanceBits).length();
 }
 
-/// Of a ray that sees the exact sphere.
+/// Of a ray whose nearest sphere is the exact one.
 void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got) {
   const ExactRay& ray = trial.exact_ray(k);
   const NearestSphere& exact = *trial.exact_nearest()[k];

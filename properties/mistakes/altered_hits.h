@@ -53,7 +53,7 @@ using RankSphere = std::function<double(std::size_t index, const scene::Ray&, co
                                         const fast::Roots&, double s)>;
 
 /// Wrong formulas for hits and the nearest sphere; an empty one is a correct method's, with the
-/// roots of `cross`. With a `rank` of its own only the nearest sphere is wrong. The conventions
+/// roots of `cross`. With a `rank` only the nearest sphere is wrong. The conventions
 /// that `choose` is told have their ends in multiples of the direction.
 struct HitFormulas {
   MakeRoots roots = {};

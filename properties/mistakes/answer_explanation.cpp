@@ -61,7 +61,7 @@ std::vector<const Mistake*> offered(const Candidate& candidate, Part part, Step 
 }
 
 /// Two mistakes must explain at least this many wrong answers together, all there are, and each
-/// kFewestErrorsOfACause with numbers that the other alone does not.
+/// kFewestErrorsOfACause with numbers that the other does not.
 constexpr std::uint64_t kFewestErrorsOfTwo = 12;
 
 /// The pairs that contradict no answer; of pairs that differ within a family, the first.

@@ -222,7 +222,7 @@ Mistake always_at(double s, std::string sentence) {
   Mistake mistake =
       of_hits(std::move(sentence),
               {.choose = [s](const Ray& ray, auto&&...) { return Hit(hit_at(ray, s)); }});
-  mistake.family = "always";  // of a class alone s is not told
+  mistake.family = "always";  // hit classes do not show s
   mistake.is_told_by_pictures = false;
   return mistake;
 }

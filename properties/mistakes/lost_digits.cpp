@@ -11,7 +11,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// Who promises floats is not told that it computes in them, but what is lost there.
+/// For single-precision candidates, only the loss is reported, not that they compute in floats.
 std::string sentence_of(const Examination& examination, Arithmetic arithmetic, double radii) {
   if (!examination.is_single()) return imprecision_sentence(arithmetic, radii);
   const bool is_expanded =
@@ -20,7 +20,7 @@ std::string sentence_of(const Examination& examination, Arithmetic arithmetic, d
          imprecision_sentence(is_expanded ? Arithmetic::kExpanded : Arithmetic::kDifference, radii);
 }
 
-/// Relative errors of s above so many roundings of the candidate's format are looked at.
+/// Relative errors of s above this number of roundings of the candidate's format are examined.
 constexpr double kNoticed = 512;
 
 /// Errors of s that tell of one formula.
@@ -70,7 +70,7 @@ AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
 }
 
 /// Roots q/a and c/q lose what q = v + d or v - d does, the larger one, too, where q is the one
-/// that cancels. Roundings of d^2 leave that root alone from inside a sphere.
+/// that cancels. From inside a sphere roundings of d^2 do not change that root.
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
   const auto found = small_errors(
       examination, [](const auto&...) { return false; },
@@ -123,9 +123,9 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
                                       Arithmetic::kSingle, Arithmetic::kSingleDifference}) {
     const DoubtTally tally = examination.tally(step, arithmetic, tolerance);
     if (!tally.tells()) continue;
-    // Whose right answers have more digits than floats does not compute in them.
+    // Right answers with more digits than floats have are not computed in floats.
     if (arithmetic != Arithmetic::kDifference && 2 * tally.precise > tally.hits) continue;
-    // Who promises floats makes no mistake by computing in them.
+    // For single-precision candidates floats are not a mistake.
     if (arithmetic == Arithmetic::kSingle && examination.is_single()) continue;
     return AnswerCause{
         step,

@@ -59,7 +59,7 @@ struct Mistake {
   bool (*is_offered)(const Candidate&) = nullptr;
   bool is_rounding = false;  ///< Rounds numbers to floats, which few answers show up to 1e-6.
   /// Mistakes of one family differ in a size, and each does all that the one before it does: of
-  /// several that explain the same answers the first is meant. Empty: it is alone.
+  /// several that explain the same answers the first is meant. Empty: no family.
   std::string_view family = {};
   /// Makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
   /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.

@@ -254,7 +254,7 @@ scene::Ray ray_of_floats(scene::Ray ray) {
   return ray;
 }
 
-/// Q follows from s, unless it is rounded alone.
+/// Q follows from s, unless only Q is rounded.
 HitAnswer of_floats(const scene::Ray& ray, HitAnswer hit, bool s, bool Q) {
   if (s) hit = hit_at(ray, as_float(hit.parameter));
   if (Q) read_triple(as_float, hit.point);

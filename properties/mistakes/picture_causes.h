@@ -21,7 +21,7 @@ enum class CauseKind {
   kUniform,     ///< All pictures with something to see show the same sphere in every pixel.
   kBackground,  ///< No picture with something to see has a black pixel: the background is a colour.
   kExplained,   ///< By `alternatives`, with or without roundings.
-  kImprecise,   ///< By roundings alone.
+  kImprecise,   ///< Only by roundings.
   kUnknown,     ///< Nothing explains everything, or too many things do.
 };
 
@@ -94,7 +94,7 @@ struct ShapeCause {
 };
 
 /// What is common to all scenes on which a program fails, and to none of the others: "it fails only
-/// where the picture is not square". Empty if there is no such property, or more than one.
+/// where the picture is not square". Empty unless there is exactly one such property.
 std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried);
 
 }  // namespace raycheck::properties

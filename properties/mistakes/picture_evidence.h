@@ -80,7 +80,7 @@ struct Suspect {
 
 struct Suspects {
   std::vector<Suspect> all = {};
-  bool are_too_many = false;  ///< Then there are none: the pictures show too little.
+  bool are_too_many = false;  ///< Then the list is empty: the pictures show too little.
 };
 
 /// What explains pictures with errors, the best first, as picture_causes() has it; those with most

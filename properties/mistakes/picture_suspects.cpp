@@ -167,8 +167,8 @@ std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t err
   return suspects.take();
 }
 
-/// The mistakes that show in the pictures, or the first so many; of those that make the same
-/// pictures, one.
+/// The mistakes that show in the pictures, or the first of them up to a limit; of those that make
+/// the same pictures, one.
 std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures,
                                                std::size_t most = told_by_pictures().size()) {
   std::set<std::vector<ImageAnswer>> known;
@@ -244,8 +244,8 @@ std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t e
 /// them may show beside another mistake, and accidents are likely.
 constexpr std::size_t kShareThatShows = 10;
 
-/// Pairs of other mistakes, even such as do not show alone, that explain pictures as well as these
-/// single ones, one beyond kMostAlternatives at most; none where pictures tell enough.
+/// Pairs of other mistakes, even of mistakes that do not show singly, that explain pictures as well
+/// as these single ones, one beyond kMostAlternatives at most; none where pictures tell enough.
 std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pictures& pictures) {
   const std::vector<const Mistake*>& all = told_by_pictures();
   std::vector<Suspect> pairs;
@@ -298,7 +298,7 @@ Suspects find_suspects(const Pictures& pictures) {
   const std::vector<Suspect> singles = single_suspects(pictures, errors);
   const bool one_explains_all =
       !singles.empty() && singles.front().left <= most_left_of_all(pictures, errors);
-  // For black pictures alone only a full explanation is named.
+  // Where all pictures are black, only a full explanation is named.
   const std::uint64_t shown = errors - errors_of_black;
   if (shown < kFewestWrongPixels && !one_explains_all) return {};
   if (!one_explains_all && shown >= kFewestWrongPixelsOfTwo) {

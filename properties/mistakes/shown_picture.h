@@ -6,7 +6,7 @@
 
 namespace raycheck::properties {
 
-/// What each pixel sees, exactly. Domain: a scene with a camera.
+/// The exact nearest sphere of each pixel. Domain: a scene with a camera.
 ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions);
 
 /// What a renderer shows of a scene with a camera, under the conventions in it: an answer for every

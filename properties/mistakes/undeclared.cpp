@@ -90,7 +90,7 @@ bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& c
     const Verdict verdict = followed.apply(law);
     if (verdict.count(Standing::kDefect) > 0) return false;
     if (!same_answers(told.of(law), followed.of(law))) return false;
-    // Nor is another law broken: the class alone may be right where the root is not.
+    // Nor is another law broken: the hit class may be right where the root is not.
     for (const Law& other : laws()) {
       if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;
     }

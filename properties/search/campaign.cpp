@@ -345,7 +345,7 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
         in_series > 0 && !result.parts.empty() && result.parts.back().source == series.source;
     const bool is_over = goes_on && result.parts.back().is_broken();
     if (is_over && asked_[candidate].options.keep_going <= 1) continue;
-    // Of parts that count alone: which others were tried is a matter of threads.
+    // Only of parts that count: which others were tried depends on threads.
     if (parts[k].timed_out) silent[candidate] = true;
     if (parts[k].failed_at_once) {
       fails[candidate] = true;

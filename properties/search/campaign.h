@@ -150,10 +150,9 @@ struct CampaignResult {
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most,
                                 std::size_t round = 0);
 
-/// A unit of work has so many cases of a series, so that threads end together,
+/// The cases of a unit of work: few enough for threads to end together,
 inline constexpr int kUnitCases = 64;
-/// or so many such pieces of a large campaign, a power of two, that there are hardly more units
-/// than these.
+/// times a power of two in a large campaign, so that there are at most about this many units.
 inline constexpr std::int64_t kMostUnits = 1 << 14;
 constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
   std::int64_t pieces = 1;
@@ -161,11 +160,11 @@ constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
   return pieces;
 }
 
-/// Who only fails in the first of so many units is asked no more, nor who gives no reply in time in
-/// so many, or in the first.
+/// A candidate is dropped after this number of units without a success, after as many in which it
+/// times out, or if it times out in the first.
 inline constexpr std::size_t kUnitsToFail = 3;
 
-/// The laws that a candidate is held to, and how.
+/// The laws that a candidate is tested by, and how.
 struct LawsOfCandidate {
   std::vector<const Law*> laws;
   CampaignOptions options;  ///< With one seed and the same sources for all candidates.
@@ -176,27 +175,27 @@ std::vector<ChosenSource> sources_of(const Law& law, const CampaignOptions& opti
 
 /// The campaigns of several candidates and laws as one pass: a case is made once, its truth worked
 /// out once, and each candidate asked once, for all laws that are tried on it. The work falls into
-/// units, some cases of one source at one severity, which know nothing of each other: any thread,
+/// units, some cases of one source at one severity, which are independent: any thread,
 /// process or machine may run any of them.
 /// Domain: at least one candidate; `candidates` are those of the constructor, in its order.
 class Campaigns {
  public:
-  /// `units_are_kept`: a unit's result depends on nothing but the unit; otherwise laws are left out
-  /// of it that are known to be broken in an earlier one.
+  /// `units_are_kept`: a unit's result depends only on the unit; otherwise laws that an earlier
+  /// unit broke are left out of it.
   explicit Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_kept = false);
 
   std::size_t unit_count() const { return unit_count_; }
-  /// What became of the cases of a unit, for each law of each candidate that they are tried on; an
+  /// The results of the cases of a unit, for each law of each candidate that they are tried on; an
   /// interrupt ends them early. Their discrepancies are counted, and not kept.
   std::vector<CampaignPart> run(std::size_t unit, std::span<const Candidate> candidates,
                                 const RunControl& control) const;
   /// Adds that; unit after unit.
   void take(std::size_t unit, std::vector<CampaignPart> parts);
-  /// What all units came to, for a law of a candidate, with its failure shrunk. Once for each.
+  /// The result of all units for a law of a candidate, with its failure shrunk. Once for each.
   CampaignResult finished(std::size_t candidate, std::size_t law, const Candidate& judged);
 
  private:
-  /// A law of a candidate, by their numbers, on so many of a series' cases.
+  /// The number of a series' cases for a law of a candidate, both by index.
   struct Tried {
     std::size_t candidate, law;
     int cases;

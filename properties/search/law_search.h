@@ -24,7 +24,7 @@ class LawSearch {
   std::optional<Failure> failure;
 
   /// Judges the source's case of a seed, as rounded for the candidate; `trials` on it are null
-  /// where it is no problem under the candidate's conventions.
+  /// where it is not valid under the candidate's conventions.
   void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);
   /// Judges one case of the source, and shrinks it unless told not to.
   void replay(std::uint64_t seed, bool shrinks = true);
@@ -51,8 +51,8 @@ class LawSearch {
   /// Goes on from the case that breaks the law to the first simpler one that does, too, and so on
   /// until none does.
   void shrink();
-  /// `breaks` keeps a case for which it is true as the failure. Who makes no rays needs no camera:
-  /// the rays that it was given take its place.
+  /// `breaks` keeps a case for which it is true as the failure. A candidate that makes no rays
+  /// needs no camera: the rays that it was given take its place.
   template <class Breaks>
   void shrink_while(const Breaks& breaks);
   /// If the candidate fails on the case, the question in it that it fails on: found by halving,

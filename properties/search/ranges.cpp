@@ -106,7 +106,8 @@ class RangeSearch {
  private:
   double number(Rank at) const { return number_at(candidate_.precision, at); }
 
-  /// Whether the case breaks the law as it did; empty where that is no question, or not judged.
+  /// Whether the case breaks the law as it did; nullopt where the law does not apply or is not
+  /// judged.
   std::optional<bool> breaks() {
     if (!scene::defects(case_.scene).empty() || !is_problem(case_, candidate_.declared) ||
         !is_of_format(case_.scene, candidate_.input_format())) {

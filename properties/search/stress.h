@@ -13,7 +13,7 @@
 
 namespace raycheck::properties {
 
-/// The case for a stage alone: for intersections the camera is replaced by the rays that `rays`
+/// The case for one stage: for intersections the camera is replaced by the rays that `rays`
 /// makes from it, taken as exact. Empty if nothing is left to ask.
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
 /// The same in a format: from the case rounded to it, with the numbers made by `rays` rounded, too.
@@ -44,7 +44,7 @@ struct StressResult {
 };
 
 struct StressOptions {
-  int first = 0;  ///< So many cases of the seed are left to others.
+  int first = 0;  ///< The first case of the seed to run.
   int cases = 1000;
   std::uint64_t seed = 1;
 };

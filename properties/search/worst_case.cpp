@@ -115,8 +115,8 @@ class Climber {
   }
 
  private:
-  /// Empty if the case measures nothing in the candidate's domain, or the measure is no number, or
-  /// on interrupt.
+  /// Empty if the case measures nothing in the candidate's domain, or the measure is not a number,
+  /// or on interrupt.
   std::optional<WorstCase> look(const Case& the_case) const try {
     if (!is_problem(the_case, candidate_.declared)) return std::nullopt;
     // With a bound of 0 every error is a discrepancy, whose place and numbers are kept.
