@@ -1,4 +1,4 @@
-"""Compiles every file of raycheck as far as its syntax: python3 syntax.py SOURCE BUILD."""
+"""Compiles every file of raycheck with -fsyntax-only: python3 syntax.py SOURCE BUILD."""
 
 import concurrent.futures
 import json
@@ -9,12 +9,12 @@ import sys
 
 
 def checked(command):
-    """What the compiler says of a file in place of an object; None where it has nothing to say."""
+    """The errors of the compiler for a file; None if it compiles."""
     words = shlex.split(command["command"])
     at = words.index("-o")
     words[at : at + 2] = ["-fsyntax-only"]
     done = subprocess.run(words, cwd=command["directory"], capture_output=True, text=True)
-    return done.stderr or f"it ended with {done.returncode}" if done.returncode else None
+    return done.stderr or f"{command['file']}: the compiler ended with exit code {done.returncode}" if done.returncode else None
 
 
 def main():
@@ -27,7 +27,7 @@ def main():
     precompiled = [command for command in commands if command["output"].endswith(".gch")]
     generated = [f"{build}/tools/view/assets.cpp"] + [command["output"] for command in precompiled]
     subprocess.run(["ninja", "-C", build, "--quiet", *generated], check=True)
-    # Engines are judged by .ci/nightly, with packages of their own.
+    # Engines need further packages; .ci/nightly judges them.
     commands = [command for command in commands if command not in precompiled and "/engines/" not in command["file"]]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         failed = [text for text in pool.map(checked, commands) if text]

@@ -1,8 +1,8 @@
-"""Prints what each stage took, and what is over its budget: python3 table.py STAGES BUDGET SUITES.
+"""Prints the time of each stage, and the stages over budget: python3 table.py STAGES BUDGET SUITES.
 
-STAGES has lines NAME WALL USER SYSTEM in seconds, SUITES lines PROGRAM PROCESSOR (it need not be there). BUDGET has lines
-NAME RATIO: processor time as a multiple of that of the stage `reference`, which the same machine took in the same run.
-What is over budget is listed last, and fails nothing: times depend on load.
+STAGES has lines NAME WALL USER SYSTEM in seconds, SUITES lines PROGRAM PROCESSOR (the file may be missing). BUDGET has lines
+NAME RATIO: processor time as a multiple of that of the stage `reference` in the same run on the same machine.
+Stages over budget are listed last, and fail nothing: times depend on load.
 """
 
 import os

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Writes docs/api.md, the reference of libraycheck's headers, from what Doxygen reads in them.
+"""Writes docs/api.md, the reference of libraycheck's headers, from their comments, with Doxygen.
 
     python3 docs/api_page.py            docs/api.md
-    python3 docs/api_page.py --check    writes nothing, exits with 1 where the page is stale or a
+    python3 docs/api_page.py --check    writes nothing; exits with 1 if the page is stale or a
                                         public name has no comment, and with 77 without doxygen
 
-A header's own comment, its first, is what the page says of it. Fields on one line share a comment.
+The first comment of a header is its text on the page. Fields on one line share a comment.
 """
 import pathlib
 import re
@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 HEADERS = ROOT / "include/raycheck"
 PAGE = ROOT / "docs/api.md"
 SKIPPED = 77
-# In the order of the page; those that others include first.
+# In the order of the page; headers that others include come first.
 ORDER = ["scene", "exact", "cases", "judge", "law_tests", "gtest", "catch2", "doctest", "rapidcheck",
          "fuzz", "api"]
 CONFIGURATION = f"""
@@ -42,8 +42,8 @@ TOP = """# The API of libraycheck
 
 <!-- Written by `python3 docs/api_page.py` from the comments of include/raycheck: change those. -->
 
-[library.md](library.md) shows how it is used. `raycheck/candidate.h` and `candidate.hpp`, which are for programs of their
-own, are in [candidates.md](candidates.md). All is in the namespace `raycheck`.
+[library.md](library.md) shows how it is used. `raycheck/candidate.h` and `candidate.hpp`, which are for separate
+programs, are in [candidates.md](candidates.md). Everything is in the namespace `raycheck`.
 """
 
 
@@ -58,7 +58,7 @@ def words(node):
 
 
 def said(node):
-    """What is said of a member or a class, by paragraphs; Domain, Errors and the like begin one."""
+    """The comment of a member or a class, in paragraphs; Domain, Errors and the like begin one."""
     paragraphs = [words(para) for kind in ("briefdescription", "detaileddescription")
                   for para in node.findall(f"{kind}/para")]
     text = "\n\n".join(paragraphs)
@@ -66,7 +66,7 @@ def said(node):
 
 
 def code(node):
-    """A type or a list of arguments as C++ is written here."""
+    """A type or a list of arguments, formatted as in our code."""
     text = "".join(node.itertext()) if node is not None else ""
     text = re.sub(r"\s+", " ", text).strip()
     return re.sub(r" ([&*>])", r"\1", text.replace("< ", "<"))
@@ -81,7 +81,7 @@ def place(node):
 
 
 def arguments(member):
-    """Of a function, with their names and defaults, and what follows them."""
+    """The arguments of a function, with names and defaults, and what follows them."""
     texts = []
     for one in member.findall("param"):
         text = f"{code(one.find('type'))} {one.findtext('declname') or ''}".strip()
@@ -91,7 +91,7 @@ def arguments(member):
 
 
 def signature(member):
-    """A declaration; what is in a namespace below raycheck is named with it."""
+    """A declaration; its name includes the namespace if that is nested in raycheck."""
     kind, name = member.get("kind"), member.findtext("name")
     if member.get("id").startswith("namespace"):
         name = (member.findtext("qualifiedname") or name).removeprefix("raycheck::")
@@ -109,7 +109,7 @@ def signature(member):
 
 class Page:
     def __init__(self):
-        self.entries = {}  # of a header: lines and texts
+        self.entries = {}  # for each header: lines and texts
         self.unsaid = []
 
     def add(self, place_of, text):
@@ -176,7 +176,7 @@ def table(rows):
 
 
 def own_comment(header):
-    """What a header's first comment says; what is indented in it is code."""
+    """The first comment of a header; indented lines are code."""
     text = (HEADERS / f"{header}.h").read_text()
     match = re.search(r"\n\n((?:// ?.*\n|//\n)+)\n", text)
     if match is None:
@@ -213,7 +213,7 @@ def page(folder):
                         made.add(place(member), made.of_function(member))
     unknown = made.entries.keys() - set(ORDER)
     if unknown:
-        sys.exit(f"{sorted(unknown)}: no place on the page: ORDER of docs/api_page.py")
+        sys.exit(f"add {sorted(unknown)} to ORDER of docs/api_page.py")
     text = TOP
     for header in ORDER:
         text += f"\n## `raycheck/{header}.h`\n\n{own_comment(header)}"
@@ -234,7 +234,7 @@ def main():
     if unsaid:
         sys.exit("\n".join(unsaid))
     if check and (not PAGE.exists() or PAGE.read_text() != text):
-        sys.exit("docs/api.md is stale: python3 docs/api_page.py")
+        sys.exit("docs/api.md is stale: run python3 docs/api_page.py")
     if not check:
         PAGE.write_text(text)
 

@@ -1,25 +1,26 @@
 #!/usr/bin/env python3
-"""Writes the documents that show real runs.
+"""Writes the documents that contain the output of commands.
 
     python3 docs/generate.py            docs/error-against-run-time.md, from its template, and its
-                                        pictures, by a headless Chromium (docs/pictures.py)
-    python3 docs/generate.py --worst-cases [SEARCHES]    docs/worst-cases, of the release build
-    python3 docs/generate.py --shown    the console blocks of README.md and the others
+                                        pictures, with a headless Chromium (docs/pictures.py)
+    python3 docs/generate.py --worst-cases [SEARCHES]    docs/worst-cases, with the release build
+    python3 docs/generate.py --shown    the console blocks of README.md and the other documents
     python3 docs/generate.py --lists [PROGRAM] [--check]
-                                        the marked parts of docs/laws.md, of what the program (default:
-                                        ./run) lists, and of docs/packages.md, of packages.txt; --check
-                                        writes nothing and exits with 1 where a page is stale
+                                        the marked parts of docs/laws.md, from the output of `list` of
+                                        the program (default: ./run), and of docs/packages.md, from
+                                        packages.txt; --check writes nothing and exits with 1 if a
+                                        page is stale
     python3 docs/generate.py --performance
-                                        docs/performance.md and its plot, by gnuplot, from a run
+                                        docs/performance.md and its plot, with gnuplot, from a run
                                         of the benchmarks
     python3 docs/generate.py --pages FOLDER [PROGRAM]
-                                        the pages that README.md, docs/lecture.md and docs/gallery/
-                                        show, into a folder, and their pictures, by a headless
-                                        Chromium (docs/pictures.py)
+                                        the pages of README.md, docs/lecture.md and docs/gallery/,
+                                        into a folder, and their pictures, with a headless Chromium
+                                        (docs/pictures.py)
 
-In a template a line `{{ARGUMENTS}}` stands for what `./run ARGUMENTS` prints. In a console block
-`$ ./run ARGUMENTS` is followed by what it prints; where the block elides lines by `...`, it stays
-as it is and must be looked after by hand. The session blocks of a page are one shell's commands.
+In a template a line `{{ARGUMENTS}}` is replaced by the output of `./run ARGUMENTS`. In a console
+block `$ ./run ARGUMENTS` is followed by its output. A block that elides lines by `...` is not
+changed: edit it by hand. The session blocks of a page are the commands of one shell.
 A marked part lies between `<!-- NAME: ... -->` and `<!-- end of NAME -->`.
 """
 import json
@@ -37,12 +38,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def printed(arguments):
-    """What the program prints; it exits with 1 where it found something, which is no failure."""
+    """The output of the program; exit code 1 means that it found something, and is accepted."""
     built = sorted(ROOT.glob("build/release/examples/engines/*.so"))
     engines = [f"--candidate library:{path.name}" for path in built]
     if engines:
         engines.append("--sandbox none --i-know")
-    # Beside the engines their names are short.
+    # Run in the engines' folder, so that their names are short.
     where = built[0].parent if built and "$ENGINES" in arguments else ROOT
     result = subprocess.run(f"{ROOT}/run {arguments}", shell=True, cwd=where, text=True,
                             capture_output=True, env={**os.environ, "ENGINES": " ".join(engines)})
@@ -52,7 +53,7 @@ def printed(arguments):
 
 
 def worst_table():
-    """The worst inputs known, from the first lines of tests/regressions/worst/."""
+    """The worst known inputs, from the first lines of tests/regressions/worst/."""
     rows = ["| method | worst known | file |", "|---|---|---|"]
     for path in sorted((ROOT / "tests/regressions/worst").glob("*.toml")):
         line = path.read_text().splitlines()[0]
@@ -69,16 +70,16 @@ def from_template(name):
         def run(match):
             return printed(re.sub(r"(--view )(\S+)", rf"\1{folder}/\2", match[1])).strip()
         written.write_text(re.sub(r"^\{\{(.*)\}\}$", run, text, flags=re.MULTILINE))
-        import pictures  # needs a browser, which most documents do not
+        import pictures  # needs a browser, unlike most documents
         pictures.take([written], pathlib.Path(folder))
 
 
 def shown(path):
-    """Runs the console blocks of a file again, those that show all lines."""
+    """Runs the commands of a file's console blocks again, if these show all lines."""
     def again(match):
         arguments, lines = match[1], match[2]
         if "\n...\n" in "\n" + lines:
-            print(f"{path.name}: by hand: ./run {arguments}")
+            print(f"{path.name}: edit by hand: ./run {arguments}")
             return match[0]
         return f"```console\n$ ./run {arguments}\n{printed(arguments)}```"
 
@@ -87,7 +88,7 @@ def shown(path):
 
 
 def laws_part(known):
-    """How many laws and sources there are, and what each law says."""
+    """The numbers of laws and sources, and the sentence of each law."""
     dials = [source for source in known["sources"] if source["dial"]]
     lines = [f"`properties` tries {len(known['laws'])} laws on random cases of "
              f"{len(known['sources'])} sources. {len(dials)} of those are stress",
@@ -100,7 +101,7 @@ def laws_part(known):
 
 
 def packages_part(when):
-    """A table of the packages that are needed then, from the list that `run` installs."""
+    """A table of the packages marked `when` in packages.txt."""
     lines = ["| package | licence | used for |", "|---|---|---|"]
     for line in (ROOT / "packages.txt").read_text().splitlines():
         if not line.startswith(when + " "):
@@ -111,7 +112,7 @@ def packages_part(when):
 
 
 def lists(program, check):
-    """Writes the marked parts of pages again, or only says whether that would change one."""
+    """Writes the marked parts of pages again, or only checks whether that would change one."""
     listed = subprocess.run([program, "list", "--format", "json"], cwd=ROOT, text=True, check=True,
                             capture_output=True)
     pages = {"laws": {"laws": laws_part(json.loads(listed.stdout))},
@@ -124,9 +125,9 @@ def lists(program, check):
             marked = re.compile(rf"(<!-- {name}: .*-->\n).*?(<!-- end of {name} -->)", re.DOTALL)
             now, found = marked.subn(lambda match: f"{match[1]}{part}\n{match[2]}", now)
             if found != 1:
-                sys.exit(f"{path.name}: {found} parts are marked {name}")
+                sys.exit(f"{path.name}: expected one part marked {name}, found {found}")
         if check and now != text:
-            sys.exit(f"{path.name} is stale: python3 docs/generate.py --lists")
+            sys.exit(f"{path.name} is stale: run python3 docs/generate.py --lists")
         if not check:
             path.write_text(now)
 
@@ -136,9 +137,9 @@ MARK = "\x01"
 
 def sessions(path):
     """Runs the session blocks of a page, one after the other in one folder that is empty at first,
-    and puts what they print below their commands, where no line is elided."""
+    and writes their output below their commands, unless lines are elided."""
     block = re.compile(r"```session\n((?:(?!```).*\n)*)```")
-    commands = []  # of all blocks: the command's lines, and whether its output stays
+    commands = []  # for each block: pairs of a command's lines and its output lines
     for match in block.finditer(path.read_text()):
         commands.append([])
         for line in match[1].splitlines():
@@ -190,7 +191,7 @@ def rate(row):
 
 
 def beside_embree(rows, scene):
-    """How many times as long Embree takes, and the share of the pixels that it has wrong."""
+    """Embree's time as a multiple of ours, and the share of its pixels that are wrong."""
     if f"{scene}/embree" not in rows:
         return "no floats"
     ours, embree = rows[f"{scene}/certified"], rows[f"{scene}/embree"]
@@ -237,7 +238,7 @@ def families_of(rows, kind):
 
 
 def plot_families(rows, path):
-    """A panel for each family: throughput against severity, and the pixels that Embree has wrong."""
+    """A panel for each family: throughput against severity, and the share of Embree's pixels that are wrong."""
     ours, embree = families_of(rows, "certified"), families_of(rows, "embree")
     script = [f"set terminal svg size 900,560 font 'sans,12' background 'white'; set output '{path}'",
               "set multiplot layout 2,3; set logscale y; set yrange [0.01:5000]; set ytics nomirror; set grid ytics",
@@ -296,7 +297,7 @@ def plot_spheres(rows, path):
 
 
 def campaign(*options):
-    """The judged cases of a campaign of the default pair, the seconds of CPU and those that pass."""
+    """Of a campaign of the default pair: the number of judged cases, the CPU time and the elapsed time."""
     command = [str(ROOT / "build/release/tools/raycheck"), "properties", "--rays", "direct", "--intersect", "cross",
                "--format", "json", *options]
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
@@ -308,24 +309,24 @@ def campaign(*options):
 
 
 def laws_table():
-    """Judged cases a second of CPU: of each law alone, and of all."""
+    """Judged cases a second of CPU: of each law by itself, and of all."""
     listed = subprocess.run([ROOT / "build/release/tools/raycheck", "list", "--format", "json"], stdout=subprocess.PIPE)
     laws = [law["name"] for law in json.loads(listed.stdout)["laws"]]
     rates = []
     for law in laws:
         if sum(law in other for other in laws) > 1 or law == "image":
-            continue  # --filter takes others, too; no method draws
+            continue  # --filter would match other laws, too; no method draws
         judged, cpu, _ = campaign("--filter", law, "--cases", "4000", "--threads", "1")
         rates.append((judged / cpu, law))
     lines = ["| law | judged a second |", "|---|---|"]
     for level in ("ordinary", "demanding", "extreme"):
         judged, cpu, _ = campaign("--cases", "4000", "--threads", "1", "--level", level)
         lines.append(f"| all in one pass, {level} | {judged / cpu:,.0f} |")
-    return "\n".join(lines + [f"| {law} alone | {rate:,.0f} |" for rate, law in sorted(rates, reverse=True)])
+    return "\n".join(lines + [f"| only {law} | {rate:,.0f} |" for rate, law in sorted(rates, reverse=True)])
 
 
 def growth_table():
-    """One campaign by more workers: the time that passes, and all CPU, over those of one."""
+    """One campaign with more workers: elapsed time and total CPU time, over those with one."""
     case = ("--cases", "100000")
     _, cpu, passed = campaign(*case, "--threads", "1")
     lines = ["| workers | times as fast | CPU |", "|---|---|---|", "| 1 thread | 1 | 1 |"]
@@ -355,14 +356,14 @@ def run_raycheck(*arguments):
 
 
 def worst_input(asked, judged, family, quantity, searches):
-    """What searches find: the report of `worst`, its scene, and the certificate of its error, if there is one."""
+    """The result of a search: the report of `worst`, its scene, and the certificate of its error, if there is one."""
     with tempfile.TemporaryDirectory() as folder:
         scene, certificates = pathlib.Path(folder, "found.toml"), pathlib.Path(folder, "found.jsonl")
         found = json.loads(run_raycheck("worst", *asked, "--family", family, "--quantity", quantity, "--by", "bound",
                                         "--searches", searches, "--save", scene, "--format", "json"))
         if not found["measured"] or not found["error"] or found["error"] == "infinity":
             return None
-        # A certificate is that of a discrepancy: of any error.
+        # With --max-ulp 0 every error is a discrepancy, and so has a certificate.
         run_raycheck("check", scene, *judged, "--max-ulp", 0, "--top", 1000, "--certificates", certificates)
         place = {key: found["discrepancy"][key] for key in ("quantity", "pixel", "ray")}
         lines = [line for line in certificates.read_text().splitlines()
@@ -371,7 +372,7 @@ def worst_input(asked, judged, family, quantity, searches):
 
 
 def worst_cases(searches):
-    """docs/worst-cases: what searches find worst of each method and quantity, with certificates."""
+    """Writes docs/worst-cases: the worst input found for each method and quantity, with certificates."""
     listed = json.loads(run_raycheck("list", "--format", "json"))
     single = ("--candidate", f"source:{ROOT}/tests/candidates/float_quadratic.cpp")
     intersect = [(method["name"], ("--method", f"intersect/{method['name']}"), ("--rays", "direct", "--intersect", method["name"]))
@@ -436,7 +437,7 @@ if __name__ == "__main__":
         programs = [word for word in sys.argv[2:] if word != "--check"]
         lists(programs[0] if programs else "./run", "--check" in sys.argv[2:])
     elif sys.argv[1:2] == ["--pages"] and len(sys.argv) in (3, 4):
-        import pictures  # needs a browser, which most documents do not
+        import pictures  # needs a browser, unlike most documents
         pictures.make([ROOT / "README.md", ROOT / "docs/lecture.md", ROOT / "docs/gallery/README.md"],
                       *(sys.argv[2:] + ["./run"])[:2])
     elif sys.argv[1:] == ["--shown"]:

@@ -1,19 +1,19 @@
-"""Makes the pages of `raycheck view` that the documentation shows, and pictures of them.
+"""Makes the pages of `raycheck view` in the documentation, and their pictures.
 
-A page is made by a shown command, `$ ./run view SCENE --out NAME.html` (or `check ... --view NAME.html`), or by a line
-`{{ARGUMENTS}}` of a template (docs/generate.py). A picture stands below a comment that says what it shows:
+A page is made by a command in a document, `$ ./run view SCENE --out NAME.html` (or `check ... --view NAME.html`), or by a
+line `{{ARGUMENTS}}` of a template (docs/generate.py). A comment above each picture specifies it:
 
     <!-- picture {"page": "NAME.html", "part": "#microscope"} -->
-    ![what it shows](lecture/NAME.webp)
+    ![description](lecture/NAME.webp)
 
     page    the page
-    part    which element of it, by a CSS selector; default: the figure
+    part    an element of it, by a CSS selector; default: the figure
     width   of the window, in pixels; default: 700
     scale   of the picture; default: 1
     set     fields of the page and their values, by CSS selectors
-    store   what the page's store is to be set to (tools/view/page/store.js)
+    store   values for the page's store (tools/view/page/store.js)
 
-Pictures are WebP, which Chromium writes by itself: half as large as PNG.
+Pictures are WebP, which Chromium can write: half as large as PNG.
 """
 import base64
 import json
@@ -31,7 +31,7 @@ PICTURE = re.compile(r"<!-- picture (\{.*?\}) -->\s*!\[[^\]]*\]\(([^)]+)\)")
 HEIGHT = 1000  # of the window
 QUALITY = 80
 
-# Resolves once the page is ready, or has drawn what was set.
+# Resolves once the page is ready, or has drawn the values set.
 READY = """return window.raycheckPage.ready.then(() => new Promise((done) =>
   requestAnimationFrame(() => requestAnimationFrame(done))));"""
 SET = """const [store, fields] = arguments;
@@ -39,7 +39,7 @@ raycheckPage.store?.set(store); // a chart has none
 for (const [selector, value] of Object.entries(fields)) {
   const field = document.querySelector(selector);
   field.value = value;
-  if (field.value !== String(value)) throw new Error(`${selector} does not take ${value}`);
+  if (field.value !== String(value)) throw new Error(`${selector} does not accept ${value}`);
   for (const kind of ["input", "change"]) field.dispatchEvent(new Event(kind, { bubbles: true }));
 }"""
 PLACE = """const { x, y, width, height } = document.querySelector(arguments[0]).getBoundingClientRect();
@@ -69,7 +69,7 @@ def picture(browser, page, wanted):
 
 
 def make(documents, folder, program):
-    """Makes the pages of documents in a folder, where they stay, and the documents' pictures of them."""
+    """Makes the pages of documents in a folder, which keeps them, and the documents' pictures of them."""
     folder = pathlib.Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
     for document in documents:
@@ -87,7 +87,7 @@ def take(documents, folder):
             for wanted, name in PICTURE.findall(document.read_text()):
                 wanted = json.loads(wanted)
                 if not (folder / wanted["page"]).exists():
-                    sys.exit(f"{document.name}: no command makes {wanted['page']}, of which {name} is a picture")
+                    sys.exit(f"{document.name}: {name} is a picture of {wanted['page']}, which no command makes")
                 path = document.parent / name
                 path.parent.mkdir(exist_ok=True)
                 path.write_bytes(picture(browser, folder / wanted["page"], wanted))
