@@ -193,13 +193,13 @@ std::string shown_text(const DryRun& dry) {
   if (!dry.shows_a_sphere()) return "not the scene";
   std::string text = "spheres";
   if (!dry.colours.tells_spheres) {
-    text += ", not which";
+    text += ", not told apart";
   } else if (dry.colours.channels != ColourHabit{}.channels) {
     text += ", channels exchanged";
   }
   const auto& [red, green, blue] = dry.colours.background;
   if (!(dry.colours.background == Colour{})) {
-    text += fmt::format(", on ({}, {}, {})", red, green, blue);
+    text += fmt::format(", background ({}, {}, {})", red, green, blue);
   }
   return text;
 }
@@ -217,7 +217,7 @@ std::vector<std::string> row(const SubmissionProbe& probe) {
   }
   cells.push_back(draws && dry->shows_a_sphere() ? dry->driver.name() : std::string(kNone));
   cells.push_back(!draws                      ? std::string(kNone)
-                  : dry->picture_name.empty() ? "as told"
+                  : dry->picture_name.empty() ? "as asked"
                                               : line_text(dry->picture_name));
   cells.push_back(draws ? shown_text(*dry) : std::string(kNone));
   return cells;
@@ -230,10 +230,10 @@ std::string notes_text(const SubmissionProbe& probe) {
     if (!said.empty()) text += plain_text(said) + "\n";
   };
   for (const std::string& note : probe.found.all_notes()) add(note);
-  if (!probe.functions.empty()) add(fmt::format("offers {}", fmt::join(probe.functions, ", ")));
+  if (!probe.functions.empty()) add(fmt::format("implements {}", fmt::join(probe.functions, ", ")));
   if (const auto& dry = probe.found.dry_run) {
     add(dry->shows_nothing);
-    if (!dry->said.empty()) add("it said:\n" + indented(dry->said, "  "));
+    if (!dry->said.empty()) add("its output:\n" + indented(dry->said, "  "));
   }
   if (probe.refusal) {
     add("could not be judged: " + probe.refusal->why);
@@ -269,8 +269,8 @@ std::string probe_text(const ProbeReport& report, const ViewOptions& /*options*/
   const std::string suggested = suggestion(report);
   if (suggested.empty()) return text;
   return text +
-         "\n# What does the same, in place of the rubric's [driver] and of its form with build = "
-         "\"auto\":\n" +
+         "\n# To write this into the rubric, replace its [driver] and its form with build = "
+         "\"auto\" by:\n" +
          suggested;
 }
 

@@ -76,13 +76,13 @@ void judge_hit(const External& external) {
   const scene::Sphere sphere = {{0, 0, 5}, 1};
   const auto hits = external_candidate(external).intersect({&ray, 1}, {&sphere, 1}, {});
   expect(hits.size() == 1 && hits[0].size() == 1 && hits[0][0].hit.parameter == 4,
-         "its answer, 4, did not arrive");
+         "its answer, 4, was not received");
 }
 
 void judge_picture(const External& external) {
   const ReadPicture picture = rendered(*external.renderer, "a driver file\n", {2, 1}).picture;
   expect(picture.width == 2 && picture.pixels.size() == 2 && picture.pixels[0] == Colour{255, 0, 0},
-         "its picture is not as it drew it");
+         "its picture differs from what it drew");
 }
 
 void judge(const OwnSubmission& own, const RunOptions& given) {
@@ -116,10 +116,10 @@ void test_environment(const Rubric& rubric, const Layers& layers) {
       why = error.what();
     }
     if (why.empty()) continue;
-    throw std::invalid_argument(
-        fmt::format("grading does not begin: raycheck's own {} is right, and cannot be judged here "
-                    "(isolated by: {}; temporary files in {}): {}",
-                    own.words, layers.text(), fs::temp_directory_path().string(), why));
+    throw std::invalid_argument(fmt::format(
+        "grading does not start: raycheck's own {} is correct but cannot be judged here "
+        "(isolated by: {}; temporary files in {}): {}",
+        own.words, layers.text(), fs::temp_directory_path().string(), why));
   }
 }
 

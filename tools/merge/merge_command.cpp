@@ -35,8 +35,7 @@ void tell_what_runs(const CampaignIdentity& campaign, const std::string& folder,
   const std::string told =
       fmt::format("{}: its campaign runs candidates: {}", folder, campaign.text());
   if (!may_run) {
-    throw std::invalid_argument(
-        told + "; if you trust them and the folder, merge it with --run-candidates");
+    throw std::invalid_argument(told + "; add --run-candidates if you trust them and the folder");
   }
   print_error(fmt::format("raycheck: {}\n", told));
 }
@@ -47,7 +46,7 @@ int run_merge(const MergeArguments& arguments) {
   const CommandRow* const row = find_command(campaign.command);
   if (row == nullptr) {
     throw std::invalid_argument(
-        fmt::format("{}: is of the command {}, which this version does not have",
+        fmt::format("{}: was made by the command {}, which this version does not have",
                     arguments.folders.front(), campaign.command));
   }
   std::vector<std::string> words = {"raycheck", campaign.command};
@@ -61,9 +60,9 @@ int run_merge(const MergeArguments& arguments) {
     const bool lacks_value =
         known != std::end(kUnitOptions) && known->has_value && std::next(argument) == all.end();
     if (known == std::end(kUnitOptions) || lacks_value) {
-      throw std::invalid_argument(
-          fmt::format("{}: its campaign has {}, which no shard writes: the folder was changed",
-                      arguments.folders.front(), *argument));
+      throw std::invalid_argument(fmt::format(
+          "{}: its campaign has {}, which raycheck never writes: the folder was changed",
+          arguments.folders.front(), *argument));
     }
     // In one word: what a value begins with makes it no option.
     words.push_back(known->has_value ? *argument + "=" + *std::next(argument) : *argument);
@@ -90,13 +89,13 @@ int run_merge(const MergeArguments& arguments) {
 
 CommandRun add_merge(CLI::App& command) {
   const auto given = std::make_shared<MergeArguments>();
-  command.add_option("FOLDER", given->folders, "what shards kept by --out")
+  command.add_option("FOLDER", given->folders, "the folders that shards wrote with --out")
       ->required()
       ->type_name("FOLDER");
   command.add_flag("--run-candidates", given->may_run,
-                   "run the candidates that the folder's campaign names, or its submissions");
+                   "allow the merge to run the campaign's candidates or submissions");
   for (const NamedOption& option : kReportOptions) {
-    const std::string meaning = "as of the command whose campaign it is";
+    const std::string meaning = "as for the campaign's command";
     if (option.has_value) {
       command.add_option(option.name, given->passed[option.name], meaning)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

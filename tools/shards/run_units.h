@@ -35,7 +35,7 @@ Result from_bytes(std::string_view bytes) {
   Result result;
   UnitReader archive(bytes);
   archive(result);
-  if (!archive.is_done()) throw std::invalid_argument("there is more than a result");
+  if (!archive.is_done()) throw std::invalid_argument("extra bytes follow the result");
   return result;
 }
 

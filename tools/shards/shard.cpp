@@ -50,22 +50,22 @@ std::optional<Shard> shard_of(const Scheduler& scheduler, std::optional<std::int
   const std::string said_by = fmt::format("{}={}", scheduler.index, *index);
   const std::optional<std::int64_t> count = of ? of : variable(scheduler.count);
   if (!count) {
-    throw std::invalid_argument(said_by + ": nothing says of how many; give auto/N as the shard");
+    throw std::invalid_argument(said_by + ": the number of shards is unknown; give --shard auto/N");
   }
   const std::int64_t first = variable(scheduler.first).value_or(scheduler.least);
   const std::int64_t step = variable(scheduler.step).value_or(1);
   if (step == 0 || (*index - first) % step != 0) {
-    throw std::invalid_argument(
-        fmt::format("{}: is not {} and some steps of {}={}", said_by, first, scheduler.step, step));
+    throw std::invalid_argument(fmt::format("{}: is not {} plus a multiple of {}={}", said_by,
+                                            first, scheduler.step, step));
   }
   return Shard{(*index - first) / step + 1, *count, said_by};
 }
 
 Shard checked(Shard shard, const std::string& field, const std::string& value) {
   if (shard.number >= 1 && shard.number <= shard.of) return shard;
-  throw scene::InvalidInput(
-      field, value,
-      fmt::format("there is no shard {} of {}; the first is shard 1", shard.number, shard.of));
+  throw scene::InvalidInput(field, value,
+                            fmt::format("there is no shard {} of {}; shards are numbered from 1",
+                                        shard.number, shard.of));
 }
 
 }  // namespace
@@ -87,9 +87,8 @@ Shard chosen_shard(const std::string& text) {
   }
   if (text.empty()) return {};
   throw scene::InvalidInput("shard", text,
-                            "no scheduler says the number by SLURM_ARRAY_TASK_ID, "
-                            "JOB_COMPLETION_INDEX, TEST_SHARD_INDEX or "
-                            "CI_NODE_INDEX");
+                            "auto needs a scheduler that sets SLURM_ARRAY_TASK_ID, "
+                            "JOB_COMPLETION_INDEX, TEST_SHARD_INDEX or CI_NODE_INDEX");
 }
 
 }  // namespace raycheck::tools

@@ -110,7 +110,7 @@ void load(UnitReader& archive, Enum& value) {
   std::underlying_type_t<Enum> number = 0;
   load(archive, number);
   if (number < 0 || static_cast<std::size_t>(number) >= enumerators(Enum{})) {
-    throw std::invalid_argument("a number is no enumerator");
+    throw std::invalid_argument("a number is not a valid enumerator");
   }
   value = static_cast<Enum>(number);
 }

@@ -31,10 +31,10 @@ constexpr std::uintmax_t kMostUnitBytes = std::uintmax_t{256} << 20;
 
 std::string bytes_of(const fs::path& file) {
   if (!fs::is_regular_file(file)) {
-    throw std::invalid_argument(fmt::format("{}: is no file", file.string()));
+    throw std::invalid_argument(fmt::format("{}: is not a file", file.string()));
   }
   if (fs::file_size(file) > kMostUnitBytes) {
-    throw std::invalid_argument(fmt::format("{}: is larger than the {} MiB that one may have",
+    throw std::invalid_argument(fmt::format("{}: is larger than {} MiB, the limit for a unit",
                                             file.string(), kMostUnitBytes >> 20));
   }
   std::ifstream in(file, std::ios::binary);
@@ -78,7 +78,7 @@ std::string difference(const CampaignIdentity& other, const CampaignIdentity& ca
   for (const auto& [file, its_digest] : campaign.files) {
     const auto found = other.files.find(file);
     if (found == other.files.end() || found->second != its_digest) {
-      return fmt::format("another {}, which has changed since", file);
+      return fmt::format("another version of {}", file);
     }
   }
   return "other files";
@@ -175,8 +175,8 @@ std::vector<std::int64_t> Units::open(std::int64_t count) {
       std::int64_t unit = -1;
       std::from_chars(name.data(), name.data() + name.size(), unit);
       if (unit < 0 || unit >= count || name != name_of(unit)) {
-        throw std::invalid_argument(
-            fmt::format("{}: is no unit of {}", entry.path().string(), campaign_.text()));
+        throw std::invalid_argument(fmt::format("{}: does not belong to the campaign {}",
+                                                entry.path().string(), campaign_.text()));
       }
       files_[unit].push_back(entry.path());
     }
@@ -193,10 +193,10 @@ void Units::refuse_missing(std::int64_t count) const {
   std::int64_t first = 0;
   while (files_.count(first) > 0) ++first;
   const std::int64_t others = count - std::ssize(files_) - 1;
-  throw std::invalid_argument(
-      fmt::format("{}: unit {} of {} is missing{}; what is missing is done by {}, kept there",
-                  shown(folders_.front()), first + 1, count,
-                  others > 0 ? fmt::format(", and {} more", others) : "", campaign_.text()));
+  throw std::invalid_argument(fmt::format(
+      "{}: unit {} of {} is missing{}; to add the missing units, run {} with this folder as --out",
+      shown(folders_.front()), first + 1, count,
+      others > 0 ? fmt::format(", and {} more", others) : "", campaign_.text()));
 }
 
 std::string Units::name_of(std::int64_t unit) const {
@@ -214,8 +214,8 @@ std::string Units::contents(const fs::path& file, std::int64_t unit) const {
   if (stated == digest_of(digest_, unit, size, packed_result)) {
     return unpacked(packed_result, size);
   }
-  throw std::invalid_argument(
-      fmt::format("{}: is truncated or was changed: remove it, and do it again", file.string()));
+  throw std::invalid_argument(fmt::format(
+      "{}: is truncated or was changed: remove it and run its shard again", file.string()));
 }
 
 std::optional<std::string> Units::read(std::int64_t unit) const {
@@ -238,7 +238,7 @@ std::optional<std::string> Units::read(std::int64_t unit) const {
 
 void Units::refuse(std::int64_t unit, const std::string& why) const {
   throw std::invalid_argument(
-      fmt::format("{}: does not hold what a unit has: {}", files_.at(unit).front().string(), why));
+      fmt::format("{}: is not a valid unit: {}", files_.at(unit).front().string(), why));
 }
 
 void Units::write(std::int64_t unit, const std::string& result) const {

@@ -54,7 +54,8 @@ TEST_F(HostileOut, ThatIsHoldsOrLiesInASubmissionIsRefused) {
   grading_.write("submissions/mine/below/file", "");
   for (const auto& words : {&HostileOut::grade_words, &HostileOut::try_words}) {
     const auto out = [&](const char* folder) { return (this->*words)(folder); };
-    refuses(out("submissions/mine"), " is " + mine_ + ", which is handed in; results take another");
+    refuses(out("submissions/mine"),
+            " is " + mine_ + ", which is a submission; give another folder");
     refuses(out("submissions/mine/"), " is " + mine_ + ", which");
     refuses(out("submissions"), " holds " + mine_ + ", which is handed in");
     refuses(out("."), " holds " + mine_);
@@ -97,7 +98,8 @@ TEST_F(HostileOut, HasItsOwnFilesReplacedUnlessSomeoneEditedThem) {
   EXPECT_TRUE(fs::exists(scene));
   const std::string original = contents(page);
   grading_.write("out/mine/report.html", original + "<p>2 points more: see me</p>");
-  refuses(grade_words("out"), page + " is not as raycheck wrote it, and stays; move it away");
+  refuses(grade_words("out"),
+          page + " was not written by raycheck, or has changed since; move it away");
   grading_.write("out/mine/report.html", original);
   fs::remove_all(mine_);
   grading_.submit_built("mine", "rt.cpp", "none");

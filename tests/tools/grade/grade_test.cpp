@@ -112,7 +112,7 @@ TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
       grading.write("rubric.toml", item_of("beyond doubles", "points = 1\ntolerance = { ulp = 0 }",
                                            functions("direction", "course", 20)));
   const Outcome outcome = run("grade '" + rubric + "'", 1);
-  expect_parts(outcome.err, {"beyond doubles: raycheck's own answer is not given all points"});
+  expect_parts(outcome.err, {"beyond doubles: raycheck's own methods do not get all points"});
 }
 
 class Grades : public GradingTest {};
@@ -186,7 +186,7 @@ TEST_F(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   const Outcome cut =
       run_interrupted(grading.arguments(rubric, folders, "out", "--jobs 1"), first_is_graded);
   EXPECT_EQ(cut.exit_code, 130) << cut.err;
-  expect_parts(cut.out, {"INTERRUPTED: the same command goes on where it was cut."});
+  expect_parts(cut.out, {"INTERRUPTED: run the same command again to continue."});
   expect_parts(grading.file("", "index.html"), {"Interrupted: "});
   expect_parts(grading.file("", "grades.csv"), {"\nfar-root,10,10"});
   const std::string last = grading.file("last", "result.json");

@@ -49,8 +49,9 @@ TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   const Outcome alone = grading.grade(rubric, innocents, "alone");
   const Variable temporary("TMPDIR", disk.path());
   const Outcome together = grading.grade(rubric, all, "together", "--jobs 2", 4);
-  expect_parts(together.out, {"less than 256 MiB of disk left",
-                              "1 of them for causes outside: the same command tries again"});
+  expect_parts(together.out,
+               {"less than 256 MiB of disk left",
+                "1 of them for reasons outside the submission: run the same command"});
   EXPECT_FALSE(grading.result("fills", "together")["finished"]);
   for (const char* name : {"one", "two", "three"}) {
     EXPECT_EQ(without_times(grading.file(name, "result.json", "together")),
@@ -79,7 +80,7 @@ TEST_F(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_
   }
   expect_values(slow, {{"score", 0}, {"points", 40}, {"finished", true}});
   EXPECT_TRUE(has(grading.file("slow", "report.html"),
-                  "not judged: time is up: a submission has 2 s for "));
+                  "not judged: time is up: the limit for all questions together is 2 s for "));
   std::string items;
   for (const json& item : slow["items"]) {
     if (!item["reason"].is_object() || item["reason"]["kind"] != "time is up") continue;

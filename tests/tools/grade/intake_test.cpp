@@ -137,7 +137,7 @@ const std::vector<Brought> kBuilt = {
     {"has_two_mains_of_which_the_likeliest_is_taken",
      with(kSources, {{"another.cpp", "int main() { return 1; }\n"}}),
      "",
-     {"2 of its files have a main; this is that of rt.cpp"}},
+     {"2 of its files have a main; the one in rt.cpp is used"}},
     {"has_a_source_that_does_not_compile_and_that_nothing_includes",
      with(kSources, {{"attempt.cpp", "this is no C++\n"}}),
      "",
@@ -148,14 +148,14 @@ const std::vector<Brought> kBuilt = {
       {"src/format.cpp", kFormatSource},
       {"include/format.h", kFormatHeader}},
      "",
-     {" is taken for "}},
+     {" is replaced by "}},
     {"is_given_headers_that_gcc_says_are_missing",
      with(kSources, {{"one.cpp",
                       "#include \"format.h\"\n"
                       "std::tuple<int, std::optional<int>> unused() { return {1, 2}; }\n"}}),
      "",
-     {"#include <tuple> is added to one.cpp, where it is missing",
-      "#include <optional> is added to one.cpp, where it is missing"}},
+     {"the missing #include <tuple> is added to one.cpp",
+      "the missing #include <optional> is added to one.cpp"}},
     // By package.json, not the file of a likelier name.
     {"is_a_module_that_package_json_names",
      {{"package.json", R"({"type": "module", "main": "./src/tracer"})"},
@@ -183,7 +183,7 @@ const std::vector<Brought> kBuilt = {
      with(kSources, {{"one.cpp", "#include \"../../libs/eigen/Eigen/src/Core/util/Macros.h\"\n" +
                                      kUseOfEigen}}),
      "",
-     {" is taken for <Eigen/src/Core/util/Macros.h>"},
+     {" is replaced by <Eigen/src/Core/util/Macros.h>"},
      "/usr/include/eigen3"},
     {"finds_eigen_by_its_makefile",
      with(
@@ -192,7 +192,7 @@ const std::vector<Brought> kBuilt = {
           {"Makefile",
            "rt: rt.cpp format.cpp one.cpp\n\tg++ -I/opt/eigen -o rt rt.cpp format.cpp one.cpp\n"}}),
      "",
-     {" is taken for <Eigen/src/Core/util/Macros.h>"},
+     {" is replaced by <Eigen/src/Core/util/Macros.h>"},
      "/usr/include/eigen3"},
     // What lies in it is not compiled.
     {"brings_its_own_eigen",
@@ -215,12 +215,12 @@ const std::vector<Brought> kRefused = {
     // The Makefile's program fails; the other, of its sources, ends without a picture.
     refused("is_built_in_several_ways_of_which_the_one_that_comes_farthest_is_quoted",
             with(kMakesWhatFails, {{"rt.c", kNoSuchKey}}), {kNoPicture}, "",
-            {"nothing that draws comes from its Makefile; built from its sources"}),
+            {"what was built from its Makefile shows no spheres; built from its sources instead"}),
     refused("is_built_in_several_ways_of_which_the_first_is_quoted_where_none_comes_farther",
             with(kMakesWhatFails, {{"rt.c", "int main() { return 4; }\n"}}), {"it exited with 3"}),
-    refused("is_a_program_of_windows", {{"rt.exe", "MZ"}}, {"rt.exe is a program of Windows"}),
+    refused("is_a_program_of_windows", {{"rt.exe", "MZ"}}, {"rt.exe is a Windows program"}),
     refused("has_no_main", {{"vec.cpp", "int one() { return 1; }\n"}},
-            {"none of its sources is a program's main one"}),
+            {"none of its sources starts a program"}),
     refused("does_not_compile", {{"rt.cpp", "int main() { return 0 }\n"}},
             {"'g++ -O2 -std=c++20 rt.cpp' exited with 1", "error: expected"}),
     refused("cannot_be_made", {{"Makefile", "rt: missing.cpp\n"}},
@@ -339,7 +339,7 @@ TEST_F(LongIntake, is_the_same_when_graded_again_from_the_store) {
   grade_brought(grading, {"other"});
   const json other = grading.result("other");
   EXPECT_EQ(other["notes"][1],
-            "nothing that draws comes from its Makefile; built from its sources");
+            "what was built from its Makefile shows no spheres; built from its sources instead");
   expect_parts(other["program"], {"./raycheck-built "});
   grade_brought(grading, {"other"}, "title = \"again\"\n");
   const json again = grading.result("other");
@@ -395,7 +395,7 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
     EXPECT_TRUE(result["notes"].empty()) << result["notes"];
   }
   expect_parts(grading.result("missing")["refused"]["why"],
-               {"there is no package org.ejml.simple in it, so put the jar that has it beside"});
+               {"the package org.ejml.simple is missing: put its jar beside the sources"});
 }
 
 /// In the forms that it reads it waits; the others it does not read.

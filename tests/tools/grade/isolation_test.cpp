@@ -283,7 +283,7 @@ TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
   const Outcome there = run_bash(script, 2);
   // By a submission of raycheck's own; or by its jail, where that is a copy in that folder, for
   // raycheck lies where others may not enter.
-  EXPECT_TRUE(has(there.err, "grading does not begin: raycheck's own ") ||
+  EXPECT_TRUE(has(there.err, "grading does not start: raycheck's own ") ||
               has(there.err, "/raycheck-jail cannot be started: Permission denied"))
       << there.err;
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));

@@ -59,7 +59,7 @@ TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
   expect_parts(
       outcome.out,
       {"  2018   out.ppm  spheres\n    it writes out.ppm whatever name it is given\n",
-       "\n    offers focal_ray, frame, intersect, nearest, pixel_point, pixel_ray\n",
+       "\n    implements focal_ray, frame, intersect, nearest, pixel_point, pixel_ray\n",
        "could not be judged: 'g++ -O2 -std=c++20 rt.cpp' exited with 1\n",
        "error: expected ';' before '}' token\n", "3 submissions tried, 1 could not be judged\n"});
   EXPECT_FALSE(has(outcome.out, "does not read")) << "the rubric names no form";
@@ -123,7 +123,7 @@ TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
   expect_parts(all[3]["refused"].dump(), {"its background is not of one colour"});
   const std::string black =
       probe(one_form(), {grading_.hand_in("black", "rt.sh", kBlackPicture)}).out;
-  expect_parts(black, {"    it said:\n      line 4: I do not know that word\n",
+  expect_parts(black, {"    its output:\n      line 4: I do not know that word\n",
                        "    its picture is black in "});
   EXPECT_FALSE(has(black, "could not be judged:")) << black;
   EXPECT_FALSE(has(black, "\n[driver]\n")) << "no form is read";

@@ -213,7 +213,7 @@ TEST(Redaction, names_no_item_that_is_hidden) {
   EXPECT_EQ(item(grading.result("mine"), "open")["reason"]["item"], "covert");
   const std::string text = given_to_student(grading, "mine");
   EXPECT_FALSE(has(text, "covert"));
-  expect_parts(text, {"left out: it needs other items"});
+  expect_parts(text, {"left out: it needs another item to have all points"});
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
   expect_parts(grading.file("", "grades.csv"), {"\nbroken,25,100,,,"});
   expect_parts(grading.file("", "index.html"), {"gives them 25% of the points"});
   expect_parts(grading.file("broken", "report.html"),
-               {"could not be judged, for which there are 25 of 100"});
+               {"could not be judged; such a submission gets 25 of 100"});
   EXPECT_EQ(grading.result("broken")["score"], 25);
   EXPECT_FALSE(grading.result("broken")["refused"].is_null());
   const Outcome one = grading.grade(rubric, {broken}, "one", "--format prairielearn");

@@ -152,7 +152,7 @@ TEST_F(RubricKeys, detail_and_visibility_withhold_what_they_say) {
     expect_parts(nothing, {"fails 37 of 37 cases"});
     read("visibility = \"hidden\"");
     const std::string hidden = grading.file("far_root", "report.html");
-    expect_parts(hidden, {"1 item is in the score and not shown.", ">0 of 3<"});
+    expect_parts(hidden, {"not shown, but in the score: 1 item.", ">0 of 3<"});
     for (const auto& [text, parts] :
          {std::pair(actual, std::vector{"<dt>exact</dt>", "  exact "}),
           {nothing, {sentence.c_str(), "root, ray ", "[[sphere]]", "%5B%5Bsphere%5D%5D", "data:"}},
@@ -193,7 +193,7 @@ TEST(RubricCommand, copies_one_with_its_scenes_and_writes_over_nothing) {
             "wrote " + out + "/lecture7.toml and " + std::to_string(scenes) + " scenes\n");
   grading.write("copy/of/it/lecture7.toml", "mine");
   const Outcome again = run("rubric lecture7.toml --out '" + out + "'", 2);
-  expect_parts(again.err, {"out " + out + ": lecture7", " is there already"});
+  expect_parts(again.err, {"out " + out + ": lecture7", " exists already"});
   EXPECT_EQ(contents(out + "/lecture7.toml"), "mine");
 }
 

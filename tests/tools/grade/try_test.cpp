@@ -29,7 +29,7 @@ std::vector<std::string> item_lines(const std::string& text) {
   std::string line;
   std::getline(stream, line);
   while (std::getline(stream, line) && !line.empty() && !line.starts_with("see ") &&
-         !line.starts_with("written: ") && !has(line, " in the score and not shown")) {
+         !line.starts_with("written: ") && !has(line, "not shown, but in the score")) {
     const bool is_of_items = !line.starts_with("isolated by: ") && !has(line, " submission graded");
     if (is_of_items) lines.push_back(line);
   }
@@ -71,7 +71,7 @@ TEST(TryCommand, shows_what_students_may_see_and_counts_all) {
   const Outcome graded = grading.grade(rubric, {submission});
   const Outcome tried = try_it(grading, rubric, submission);
   EXPECT_FALSE(has(tried.out, "camera frame")) << tried.out;
-  expect_parts(tried.out, {"\n  1 item is in the score and not shown\n"});
+  expect_parts(tried.out, {"\n  not shown, but in the score: 1 item\n"});
   const std::size_t at = tried.out.find("\nnearest root\n");
   ASSERT_NE(at, std::string::npos) << tried.out;
   const std::string told = tried.out.substr(at, tried.out.find("\n\n", at) - at);
@@ -96,9 +96,10 @@ void expect_the_commands_to_work(const Grading& grading, const std::string& hand
   const std::string rubric = grading.write("few.toml", head + kAsTheyCome + kFewPictures);
   const Outcome tried =
       run("try '" + rubric + "' '" + hand_in + "' --out '" + grading.path("out") + "'", 1);
-  const std::string build = behind("\n  Build it as here, in a copy of your folder: ", tried.out);
-  const std::string draw = behind("\n  Draw it: ", tried.out);
-  const std::string check = behind("\n  Judge every pixel of it: ", tried.out);
+  const std::string build =
+      behind("\n  Build it as the grader did, in a copy of your folder: ", tried.out);
+  const std::string draw = behind("\n  Draw the case: ", tried.out);
+  const std::string check = behind("\n  Check every pixel: ", tried.out);
   ASSERT_FALSE(build.empty()) << tried.out;
   ASSERT_FALSE(draw.empty()) << tried.out;
   ASSERT_FALSE(check.empty()) << tried.out;

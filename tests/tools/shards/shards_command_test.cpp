@@ -140,12 +140,13 @@ TEST_F(Merge, names_a_unit_that_is_missing_and_how_it_is_done) {
   const std::size_t all = units_in(folder).size();
   fs::remove(units_in(folder)[3]);
   fs::remove(units_in(folder)[3]);
-  expect_refused("merge " + folder,
-                 fmt::format("{}: unit 4 of {} is missing, and 1 more; what is missing is done by "
-                             "raycheck {}, kept there",
-                             folder, all,
-                             "properties --filter class --cases 90 --intersect cross --source rays "
-                             "--source distance"));
+  expect_refused(
+      "merge " + folder,
+      fmt::format("{}: unit 4 of {} is missing, and 1 more; to add the missing units, run "
+                  "raycheck {} with this folder as --out",
+                  folder, all,
+                  "properties --filter class --cases 90 --intersect cross --source rays "
+                  "--source distance"));
   run(kAsked + " --out " + folder, 0);
   EXPECT_EQ(run("merge " + folder, 0).out, run(kAsked, 0).out);
 }
@@ -192,7 +193,8 @@ TEST_F(Merge, names_what_belongs_to_another_campaign) {
                      "--intersect cross");
   expect_refused(kAsked + " --seed 3 --out " + folder, folder + ": holds units of");
   fs::copy_file(units_in(other)[0], fs::path(folder) / units_in(other)[0].filename());
-  expect_refused("merge " + folder, units_in(other)[0].filename().string() + ": is no unit of");
+  expect_refused("merge " + folder,
+                 units_in(other)[0].filename().string() + ": does not belong to the campaign");
   // Under the name of this one's.
   fs::remove(fs::path(folder) / units_in(other)[0].filename());
   fs::copy_file(units_in(other)[0], units_in(folder)[0], fs::copy_options::overwrite_existing);
@@ -211,8 +213,7 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
   const std::string its = fresh_folder("judged");
   run(asked + source + " --shard 1/1 --out " + its, 0);
   std::ofstream(source, std::ios::app) << "// another\n";
-  expect_refused("merge --run-candidates " + its,
-                 "holds units of another " + source + ", which has changed since");
+  expect_refused("merge --run-candidates " + its, "holds units of another version of " + source);
   // In a folder, with a header, all of it.
   const std::string sources = fresh_folder("sources"), units = fresh_folder("of_sources");
   fs::create_directories(sources + "/deeper");
@@ -225,7 +226,7 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
     const std::string line = asked + named + " --shard 1/1 --out " + units;
     for (int times = 0; times < 2; ++times) run(line, 0);
     std::ofstream(sources + "/deeper/mine.h", std::ios::app) << "// more\n";
-    expect_refused(line, "deeper/mine.h, which has changed since");
+    expect_refused(line, "deeper/mine.h");
   }
 }
 
@@ -258,7 +259,7 @@ TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
                                              {"--filter"}}) {
     forge(added[0] == "--package" ? "grade" : "properties", added);
     expect_refused("merge " + folder, "its campaign has " + added[0] +
-                                          ", which no shard writes: the folder was changed");
+                                          ", which raycheck never writes: the folder was changed");
   }
   // The value of an option is no option.
   forge("properties", {"--level", "--view=" + victim});
@@ -284,7 +285,8 @@ TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
   const std::string told =
       folder + ": its campaign runs candidates: raycheck properties --filter class --cases 20";
   const Outcome refused = run("merge --sandbox none --i-know " + folder, 2);
-  expect_parts(refused.err, {told, "'" + candidate + "'", "merge it with --run-candidates"});
+  expect_parts(refused.err,
+               {told, "'" + candidate + "'", "add --run-candidates if you trust them"});
   EXPECT_FALSE(fs::exists(ran));
   const Outcome merged = run("merge --run-candidates --sandbox none --i-know " + folder, 0);
   EXPECT_EQ(lines_of(merged.err).front().find("raycheck: " + told), 0u) << merged.err;
@@ -367,11 +369,12 @@ TEST(Shards, refuse_what_is_no_shard) {
   expect_refused(kAsked + " --shard 4/3" + out, "there is no shard 4 of 3");
   expect_refused(kAsked + " --shard 2" + out, "--shard 2: give K/N");
   expect_refused(kAsked + " --shard two/3" + out, "'two' is not a whole number");
-  expect_refused(kAsked + " --shard auto/3" + out, "no scheduler says the number");
+  expect_refused(kAsked + " --shard auto/3" + out, "auto needs a scheduler");
   expect_refused(kAsked + " --shard 1/3", "--shard requires --out");
   {
     const Variable index("JOB_COMPLETION_INDEX", "0");
-    expect_refused(kAsked + out, "JOB_COMPLETION_INDEX=0: nothing says of how many; give auto/N");
+    expect_refused(kAsked + out,
+                   "JOB_COMPLETION_INDEX=0: the number of shards is unknown; give --shard auto/N");
   }
   {
     const Variable index("SLURM_ARRAY_TASK_ID", "9223372036854775807"),
@@ -381,7 +384,7 @@ TEST(Shards, refuse_what_is_no_shard) {
                    "SLURM_ARRAY_TASK_ID: '9223372036854775807' is not a whole number");
     const Variable between("SLURM_ARRAY_TASK_ID", "3"), first("SLURM_ARRAY_TASK_MIN", "0");
     expect_refused(kAsked + out,
-                   "SLURM_ARRAY_TASK_ID=3: is not 0 and some steps of SLURM_ARRAY_TASK_STEP=2");
+                   "SLURM_ARRAY_TASK_ID=3: is not 0 plus a multiple of SLURM_ARRAY_TASK_STEP=2");
   }
   const Variable index("CI_NODE_INDEX", "0"), count("CI_NODE_TOTAL", "2");
   expect_refused(kAsked + out, "CI_NODE_INDEX=0: there is no shard 0 of 2");

@@ -46,7 +46,7 @@ std::vector<std::string> starting(const HandedInFiles& files, std::vector<std::s
 
 std::vector<std::string> several_note(const std::vector<std::string>& names) {
   if (names.size() == 1) return {};
-  return {fmt::format("{} of its files could be started; this is {}", names.size(), names.front())};
+  return {fmt::format("{} of its files could be started; {} is used", names.size(), names.front())};
 }
 
 /// Whether there is a `public static void main(`.
@@ -156,12 +156,12 @@ bool is_source(const std::string& name) {
 /// Programs for other machines in the submission, as a reason why nothing runs.
 std::string foreign_program(const HandedInFiles& files) {
   for (const auto& [name, file] : files) {
-    if (file.text.starts_with("MZ")) return name + " is a program of Windows";
+    if (file.text.starts_with("MZ")) return name + " is a Windows program";
     const bool is_mach =
         file.text.starts_with("\xCF\xFA\xED\xFE") || file.text.starts_with("\xCA\xFE\xBA\xBE");
-    if (is_mach && ending_of(name) != ".class") return name + " is a program of macOS";
+    if (is_mach && ending_of(name) != ".class") return name + " is a macOS program";
     if (is_elf(file.text) && !is_program_here(file.text)) {
-      return name + " is no program of this kind of machine";
+      return name + " was built for another architecture";
     }
   }
   return "";
@@ -268,13 +268,13 @@ BuildPlan build_plan(const HandedInFiles& files) {
   if (!plan.attempts.empty()) return plan;
   const std::string foreign = foreign_program(files);
   if (!foreign.empty()) {
-    plan.why_none = foreign + ", and there is nothing to build it of";
+    plan.why_none = foreign + ", and there are no sources to build it from";
   } else if (std::ranges::any_of(files, [](const auto& file) { return is_source(file.first); })) {
-    plan.why_none = "none of its sources is a program's main one";
+    plan.why_none = "none of its sources starts a program (there is no main function)";
   } else {
     plan.why_none =
-        "there is nothing in it to build or run: no Makefile, no CMakeLists.txt, no sources of C, "
-        "C++, Java, JavaScript or Python, no program";
+        "there is nothing to build or run: no Makefile, no CMakeLists.txt, no sources in C, C++, "
+        "Java, JavaScript or Python, no program";
   }
   return plan;
 }

@@ -101,7 +101,7 @@ std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& sub
   if (!makes_program) return {attempt.program};
   std::vector<std::string> made = made_programs(to, attempt.made);
   if (made.empty()) made = made_classes(to, attempt.main_class, submission.files);
-  if (made.empty()) throw CandidateError(fmt::format("'{}' makes no program", attempt.shown));
+  if (made.empty()) throw CandidateError(fmt::format("'{}' did not make a program", attempt.shown));
   return made;
 }
 
@@ -130,8 +130,7 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
         const std::string package = missing_package(error.said());
         if (package.empty()) throw;
         throw CandidateError(
-            fmt::format("{}: there is no package {} in it, so put the jar that has it beside its "
-                        "sources",
+            fmt::format("{}: the package {} is missing: put its jar beside the sources",
                         error.why(), package),
             error.said());
       }

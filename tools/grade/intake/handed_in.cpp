@@ -150,7 +150,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
     const std::string name = is_file ? path.stem().string() : path.filename().string();
     if (is_one_of(reserved, name)) {
       throw std::invalid_argument(
-          fmt::format("{}: rename it; the results of the class are called so", given));
+          fmt::format("{}: rename it; raycheck writes its own results under this name", given));
     }
     const auto [other, is_new] = known.try_emplace(name, given);
     if (!is_new) {
@@ -175,8 +175,8 @@ void require_disjoint(const std::string& out, const std::vector<Submission>& sub
       if (where == nullptr) continue;
       throw scene::InvalidInput(
           "out", out,
-          fmt::format("{} {} {}, which is handed in; results take another folder", folder.string(),
-                      where, submissions[k].path.string()));
+          fmt::format("{} {} {}, which is a submission; give another folder for the results",
+                      folder.string(), where, submissions[k].path.string()));
     }
   };
   require(out);

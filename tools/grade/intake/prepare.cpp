@@ -97,14 +97,14 @@ std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric
   for (const auto& entry : fs::directory_iterator(folder)) {
     names.insert(entry.path().filename().string());
   }
-  if (names.empty()) refuse("there is no file in it");
+  if (names.empty()) refuse("it contains no files");
   for (const Form& form : rubric.forms) {
     for (const std::string& name : names) {
       if (fits(form, name)) return {&form, name};
     }
   }
   const std::string asked = scene::joined(rubric.forms, ", ", &Form::has);
-  refuse(asked.empty() ? "the rubric has no [[form]] of submissions"
+  refuse(asked.empty() ? "the rubric has no [[form]]"
                        : fmt::format("it has none of the required files: {}", asked));
 }
 
@@ -187,8 +187,8 @@ class Preparing {
     found_.build_words = made_.words;
     found_.notes = made_.notes;
     for (const std::string& other : draws_nothing_) {
-      found_.notes.push_back(
-          fmt::format("nothing that draws comes from {}; built from {}", other, made_.what));
+      found_.notes.push_back(fmt::format(
+          "what was built from {} shows no spheres; built from {} instead", other, made_.what));
     }
   }
 
@@ -318,7 +318,7 @@ properties::RunControl until_blamed(const properties::RunControl& control,
 }
 
 Refusal outside_refusal(const std::string& cause) {
-  return {"the cause lies outside it: " + cause, ""};
+  return {"for a reason outside the submission: " + cause, ""};
 }
 
 Limits program_limits(const Rubric& rubric) {

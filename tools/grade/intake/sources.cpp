@@ -281,8 +281,8 @@ std::optional<std::string> file_called(const HandedInFiles& files, const std::st
 }  // namespace
 
 std::string IncludeRepair::note() const {
-  return line == 0 ? fmt::format("#include {} is added to {}, where it is missing", instead, file)
-                   : fmt::format("{} is taken for {}", name, instead);
+  return line == 0 ? fmt::format("the missing #include {} is added to {}", instead, file)
+                   : fmt::format("#include of {} is replaced by {}", name, instead);
 }
 
 std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said) {

@@ -105,7 +105,7 @@ std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
   const FailingCase& failing = *item.failing;
   const std::string name = file_name(item.name);
   const std::string driver = driver_file_text(failing, form);
-  std::string html = "<p>The smallest case, of item " + escaped(item.name) + ": ";
+  std::string html = "<p>The smallest failing case, from item " + escaped(item.name) + ": ";
   if (!driver.empty()) html += download(name + ".txt", driver) + ", ";
   html += download(name + ".toml", scene_text(failing)) + "</p>\n";
   return html + pictures_html(failing, "theirs") + "<p>" + escaped(answer_text(failing.answer)) +
@@ -115,10 +115,10 @@ std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
 std::string mistakes(const ClassGrade& graded) {
   const std::size_t judged = submissions_that(graded, true).size();
   std::string html =
-      "<h2>Mistakes</h2>\n<p>By the number of students whose wrong answers they explain; where "
+      "<h2>Mistakes</h2>\n<p>Sorted by the number of students whose wrong answers they explain; if "
       "several explain the same answers, each is counted.</p>\n";
   const std::vector<MistakeStatistics> all = mistake_statistics(graded.submissions);
-  if (all.empty()) return html + "<p>None is known.</p>\n";
+  if (all.empty()) return html + "<p>No mistake was identified.</p>\n";
   for (const MistakeStatistics& one : all) {
     html += fmt::format(
         "<details><summary><span class=\"name\">{}</span><span>{} of {}</span></summary>\n",
@@ -134,8 +134,8 @@ std::string not_judged(const ClassGrade& graded) {
   const Submissions all = submissions_that(graded, false);
   if (all.empty()) return "";
   std::string html =
-      "<h2>Could not be judged</h2>\n<p>Nothing of these could be run, so that no points are "
-      "known: they are in no number above.";
+      "<h2>Could not be judged</h2>\n<p>These submissions could not be run: the numbers above do "
+      "not include them.";
   if (graded.rubric.unjudged > 0) {
     html +=
         fmt::format(" The rubric gives them {:g}% of the points.", 100 * graded.rubric.unjudged);
@@ -207,9 +207,8 @@ std::string opaque(const ClassGrade& graded) {
   }
   if (rows.empty()) return "";
   return "<h2>Files to look at</h2>\n<p>Programs, archives, pictures and large files that were "
-         "handed in. None is forbidden, and most are harmless; what was computed elsewhere, "
-         "raycheck "
-         "itself too, can be brought along in such a file, and no test can tell.</p>\n"
+         "handed in. They are allowed, and most are harmless; but such a file can contain raycheck "
+         "itself, or results computed elsewhere, and no test can detect that.</p>\n"
          "<div class=\"wide\"><table>\n" +
          rows + "</table></div>\n";
 }

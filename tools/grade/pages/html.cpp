@@ -107,12 +107,12 @@ constexpr Mark kSurplus = {
     {86, 180, 233},
     {".......", ".#...#.", "..#.#..", "...#...", "..#.#..", ".#...#.", "......."},
     "&#10005;",
-    "a sphere is shown where none is"};
+    "a sphere is shown instead of the background"};
 constexpr Mark kOther = {
     {240, 228, 66},
     {".......", ".......", ".#####.", ".......", ".#####.", ".......", "......."},
     "=",
-    "another sphere is shown"};
+    "the wrong sphere is shown"};
 
 /// Null if the pixel is right.
 const Mark* mark_of(const Sphere& got, const Sphere& exact) {

@@ -87,7 +87,7 @@ std::string not_judged_text(const SubmissionGrade& grade);
 /// Why nothing could be run, with the compiler's output.
 std::string refusal_text(const Refusal& refused);
 
-/// "2 items are in the score and not shown"; empty if all are shown.
+/// "not shown, but in the score: 2 items"; empty if all are shown.
 std::string unlisted_text(const StudentGrade& grade);
 
 /// The sentence of a failing case's law.

@@ -55,8 +55,8 @@ std::string unsaid_text(const SubmissionGrade& grade) {
     cases += item.cases + item.unsaid;
   }
   if (unsaid == 0) return "";
-  return fmt::format("{} of {} cases cannot be said in its form, and are in no total", unsaid,
-                     cases);
+  return fmt::format("{} of {} cases cannot be written in its input format and do not count",
+                     unsaid, cases);
 }
 
 namespace {

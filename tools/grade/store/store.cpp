@@ -275,10 +275,10 @@ bool OwnFiles::is_own(const fs::path& name) const {
 
 void OwnFiles::require_own(const fs::path& name) const {
   if (!is_there(out_ / name) || is_own(name)) return;
-  throw scene::InvalidInput(
-      "out", out_.string(),
-      (out_ / name).string() +
-          " is not as raycheck wrote it, and stays; move it away, or give another folder");
+  throw scene::InvalidInput("out", out_.string(),
+                            (out_ / name).string() +
+                                " was not written by raycheck, or has changed since; move it away, "
+                                "or give another folder");
 }
 
 void OwnFiles::list(const std::string& digest) {
