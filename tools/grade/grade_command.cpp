@@ -24,7 +24,7 @@ struct GradeArguments {
   std::string secret_file;
   std::string package;
   bool probe = false;
-  /// Grading with less isolation than there should be takes an explicit choice.
+  /// Grading with less isolation requires an explicit option.
   SandboxArguments sandbox = {.sandbox = Sandbox::kRequire};
   std::string format = "text";
   ShardArguments shards;
@@ -41,7 +41,7 @@ std::string secret_of(const std::string& path) {
   throw std::invalid_argument("--secret-file " + path + ": is empty");
 }
 
-/// Prints the class in a format, or in the first if that is only a format of results.json.
+/// The class in a printed format; in the default one if `format` is a format of results.json only.
 std::string printed(const ClassGrade& graded, const std::string& format) {
   for (const ClassView& view : kPrintedViews) {
     if (view.name == format) return view.render(graded);
@@ -49,7 +49,7 @@ std::string printed(const ClassGrade& graded, const std::string& format) {
   return kPrintedViews[0].render(graded);
 }
 
-/// Without submissions the rubric itself is tried, on raycheck's own methods.
+/// Without submissions: tries the rubric on raycheck's own methods.
 int try_own_methods(const GradeArguments& arguments) {
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric, arguments.options.dialect);
@@ -133,7 +133,7 @@ CommandRun add_grade(CLI::App& command) {
   add_shards_inside(command, arguments.shards);
   command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
       ->check(whole_number(1, 1024));
-  // With --out, too: the command is the later grading's, tried beforehand.
+  // Allowed with --out, so that the later grading command only needs --probe removed.
   CLI::Option* const probe =
       command
           .add_flag("--probe", arguments.probe,

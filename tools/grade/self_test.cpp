@@ -14,12 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tests that the environment works, not how fast it is.
+/// The self-test checks whether the environment works, not its speed.
 constexpr double kLeastSeconds = 10;
 /// The compiler for sources.
 constexpr const char* kCompiler = "/usr/bin/g++";
 
-// Correct for the questions asked below, and only these.
+// Correct only for the questions asked below.
 constexpr const char* kSource = R"(#include <raycheck/candidate.h>
 static raycheck_hit intersect(const raycheck_ray*, const raycheck_sphere* sphere,
                               const raycheck_conventions*) {
@@ -50,7 +50,7 @@ cat "$1" > /dev/null && printf 'P3\n2 1\n255\n255 0 0\n0 0 0\n' > "$2"
 struct OwnSubmission {
   CandidateKind kind;
   const char *file, *text;
-  const char* what;   ///< What follows its kind in a rubric's form.
+  const char* what;   ///< The candidate's words in a rubric's form, without the kind.
   const char* words;  ///< Its name in errors.
 };
 constexpr OwnSubmission kOwn[] = {
@@ -58,7 +58,7 @@ constexpr OwnSubmission kOwn[] = {
     {CandidateKind::kCommand, "own", kCommand, "./own", "program"},
     {CandidateKind::kRenderer, "own", kRenderer, "./own {scene} {image}", "renderer"}};
 
-/// Libraries and builds are tried only if there is a compiler: otherwise nothing is built here.
+/// A library is compiled for the test only if there is a compiler.
 bool is_asked(CandidateKind kind, const Rubric& rubric) {
   return std::ranges::any_of(rubric.forms, [&](const Form& form) {
     const bool may_compile = form.program.kind == CandidateKind::kLibrary || !form.build.empty();

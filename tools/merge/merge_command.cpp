@@ -24,12 +24,12 @@ namespace fs = std::filesystem;
 
 struct MergeArguments {
   std::vector<std::string> folders;
-  std::map<std::string, std::vector<std::string>> passed;  ///< Values of options of reports,
-  std::map<std::string, bool> flags;                       ///< and those without a value.
+  std::map<std::string, std::vector<std::string>> passed;  ///< Report options with values.
+  std::map<std::string, bool> flags;                       ///< Report options without values.
   bool may_run = false;
 };
 
-/// The folder says what to run, and the folder may be anyone's.
+/// The folder names the programs to run, and it may come from anyone.
 void tell_what_runs(const CampaignIdentity& campaign, const std::string& folder, bool may_run) {
   if (!runs_candidates(campaign)) return;
   const std::string told =
@@ -40,7 +40,7 @@ void tell_what_runs(const CampaignIdentity& campaign, const std::string& folder,
   print_error(fmt::format("raycheck: {}\n", told));
 }
 
-/// Becomes the campaign's own command, which takes its units from the folders.
+/// Executes the campaign's command, which takes its units from the folders.
 int run_merge(const MergeArguments& arguments) {
   const CampaignIdentity campaign = campaign_in(arguments.folders.front());
   const CommandRow* const row = find_command(campaign.command);
@@ -64,7 +64,7 @@ int run_merge(const MergeArguments& arguments) {
           "{}: its campaign has {}, which raycheck never writes: the folder was changed",
           arguments.folders.front(), *argument));
     }
-    // In one word: what a value begins with makes it no option.
+    // One word, so that a value that begins with '-' is not read as an option.
     words.push_back(known->has_value ? *argument + "=" + *std::next(argument) : *argument);
     if (known->has_value) ++argument;
   }

@@ -13,11 +13,11 @@
 namespace raycheck::tools {
 namespace {
 
-/// The variables by which a scheduler says who this worker is; null: it does not say that.
+/// The environment variables of a scheduler that hold a worker's index and count; null: none.
 struct Scheduler {
   const char* index;
   const char* count;
-  std::int64_t least = 0;  ///< The least index, where no variable has it.
+  std::int64_t least = 0;  ///< The least index, if `first` is null.
   const char* first = nullptr;
   const char* step = nullptr;
 };
@@ -43,7 +43,8 @@ std::optional<std::int64_t> variable(const char* name) {
   return number_of(name, "", text);
 }
 
-/// Empty: this scheduler says nothing. `of`: what was said otherwise.
+/// The shard that a scheduler sets; empty if its variables are not set. `of`: the count from
+/// --shard, if given.
 std::optional<Shard> shard_of(const Scheduler& scheduler, std::optional<std::int64_t> of) {
   const std::optional<std::int64_t> index = variable(scheduler.index);
   if (!index) return std::nullopt;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kBins = 10;
 
-/// 0 for what has no points.
+/// 0 if the submission has no points to earn.
 double share_of(const SubmissionGrade& grade) {
   return grade.points > 0 ? (grade.score - grade.bonus) / grade.points : 0;
 }
@@ -100,7 +100,7 @@ std::string links(const Submissions& members) {
   return "<p>" + scene::joined(members, ", ", link_of) + "</p>\n";
 }
 
-/// The smallest case of a mistake, to look at and to download.
+/// The smallest failing case of a mistake, shown and offered for download.
 std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
   const FailingCase& failing = *item.failing;
   const std::string name = file_name(item.name);
@@ -151,7 +151,7 @@ std::string not_judged(const ClassGrade& graded) {
   return html;
 }
 
-/// Whose total lacks cases.
+/// The submissions whose total lacks cases.
 std::string unsaid(const ClassGrade& graded) {
   std::string html;
   for (const SubmissionGrade& grade : graded.submissions) {
@@ -190,7 +190,7 @@ std::string everyone(const ClassGrade& graded) {
   return html + "</table></div>\n";
 }
 
-/// Files that reading does not explain.
+/// Files whose content a reader cannot judge: binaries, pictures, large files.
 std::string opaque(const ClassGrade& graded) {
   constexpr std::size_t kMostListed = 8;
   std::string rows;

@@ -87,8 +87,8 @@ std::string csv_note(const SubmissionGrade& grade) {
 
 }  // namespace
 
-/// A row per submission, a column per item; without points if it could not be judged, except those
-/// that the rubric gives for that.
+/// A row per submission, a column per item. A submission that could not be judged has no points
+/// except those that the rubric gives such submissions.
 std::string class_csv(const ClassGrade& graded) {
   std::string text = "submission,score,points";
   for (const Item& item : graded.rubric.items) text += "," + csv_cell(item.name);

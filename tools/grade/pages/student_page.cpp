@@ -39,7 +39,7 @@ std::string command_html(const HomeCommand& command) {
   return escaped(command.purpose) + ":<pre class=\"command\">" + escaped(command.words) + "</pre>";
 }
 
-/// The mistake, the hint, the case to try, and how.
+/// The mistake, the hint, the failing case and the commands that repeat it.
 std::string next_steps(const StudentGrade& grade, std::size_t k) {
   const Item& item = *grade.items[k];
   const ItemGrade& told = grade.submission.items[k];
@@ -67,7 +67,8 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
 }
 
-/// `figure` is where the page of figures has the item's failing case; empty: nowhere.
+/// `figure`: the address of the item's failing case on the page of figures; empty: it has no
+/// figure.
 std::string item_html(const StudentGrade& all, std::size_t k, const std::string& figure) {
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];
@@ -138,7 +139,7 @@ std::string report_page(const StudentGrade& grade) {
   const SubmissionGrade& submission = grade.submission;
   std::string html =
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(grade.title), escaped(submission.name));
-  // Faults first: a bonus hides none.
+  // Mistakes first, so that a bonus does not hide them.
   const std::string mistake = mistake_text(submission);
   if (!mistake.empty()) html += "<p><strong>" + escaped(mistake) + "</strong></p>\n";
   const std::string total = score_text(submission) + of_points_text(submission);

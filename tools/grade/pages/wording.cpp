@@ -41,7 +41,7 @@ std::string answer_text(const WrongAnswer& answer) {
 
 std::string got_text(const WrongAnswer& answer) {
   if (answer.quantity == Quantity::kRefusal) return "";
-  // Some sphere; the picture does not tell which.
+  // The picture shows a sphere, but its colour does not identify which.
   const bool is_untold = answer.quantity == Quantity::kNearestSphere &&
                          answer.wrong == Wrong::kFalseHit && answer.got.empty();
   return is_untold ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
@@ -99,7 +99,7 @@ std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistak
 std::string mistake_text(const SubmissionGrade& grade) {
   std::vector<MistakeStatistics> all = mistake_statistics({&grade, 1});
   std::ranges::stable_sort(all, std::greater{}, &MistakeStatistics::items);
-  // The most frequent one is named, and all others that cost points.
+  // The most frequent mistake, then every other one that costs points.
   std::string text;
   for (const MistakeStatistics& one : all) {
     if (text.empty() || one.costs) text += (text.empty() ? "" : "; and ") + one.sentence;

@@ -333,7 +333,7 @@ class RubricReader {
     return {name, scene};
   }
 
-  /// Beside the rubric, or among the scenes that come with raycheck.
+  /// The scene beside the rubric, or of that name among those that come with raycheck.
   fs::path path_of_scene(const Field& field, const std::string& name) const {
     fs::path beside = path_.parent_path() / name;
     if (fs::exists(beside)) return beside;
@@ -344,7 +344,7 @@ class RubricReader {
   fs::path path_;
   TomlFields fields_;
   Tolerance tolerance_;
-  double unit_ = properties::kDoubleRoundoff;  ///< Of every tolerance.
+  double unit_ = properties::kDoubleRoundoff;  ///< The unit of every tolerance.
   std::set<std::string> names_;
   std::set<std::string> file_names_;
   std::map<std::string, fs::path> scene_files_;
