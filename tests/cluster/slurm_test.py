@@ -86,7 +86,7 @@ class Array(unittest.TestCase):
             return False
         Shared.slurm.wait(f"task {task} at work", is_there)
 
-    def test_tasks_that_are_killed_go_on_and_the_report_is_that_of_one_machine(self):
+    def test_killed_tasks_resume_and_the_report_equals_that_of_one_machine(self):
         array, merge = self.submitted(self.program(killed="2", hangs="[34]"))
         self.wait_until_hanging(3)
         Shared.slurm.told("scontrol", "requeue", f"{array}_3")
@@ -104,7 +104,7 @@ class Array(unittest.TestCase):
         for task in range(1, SHARDS + 1):
             self.assertRegex(self.log(f"shard-{task}"), f"shard {task} of {SHARDS}\\b.*SLURM")
 
-    def test_what_a_cancelled_task_did_not_do_is_said_and_done_by_the_same_command_again(self):
+    def test_the_same_command_computes_what_a_cancelled_task_did_not(self):
         array, merge = self.submitted(self.program(killed="2", hangs="3"), RESTARTS="0")
         self.wait_until_hanging(3)
         Shared.slurm.told("scancel", f"{array}_3")

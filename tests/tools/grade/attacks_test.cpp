@@ -42,7 +42,7 @@ std::string all_items() { return kPixelZeroZero + kNearestRoot + kNearestSphere;
 
 class Attacks : public GradingTest {};
 
-TEST_F(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
+TEST_F(Attacks, earn_no_points_and_do_not_change_other_grades) {
   const std::string rubric = grading.short_rubric("reply_seconds = 2\n", all_items());
   std::vector<std::string> folders;
   for (const Attack& attack : kAttacks) {
@@ -84,7 +84,7 @@ TEST_F(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
   }
 }
 
-TEST_F(Attacks, are_all_that_the_hostile_submission_knows) {
+TEST_F(Attacks, cover_every_attack_of_the_hostile_submission) {
   std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/submissions/hostile.cpp");
   const std::size_t from = text.find("#define ATTACKS") + 15;
   text = text.substr(from, text.find("enum class", from) - from);
@@ -101,7 +101,7 @@ def can(how, path):
         return False
 )";
 
-TEST_F(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
+TEST_F(Attacks, cannot_read_other_submissions_the_rubric_or_the_results) {
   const std::string rubric = grading.short_rubric("", kNearestRoot);
   const std::string scene =
       grading.write("lecture7/behind.toml",
@@ -144,7 +144,7 @@ with open(sys.argv[2], 'w') as image:
         image.write('0 0 0\n' if pixel == '0 0 0' else '102 102 102\n')
 )";
 
-TEST_F(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_asked) {
+TEST_F(Attacks, by_colours_that_identify_no_sphere_earn_no_points_for_spheres) {
   const std::string folder = grading.submit_built("grey", "rt.cpp", "first_sphere_wins");
   fs::rename(folder + "/first_sphere_wins.rt", folder + "/first_sphere_wins");
   grading.write("submissions/grey/grey.py", kGrey);
@@ -161,7 +161,7 @@ TEST_F(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_as
   EXPECT_EQ(result["points"], 14) << "neither right nor wrong";
 }
 
-TEST_F(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
+TEST_F(Attacks, by_renderers_that_hang_take_at_most_the_time_of_the_rubric) {
   const std::string scenes = item_of("whole scenes", "points = 10",
                                      "[item.pictures]\nsources = [\"course\"]\ncases = 9\n");
   const std::string rubric =
@@ -184,7 +184,7 @@ TEST_F(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
                {"did not end, and computed next to nothing for 1 s (reply_seconds)"});
 }
 
-TEST_F(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
+TEST_F(Attacks, by_links_pipes_and_names_are_refused_and_other_submissions_graded) {
   const std::string right = grading.submit("right", "rays.py");
   fs::create_directory_symlink(right, grading.path("submissions/link"));
   const std::string pipe = grading.path("submissions/pipe");

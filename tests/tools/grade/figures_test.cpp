@@ -150,7 +150,7 @@ std::string lecture_items() {
 
 class Figures : public GradingTest {};
 
-TEST_F(Figures, have_the_numbers_of_their_items_text_and_are_the_same_when_made_again) {
+TEST_F(Figures, show_the_same_numbers_as_the_text_and_are_reproducible) {
   const std::string rubric = grading.short_rubric("", lecture_items());
   std::vector<std::string> all;
   for (const FigureSubject& subject : kFigureSubjects) {
@@ -189,7 +189,7 @@ json only_panel(const Grading& grading, const std::string& item, const std::stri
   return panel_of(document, document["findings"][0]);
 }
 
-TEST_F(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
+TEST_F(Figures, draw_a_hit_on_the_ray_that_the_submission_computed) {
   const json panel =
       only_panel(grading, item_of("hit point", "points = 1", functions("hit-point", "course", 4)),
                  "float_directions");
@@ -202,7 +202,7 @@ TEST_F(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
                {"(yours: for the ray that it makes itself)", "goes wrong at D (its own ray)"});
 }
 
-TEST_F(Figures, hold_a_submission_to_what_its_item_tolerates) {
+TEST_F(Figures, apply_the_tolerance_of_the_item) {
   // Directions in floats are right to this item, and its hits go wrong at their root alone.
   const json panel = only_panel(grading,
                                 item_of("root", "points = 1\ntolerance = { ulp = 1e11 }",
@@ -228,7 +228,7 @@ std::string beside(const Grading& grading, const std::string& name) {
   return grading.hand_in(name, "rays.py", text);
 }
 
-TEST_F(Figures, are_as_large_whatever_fails_that_is_hidden) {
+TEST_F(Figures, do_not_reveal_by_their_size_whether_a_hidden_item_fails) {
   // Neither the page, its size, nor a link tells whether a hidden item fails.
   const std::string visible =
       item_of("open", "points = 1", functions("parameter", "course", 4, kGivenRays));
@@ -257,7 +257,7 @@ TEST_F(Figures, are_as_large_whatever_fails_that_is_hidden) {
   EXPECT_FALSE(has(grading.file("", "index.html", "alone"), "figures.html"));
 }
 
-TEST_F(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fails_say_how) {
+TEST_F(Figures, show_answers_that_are_not_finite_and_how_a_program_failed) {
   const std::string item =
       item_of("root", "points = 1", functions("parameter", "course", 4, kGivenRays));
   const std::string import = "import math, raycheck_candidate as rc\n";
@@ -281,7 +281,7 @@ TEST_F(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fa
   EXPECT_FALSE(has(grading.file("dies", "report.html"), "<b>no"));
 }
 
-TEST_F(Figures, have_hostile_names_as_text) {
+TEST_F(Figures, escape_hostile_names) {
   const std::string name = "<b>x&\"' #?";
   graded_by(grading,
             item_of("<img src=x onerror=alert(1)> & \\\"'", "points = 1",
@@ -302,7 +302,7 @@ TEST_F(Figures, have_hostile_names_as_text) {
   expect_parts(document["findings"][0]["sentence"], {"<img src=x onerror=alert(1)>"});
 }
 
-TEST_F(Figures, are_of_functions_alone_and_go_when_what_was_wrong_is_mended) {
+TEST_F(Figures, are_only_for_functions_and_are_removed_when_the_mistake_is_corrected) {
   const std::string drawn = grading.submit_built("drawn", "rt.cpp", "mirrored");
   const std::string mine = grading.submit_built("mine", "rays.cpp", "mirrored");
   graded_by(grading, kPixelZeroZero, {drawn, mine});

@@ -47,7 +47,7 @@ class HostileOut : public testing::Test {
   std::string rubric_, mine_;
 };
 
-TEST_F(HostileOut, ThatIsHoldsOrLiesInASubmissionIsRefused) {
+TEST_F(HostileOut, IsRefusedIfItIsContainsOrLiesInASubmission) {
   fs::create_directory(grading_.path("linked"));
   fs::create_directory_symlink(mine_, grading_.path("linked/mine"));
   fs::create_directory_symlink(grading_.path("submissions"), grading_.path("also"));
@@ -66,7 +66,7 @@ TEST_F(HostileOut, ThatIsHoldsOrLiesInASubmissionIsRefused) {
   }
 }
 
-TEST_F(HostileOut, HasFilesOfOthersThatStay) {
+TEST_F(HostileOut, KeepsFilesThatRaycheckDidNotWrite) {
   const std::string notes = grading_.write("out/mine/notes.txt", "do not lose");
   const std::string scene = grading_.write("out/mine/other.toml", "do not lose");
   const std::string above = grading_.write("out/README.txt", "do not lose");
@@ -78,7 +78,7 @@ TEST_F(HostileOut, HasFilesOfOthersThatStay) {
   for (const std::string& file : {notes, scene, above}) EXPECT_EQ(contents(file), "do not lose");
 }
 
-TEST_F(HostileOut, HasNoFileInTheWayThatRaycheckDidNotWrite) {
+TEST_F(HostileOut, IsRefusedIfAResultWouldReplaceAForeignFile) {
   for (const char* name :
        {"index.html", "grades.csv", "mine/report.html", "mine/result.json", "mine/figures.html",
         "mine/pixel-0-0.toml", "mine/pixel-0-0.txt", ".raycheck-files"}) {
@@ -91,7 +91,7 @@ TEST_F(HostileOut, HasNoFileInTheWayThatRaycheckDidNotWrite) {
   refuses(try_words("out"), "out/mine/report.html");
 }
 
-TEST_F(HostileOut, HasItsOwnFilesReplacedUnlessSomeoneEditedThem) {
+TEST_F(HostileOut, HasItsFilesReplacedUnlessTheyWereEdited) {
   EXPECT_EQ(run(grade_words("out")).exit_code, 0);
   const std::string scene = grading_.path("out/mine/pixel-0-0.toml");
   const std::string page = grading_.path("out/mine/report.html");
@@ -108,7 +108,7 @@ TEST_F(HostileOut, HasItsOwnFilesReplacedUnlessSomeoneEditedThem) {
   EXPECT_NE(contents(page), original);
 }
 
-TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
+TEST_F(HostileOut, IsRefusedIfItIsAnInputFile) {
   const std::string root = RAYCHECK_SOURCE_DIR;
   const std::string toml = contents(root + "/scene/examples/far-sphere.toml");
   const std::string scene = grading_.write("scene.ppm", toml);
@@ -142,7 +142,7 @@ TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
   }
 }
 
-TEST_F(HostileOut, MayBeCalledAsAMethodIs) {
+TEST_F(HostileOut, MayHaveTheNameOfAMethod) {
   const std::string words =
       "cd '" + grading_.path(".") +
       "' && exec '" RAYCHECK_BINARY
@@ -152,7 +152,7 @@ TEST_F(HostileOut, MayBeCalledAsAMethodIs) {
   }
 }
 
-TEST_F(HostileOut, IsNamedOnce) {
+TEST_F(HostileOut, IsNamedOnceInTheError) {
   const std::string scene = std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/far-sphere.toml";
   const std::string one = grading_.path("x"), same = grading_.path("./x");
   const std::string twice = ": the file is named twice";
@@ -220,7 +220,7 @@ const InRunFolder kInRunFolder[] = {
       {"mine.ppm", "P3 1 1 255 0 0 0\n"}},
      {"it writes mine.ppm whatever name it is given"}}};
 
-TEST(HostileRunFolder, IsThatOfTheHandInAndNothingElse) {
+TEST(HostileRunFolder, HasTheFilesOfTheHandInAndNoOthers) {
   const Grading grading;
   std::vector<std::string> folders;
   for (const auto& [name, before, to, files, notes] : kInRunFolder) {
@@ -238,7 +238,7 @@ TEST(HostileRunFolder, IsThatOfTheHandInAndNothingElse) {
   }
 }
 
-TEST(HostileRunFolder, OfAnotherHandInIsNotTakenForAStoredOne) {
+TEST(HostileRunFolder, OfAnotherHandInIsNotReusedFromTheStore) {
   const Grading grading;
   const std::string rubric = grading.write("rubric.toml", full_rubric(1));
   grading.write("mine/rt.py", renderer_in_python("assert h == 25 or os.path.isdir('output')\n"));

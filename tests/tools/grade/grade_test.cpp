@@ -47,7 +47,7 @@ std::string degenerate(const Grading& grading, const std::string& name,
 class DegenerateSubmission : public GradingTest {};
 
 /// At exact tangents either class has a witness.
-TEST_F(DegenerateSubmission, whose_every_answer_is_excused_has_no_points) {
+TEST_F(DegenerateSubmission, gets_no_points_if_every_answer_is_excused) {
   const std::string rubric =
       grading.write("tangents.toml",
                     kFormOfPython + item_of("tangents", "points = 10\ntolerance = { ulp = 16 }",
@@ -61,7 +61,7 @@ TEST_F(DegenerateSubmission, whose_every_answer_is_excused_has_no_points) {
 
 /// What a submission states of itself would take it out of what the rubric asks: lengths, and roots
 /// that count.
-TEST_F(DegenerateSubmission, that_states_a_domain_without_any_case_has_no_points) {
+TEST_F(DegenerateSubmission, gets_no_points_by_declaring_a_domain_without_cases) {
   const std::string rubric = grading.write(
       "rays.toml", kFormOfPython +
                        item_of("hits", "points = 10", functions("class", "rays", 20, kGivenRays)) +
@@ -88,7 +88,7 @@ TEST_F(DegenerateSubmission, that_states_a_domain_without_any_case_has_no_points
 
 /// Of a bonus, that is: a case in which nothing is met is no more than the rest of an ordinary
 /// item.
-TEST_F(DegenerateSubmission, that_always_misses_has_no_bonus) {
+TEST_F(DegenerateSubmission, gets_no_bonus_by_always_missing) {
   const std::string rubric = grading.write(
       "bonus.toml", kFormOfPython + item_of("rays", "points = 10\nbonus = true\ncredit = \"share\"",
                                             functions("class", "rays", 60, kGivenRays)));
@@ -98,7 +98,7 @@ TEST_F(DegenerateSubmission, that_always_misses_has_no_bonus) {
   EXPECT_GT(result["items"][0]["cases"], 0);
 }
 
-TEST(RightSubmission, may_lie_in_the_only_folder_of_its_folder_or_be_a_file) {
+TEST(RightSubmission, may_be_a_file_or_lie_in_a_nested_folder) {
   const Grading grading;
   const std::string deep = grading.submit("deep/unpacked/src", "rays.py");
   grading.grade(grading.short_rubric("", kNearestRoot),
@@ -106,7 +106,7 @@ TEST(RightSubmission, may_lie_in_the_only_folder_of_its_folder_or_be_a_file) {
   for (const char* name : {"deep", "rays"}) EXPECT_EQ(grading.result(name)["score"], 10) << name;
 }
 
-TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
+TEST(Rubric, that_raychecks_own_methods_fail_ends_with_1) {
   const Grading grading;
   const std::string rubric =
       grading.write("rubric.toml", item_of("beyond doubles", "points = 1\ntolerance = { ulp = 0 }",
@@ -117,7 +117,7 @@ TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
 
 class Grades : public GradingTest {};
 
-TEST_F(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers_are_stored) {
+TEST_F(Grades, are_the_same_bytes_for_any_number_of_jobs_and_with_stored_answers) {
   // Something of every kind that is quick.
   const std::vector<std::string> folders = {
       grading.submit_built("far-root", "rays.cpp", "far_root"),
@@ -150,7 +150,7 @@ TEST_F(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers
   }
 }
 
-TEST_F(Grades, come_of_other_cases_for_each_seed_of_which_each_has_its_own_under_a_secret) {
+TEST_F(Grades, use_other_cases_for_each_seed_and_a_seed_per_submission_under_a_secret) {
   const std::string rubric = grading.short_rubric("", kNearestSphere);
   const std::vector<std::string> folders = {
       grading.submit_built("alice", "rays.cpp", "first_sphere_wins"),
@@ -254,7 +254,7 @@ const Grading& graded_class() {
 
 class EachHandIn : public testing::TestWithParam<HandIn> {};
 
-TEST_P(EachHandIn, HasItsScoreAndItsSentences) {
+TEST_P(EachHandIn, HasTheExpectedScoreAndSentences) {
   const HandIn& hand_in = GetParam();
   if (!is_runnable(hand_in)) GTEST_SKIP() << hand_in.language << " is not installed";
   const json result = graded_class().result(hand_in.name);

@@ -36,7 +36,7 @@ time.sleep(60)
 
 class HostileClass : public GradingTest {};
 
-TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
+TEST_F(HostileClass, keeps_its_grades_if_one_submission_fills_the_disk) {
   const SmallDisk disk(grading.path("disk"), "300m");
   if (disk.path().empty()) GTEST_SKIP() << "no disk can be mounted here";
   const std::string rubric = grading.short_rubric("reply_seconds = 20\n", kNearestRoot);
@@ -64,7 +64,7 @@ TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   EXPECT_TRUE(has(again.out, "its files take more than 40 MiB (disk_mib)")) << again.out;
 }
 
-TEST_F(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {
+TEST_F(HostileClass, reports_in_table_and_spreadsheet_that_one_submission_used_up_its_time) {
   const std::string rubric = grading.short_rubric(
       "seconds = 2\nreply_seconds = 60\n",
       item_of("hit or miss", "points = 15", functions("class", "course", 9, kGivenRays)) +
@@ -92,7 +92,7 @@ TEST_F(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_
   EXPECT_TRUE(has(grading.file("", "grades.csv"), said)) << grading.file("", "grades.csv");
 }
 
-TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone) {
+TEST_F(HostileClass, judges_a_submission_again_that_was_killed_from_outside) {
   const std::string mark = "killed_" + std::to_string(getpid());
   const std::string victim =
       grading.submit("victim", "rays.py", "import time; time.sleep(2) # " + mark);
@@ -124,7 +124,7 @@ TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alo
 
 constexpr std::size_t kMany = 200000;
 
-TEST(HostileIntake, is_not_ended_by_what_is_nested_deeply_or_has_many_spaces) {
+TEST(HostileIntake, survives_deep_nesting_and_many_spaces) {
   const Grading grading;
   const std::string spaces = repeated(" ", kMany);
   const std::pair<const char*, std::string> files[] = {

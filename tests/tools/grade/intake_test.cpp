@@ -303,7 +303,7 @@ const Grading& graded(const std::vector<Brought>& list) {
 
 class EachBrought : public testing::TestWithParam<Brought> {};
 
-TEST_P(EachBrought, IsBuiltAndRightOrRefused) {
+TEST_P(EachBrought, IsBuiltAndRightOrIsRefused) {
   const Brought& one = GetParam();
   if (!is_here(one.needs)) GTEST_SKIP() << one.needs << " is not installed";
   const bool is_right = one.refused.empty();
@@ -331,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(LongIntake, EachBrought, testing::ValuesIn(kRefused), k
 
 class LongIntake : public GradingTest {};
 
-TEST_F(LongIntake, is_the_same_when_graded_again_from_the_store) {
+TEST_F(LongIntake, gives_the_same_grades_from_the_store) {
   bring(grading, "other",
         {{"Makefile", "check: checks.cpp\n\tgcc -o check checks.cpp\n"},
          {"checks.cpp", kChecks},
@@ -351,7 +351,7 @@ TEST_F(LongIntake, is_the_same_when_graded_again_from_the_store) {
 }
 
 /// A folder that a form means is not unwrapped.
-TEST_F(LongIntake, leaves_a_folder_that_a_form_names) {
+TEST_F(LongIntake, does_not_unwrap_a_folder_that_a_form_names) {
   bring(grading, "named",
         {{"source/rt.c", kC}, {"source/Makefile", "rt: rt.c\n\tcc -o rt rt.c -lm\n"}});
   const std::string rubric =
@@ -399,7 +399,7 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
 }
 
 /// In the forms that it reads it waits; the others it does not read.
-TEST_F(LongIntake, shows_what_a_program_says_where_it_comes_farthest) {
+TEST_F(LongIntake, shows_the_output_of_the_form_in_which_a_program_gets_farthest) {
   bring(grading, "far",
         {{"rt.py",
           "import sys, time\nfor line in open(sys.argv[1]):\n    words = line.split()\n"

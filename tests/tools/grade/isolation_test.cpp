@@ -52,9 +52,9 @@ class HostileOnMachine : public testing::TestWithParam<Machine> {
 
 INSTANTIATE_TEST_SUITE_P(Machines, HostileOnMachine, testing::ValuesIn(kMachines), kNameOfMachine);
 
-TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
+TEST_P(HostileOnMachine, AttacksEarnNoPointsAndTheGraderSurvives) {
   if (GetParam().is_root && GetParam().has_bubblewrap) {
-    GTEST_SKIP() << "Attacks.gain_nothing_and_leave_the_others_as_they_are tries this machine";
+    GTEST_SKIP() << "Attacks.earn_no_points_and_do_not_change_other_grades tries this machine";
   }
   const std::string rubric = short_rubric(grading);
   const std::vector<std::string> attacks = {"none",          "kills_judge",   "weakens_judge",
@@ -105,7 +105,7 @@ TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
   EXPECT_EQ(grading.result("python")["score"], kAll) << "the adapter is there";
 }
 
-TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
+TEST_P(HostileOnMachine, ConcurrentForkBombsDoNotRaiseTheirLimits) {
   const std::string rubric = grading.short_rubric("seconds = 2\nreply_seconds = 1\n", kNearestRoot);
   std::vector<std::string> submissions = {grading.submit("right", "rays.py")};
   for (const char* name : {"first", "second"}) {
@@ -120,7 +120,7 @@ TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
   }
 }
 
-TEST_P(HostileOnMachine, PicturesAndFoldersThatAreClosedAreNoFailureOfTheMachine) {
+TEST_P(HostileOnMachine, UnreadablePicturesAndFoldersAreNotFailuresOfTheMachine) {
   const std::string rubric = short_rubric(grading);
   const std::string picture =
       "#!/bin/sh\n{ echo P3 25 25 255; yes 255 255 255 | head -n 625; } > $2\nchmod 0 $2\n";
@@ -135,7 +135,7 @@ TEST_P(HostileOnMachine, PicturesAndFoldersThatAreClosedAreNoFailureOfTheMachine
   }
 }
 
-TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
+TEST_P(HostileOnMachine, LessIsolationIsAnErrorUnlessRequested) {
   const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   const Outcome outcome = grade(GetParam().has_bubblewrap ? 0 : 2, rubric, {right});
@@ -149,7 +149,7 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
       2);
 }
 
-TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {
+TEST_P(HostileOnMachine, OtherProcessesOfTheUserDoNotCountAgainstSubmissions) {
   if (GetParam().is_root) GTEST_SKIP() << "as root each submission has a user of its own";
   // More than the 64 that a submission may have, as a desktop has them.
   const std::string rubric = short_rubric(grading);
@@ -161,7 +161,7 @@ TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {
   EXPECT_EQ(grading.result("python")["score"], kAll);
 }
 
-TEST(HostileJail, KeepsSignalsInWhereTheKernelCannot) {
+TEST(HostileJail, BlocksSignalsIfTheKernelCannot) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can be another user";
   const Grading grading;
   // A copy, for that user may not enter every folder that raycheck is built in.
@@ -207,7 +207,7 @@ kill $judge
 
 class HostileSandbox : public GradingTest {};
 
-TEST_F(HostileSandbox, ThatFailsLaterIsNeverLeftOut) {
+TEST_F(HostileSandbox, ThatFailsLaterIsNotSkipped) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can put a program in another's place";
   // Works when it is tried and when the candidate introduces itself, and no more.
   grading.write("count", "0\n");
@@ -237,7 +237,7 @@ struct TriedFolder {
   const char* said;
 };
 
-TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
+TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeGrading) {
   const Grading grading;
   const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
@@ -267,7 +267,7 @@ TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
   expect_parts(grade_in(grading.path("nowhere")).err, {"there is no such folder"});
 }
 
-TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
+TEST(HostileTemporaryFolder, WithoutExecutionPreventsGrading) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can mount a folder where nothing runs";
   const Grading grading;
   const std::string rubric = short_rubric(grading);
@@ -289,7 +289,7 @@ TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
 }
 
-TEST_F(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
+TEST_F(HostileSandbox, WithoutTheJailProgramIsRefusedWithoutBlamingACandidate) {
   for (const char* program : {"raycheck", "raycheck-check", "raycheck-grade"}) {
     fs::copy_file(fs::path(RAYCHECK_BINARY).parent_path() / program, grading.path(program));
   }
@@ -305,7 +305,7 @@ TEST_F(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
   }
 }
 
-TEST_F(HostileSandbox, NoneIsRefusedToRootWhoDoesNotSayThatHeKnows) {
+TEST_F(HostileSandbox, NoneRequiresIKnowForRoot) {
   const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   if (geteuid() == 0) {

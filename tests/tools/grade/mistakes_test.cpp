@@ -188,7 +188,7 @@ std::string expect_costs(const Grading& grading, const std::string& rubric, cons
   return outcome.out;
 }
 
-TEST(GradedMistakes, of_functions_cost_what_they_deserve_and_are_named_in_python_as_well) {
+TEST(GradedMistakes, in_functions_have_the_expected_cost_and_name_also_in_python) {
   const Grading grading;
   const std::string line = "MISTAKE = \"far_root\"";
   expect_costs(grading, grading.lecture7_with({}), "rays.cpp", kOfFunctions,
@@ -198,7 +198,7 @@ TEST(GradedMistakes, of_functions_cost_what_they_deserve_and_are_named_in_python
   EXPECT_EQ(in_python["items"], far_root["items"]);
 }
 
-TEST(GradedMistakes, that_are_kept_between_questions_are_called_that_and_no_formula) {
+TEST(GradedMistakes, from_state_kept_between_questions_are_reported_as_such) {
   const Grading grading;
   const std::string right = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py");
   grading.hand_in(
@@ -231,7 +231,7 @@ TEST(LongGradedForms, are_found_whatever_the_mistake) {
 constexpr std::size_t kParts = 3;
 class GradedPictures : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(GradedPictures, cost_what_they_deserve_and_their_mistakes_are_named) {
+TEST_P(GradedPictures, have_the_expected_cost_and_name_their_mistakes) {
   const Grading grading;
   std::vector<Mistake> part;
   for (std::size_t k = GetParam(); k < kOfPictures.size(); k += kParts) {
@@ -246,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(LongSecond, GradedPictures, testing::Values(1));
 INSTANTIATE_TEST_SUITE_P(LongThird, GradedPictures, testing::Values(2));
 static_assert(kParts == 3);
 
-TEST(GradedMistakes, bounds_in_another_order_are_that_in_a_form_that_is_given) {
+TEST(GradedMistakes, name_bounds_in_another_order_if_the_form_is_given) {
   const Grading grading;
   const std::string corners = item_of("boundary pixels", "points = 5",
                                       "[item.pictures]\njudge = \"mask\"\nscenes = "
@@ -270,7 +270,7 @@ std::set<std::string> mistakes_of(const std::string& file) {
   return names;
 }
 
-TEST(GradedMistakes, are_all_that_the_submissions_know) {
+TEST(GradedMistakes, cover_every_mistake_of_the_submissions) {
   std::vector<Mistake> of_renderers = kOfPictures;
   of_renderers.insert(of_renderers.end(), kOfForms.begin(), kOfForms.end());
   for (const auto& [file, mistakes] :
@@ -310,17 +310,17 @@ std::vector<Names> lost(const std::vector<std::pair<std::string, std::string>>& 
 
 const Names kRobustness = {"robustness"};
 
-TEST(Floats, lose_robustness_alone_where_doubles_are_asked_for) {
+TEST(Floats, lose_only_robustness_in_double_precision) {
   EXPECT_EQ(lost({}), (std::vector<Names>{kRobustness, kRobustness, {}, kRobustness}));
 }
 
-TEST(Floats, lose_what_cancels_alone_where_precision_is_single) {
+TEST(Floats, lose_only_what_cancels_in_single_precision) {
   EXPECT_EQ(
       lost({{"seconds = 60", "precision = \"single\"\nseconds = 60"}, {"ulp = 1e11", "ulp = 256"}}),
       (std::vector<Names>{{}, kRobustness, {}, kRobustness}));
 }
 
-TEST(Floats, keep_to_bounds_in_their_own_units) {
+TEST(Floats, meet_bounds_in_units_of_float) {
   const Grading grading;
   const auto score = [&](const std::string& precision) {
     const std::string rubric = grading.write(

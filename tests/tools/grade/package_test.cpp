@@ -82,7 +82,7 @@ TEST_F(Package, grades_submissions_as_raycheck_does) {
   expect_parts(none["output"], {"raycheck could not grade this"});
 }
 
-TEST_F(Package, grades_in_a_container_without_namespaces_and_says_so) {
+TEST_F(Package, reports_missing_namespaces_in_a_container_and_grades) {
   if (std::system((std::string(kWithoutBubblewrap) + "true").c_str()) != 0) {
     GTEST_SKIP() << "bubblewrap cannot be hidden here";
   }
@@ -95,7 +95,7 @@ TEST_F(Package, grades_in_a_container_without_namespaces_and_says_so) {
   EXPECT_EQ(json::parse(contents(grading.path("root/results/results.json")))["score"], 14) << said;
 }
 
-TEST_F(Package, brings_the_libraries_that_only_raycheck_needs) {
+TEST_F(Package, contains_the_libraries_that_only_raycheck_needs) {
   static const std::regex of_the_system(
       "lib(c|m|dl|rt|pthread|gcc_s|stdc\\+\\+)\\.so\\.[0-9]|linux-vdso\\.so\\.1|.*/ld-linux-.*");
   const std::string bin = grading.path("root/source/raycheck/libexec/raycheck/");
@@ -129,7 +129,7 @@ TEST_F(Package, has_scripts_that_run_and_the_scenes_of_the_rubric) {
             contents(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7/behind.toml"));
 }
 
-TEST_F(Package, is_the_same_bytes_each_time_and_holds_the_seed) {
+TEST_F(Package, is_reproducible_and_contains_the_seed) {
   package("again.zip");
   EXPECT_EQ(contents(grading.path("again.zip")), contents(grading.path("autograder.zip")));
   expect_parts(contents(grading.path("root/source/run_autograder")), {"--seed 77 "});

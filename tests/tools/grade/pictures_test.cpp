@@ -70,7 +70,7 @@ json pictures_of_record(const Grading& grading, const std::string& name) {
 
 class Pictures : public GradingTest {};
 
-TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
+TEST_F(Pictures, show_the_drawn_and_the_exact_picture_pixel_by_pixel) {
   constexpr std::array<std::uint8_t, 3> kBlack = {}, kOrange = {0xe6, 0x9f, 0x00};
   std::set<std::array<std::uint8_t, 3>> colours;
   const std::vector<std::string> mistakes = {"mirrored", "upside_down", "first_sphere_wins",
@@ -116,7 +116,7 @@ TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
   EXPECT_GE(colours.size(), 3u) << "black and two spheres";
 }
 
-TEST_F(Pictures, that_are_withheld_are_not_there) {
+TEST_F(Pictures, are_omitted_if_withheld) {
   const std::vector<std::pair<std::string, std::size_t>> kinds = {
       {"", 3},
       {"detail = \"actual-only\"", 1},

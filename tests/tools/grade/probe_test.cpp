@@ -49,7 +49,7 @@ class Probe : public testing::Test {
   const Grading grading_;
 };
 
-TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
+TEST_F(Probe, lists_what_each_submission_builds_reads_writes_and_shows) {
   const std::vector<std::string> folders = {
       of_class("farid"), grading_.submit("functions", "rays.py"),
       grading_.hand_in("broken", "rt.cpp", "int main() { return 0 }\n")};
@@ -73,7 +73,7 @@ TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
   EXPECT_EQ(farid["program"], "renderer:./rt {scene} {image}");
 }
 
-TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
+TEST_F(Probe, suggests_a_rubric_with_the_same_result) {
   const std::vector<std::string> folders = {of_class("farid"), of_class("hanna")};
   const Outcome printed = probe(kLecture7, folders);
   const std::string suggestion =
@@ -98,7 +98,7 @@ TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
   EXPECT_FALSE(has(again["suggestion"], "[[form]]"));
 }
 
-TEST_F(Probe, suggests_no_form_that_would_fit_others_too) {
+TEST_F(Probe, suggests_no_form_that_fits_other_submissions) {
   const std::vector<std::string> folders = {grading_.hand_in("one", "rt.py", renderer_in_python()),
                                             grading_.hand_in("two", "rt.py", renderer_in_python()),
                                             grading_.hand_in("three", "rt.py", "pass\n")};
@@ -108,7 +108,7 @@ TEST_F(Probe, suggests_no_form_that_would_fit_others_too) {
   expect_parts(text, {"has = \"*\"\nbuild = \"auto\""});
 }
 
-TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
+TEST_F(Probe, reports_what_is_wrong_with_a_picture_and_the_programs_output) {
   const json all = probed(
       {grading_.hand_in("missing", "rt.sh", kSilentlyMissing),
        grading_.hand_in("empty", "rt.sh", kEmptyPicture),
@@ -129,7 +129,7 @@ TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
   EXPECT_FALSE(has(black, "\n[driver]\n")) << "no form is read";
 }
 
-TEST_F(Probe, lists_what_is_done_where_nobody_watches_and_tries_again_alone_what_only_waits) {
+TEST_F(Probe, logs_progress_without_a_terminal_and_retries_programs_that_only_wait) {
   const std::string waits = grading_.hand_in("waits", "rt.py", "import time\ntime.sleep(60)\n");
   const Outcome outcome =
       probe(one_form("2019", "reply_seconds = 1\n"),
@@ -141,7 +141,7 @@ TEST_F(Probe, lists_what_is_done_where_nobody_watches_and_tries_again_alone_what
             "it did not end, and computed next to nothing for 1 s (reply_seconds)");
 }
 
-TEST_F(Probe, names_the_form_that_is_read_where_another_is_asked_for) {
+TEST_F(Probe, names_the_form_that_is_read_if_another_is_requested) {
   // Its driver file says recursionlevel, which this one refuses.
   const std::string note =
       "it does not read driver files of form B, spheres of 16 numbers, recursionlevel 0, a light, "
@@ -189,7 +189,7 @@ for j in range(h):
 )";
 }
 
-TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_shown) {
+TEST_F(Probe, describes_colours_only_if_spheres_are_shown) {
   const std::string note = "its colours do not tell which sphere is seen";
   const auto drawing = [&](const std::string& name, const std::string& shown,
                            const std::string& seen) {
@@ -208,7 +208,7 @@ TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_s
   }
 }
 
-TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
+TEST_F(Probe, omits_a_light_if_only_the_light_makes_a_renderer_fail) {
   // The light of the dry run's scene is at whole numbers.
   const json lit = probed({grading_.hand_in(
       "lit", "rt.py",
@@ -221,13 +221,13 @@ TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
                {"it fails where there is a light, so its driver files have none"});
 }
 
-TEST_F(Probe, prefers_of_the_forms_that_are_read_the_one_that_leaves_nothing_unsaid) {
+TEST_F(Probe, prefers_the_most_complete_form_that_is_read) {
   const json drawn = probed({grading_.hand_in("any", "rt.py", renderer_in_python())})[0]["dry_run"];
   EXPECT_EQ(drawn["driver"]["extra_lines"], json({"recursionlevel 0"})) << drawn;
   EXPECT_EQ(drawn["dialect"], "2019");
 }
 
-TEST_F(Probe, says_what_draws_differently_each_time) {
+TEST_F(Probe, reports_programs_that_draw_differently_each_time) {
   // The first time, then black.
   const std::string once = "'" + grading_.path("once") + "'";
   const std::string black =
@@ -238,7 +238,7 @@ TEST_F(Probe, says_what_draws_differently_each_time) {
   expect_parts(unsteady["notes"].dump(), {"it draws differently each time", "not initialised"});
 }
 
-TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
+TEST_F(Probe, does_not_call_pictures_black_if_the_submission_has_points) {
   // It shows the sphere of the rubric's scene, and none of the dry run's.
   const std::string odd = grading_.hand_in(
       "odd", "rt.sh",
@@ -253,7 +253,7 @@ TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
   EXPECT_FALSE(has(result["notes"].dump(), "its picture is black")) << result["notes"];
 }
 
-TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
+TEST_F(Probe, reports_the_time_that_a_slow_renderer_needs) {
   const json slow = probed({grading_.hand_in("slow", "rt.sh", "sleep 1.5\n" + kBlackPicture)},
                            one_form("2019", "reply_seconds = 1\n"))[0];
   ASSERT_FALSE(slow["refused"].is_null());
@@ -262,13 +262,13 @@ TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
   EXPECT_GT(slow["dry_run"]["needed_seconds"], 1.2);
 }
 
-TEST_F(Probe, is_the_first_step_of_grading_whose_table_has_its_notes) {
+TEST_F(Probe, is_the_first_step_of_grading_and_its_notes_are_in_the_table) {
   const std::string draws = grading_.hand_in("draws", "rt.py", renderer_in_python());
   expect_parts(grading_.grade(one_form(), {of_class("farid"), draws}).out,
                {"    it writes out.ppm whatever name it is given\n"});
 }
 
-TEST_F(Probe, reads_what_the_dialect_says_in_place_of_the_rubrics) {
+TEST_F(Probe, uses_the_dialect_option_instead_of_the_rubrics) {
   const std::string farid = of_class("farid");
   const std::string as_2018 = one_form();
   const auto form_of = [&](const std::string& rubric, const std::string& more) {

@@ -179,7 +179,7 @@ Told told_to_students(const std::string& format, const Shown& shown,
 
 class EachResultsFormat : public testing::TestWithParam<const char*> {};
 
-TEST_P(EachResultsFormat, TellsNoNumberThatIsWithheld) {
+TEST_P(EachResultsFormat, ContainsNoWithheldNumber) {
   Shown shown = {
       {"visible", "actual-only"},       {"visible", "nothing"}, {"hidden", "full"},
       {"hidden", "actual-only"},        {"hidden", "nothing"},  {"after_published", "nothing"},
@@ -193,7 +193,7 @@ TEST_P(EachResultsFormat, TellsNoNumberThatIsWithheld) {
                                 << " are told, the first: " << all.told.front();
 }
 
-TEST_P(EachResultsFormat, TellsWhatIsNotWithheldSoThatItWouldBeFound) {
+TEST_P(EachResultsFormat, ContainsNumbersThatAreNotWithheld) {
   const Told all = told_to_students(GetParam(), {{"visible", "full"}}, {"failing"}, {"exact"});
   EXPECT_GE(all.secrets, 5u);
   EXPECT_EQ(all.told.size(), all.secrets);
@@ -202,7 +202,7 @@ TEST_P(EachResultsFormat, TellsWhatIsNotWithheldSoThatItWouldBeFound) {
 INSTANTIATE_TEST_SUITE_P(Formats, EachResultsFormat, testing::Values("gradescope", "prairielearn"),
                          [](const auto& the_test) { return std::string(the_test.param); });
 
-TEST(Redaction, names_no_item_that_is_hidden) {
+TEST(Redaction, does_not_name_hidden_items) {
   const Grading grading;
   const std::string frame = functions("frame", "course", 4);
   const std::string items = item_of("covert", "visibility = \"hidden\"\npoints = 1", frame) +

@@ -86,7 +86,7 @@ void expect_prairielearn(const Grading& grading) {
   EXPECT_FALSE(results(grading, "right").contains("format_errors"));
 }
 
-TEST(Results, of_a_class_are_what_each_system_reads) {
+TEST(Results, of_a_class_have_the_format_of_each_system) {
   const Grading grading;
   const std::string rubric = rubric_of(grading);
   const std::vector<std::string> folders = {
@@ -112,7 +112,7 @@ TEST(Results, of_a_class_are_what_each_system_reads) {
   EXPECT_EQ(report["submissions"][1], grading.result(kOdd));
 }
 
-TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
+TEST(ClassResults, show_the_points_for_submissions_that_could_not_be_judged) {
   const Grading grading;
   const std::string hits = functions("class", "course", 6, kGivenRays);
   const std::string rubric = grading.short_rubric(
@@ -162,7 +162,7 @@ void expect_case_for_check(const Grading& grading, const std::string& library) {
       0);
 }
 
-TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) {
+TEST(Pages, are_self_contained_and_escape_the_submissions_text) {
   const Grading grading;
   const std::string name = "<b>x&\"";
   const std::string escaped = "&lt;b&gt;x&amp;&quot;";
@@ -200,7 +200,7 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
   expect_case_for_check(grading, grading.path("submissions/wrong/far_root.so"));
 }
 
-TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_judged) {
+TEST(ClassResults, rank_mistakes_by_students_and_separate_unjudged_submissions) {
   // Two make the same mistake, and one cannot be judged.
   const Grading grading;
   const Outcome outcome = grading.grade(

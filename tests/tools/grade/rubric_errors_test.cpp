@@ -121,7 +121,7 @@ const std::vector<Wrong> kWrong = {
      "", "item: is missing"},
 };
 
-TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
+TEST(Rubric, with_an_error_is_refused_with_file_line_field_and_value) {
   const Grading grading;
   const std::string folder = grading.submit("mine", "rays.py");
   for (const auto& [part, instead, said] : kWrong) {
@@ -137,7 +137,7 @@ TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
   EXPECT_EQ(grading.result("mine")["score"], 4);
 }
 
-TEST(Rubric, whose_scene_is_wrong_fails_with_the_line_of_both) {
+TEST(Rubric, with_an_error_in_a_scene_is_refused_with_the_line_of_both) {
   const Grading grading;
   grading.write("scene.toml", sphere_text("0, 0, 0", "-1"));
   std::string text = kRubric;
@@ -163,7 +163,7 @@ TEST_F(GradeCommand, fails_with_2_and_grades_nothing) {
   EXPECT_EQ(contents(taken), "a file");
 }
 
-TEST_F(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
+TEST_F(GradeCommand, grades_other_submissions_if_one_fits_no_form) {
   const std::string other = grading.write("submissions/other/main.rb", "puts 1\n");
   const std::string nothing = grading.path("submissions/nothing");
   fs::create_directories(nothing);
@@ -178,7 +178,7 @@ TEST_F(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
   EXPECT_EQ(grading.result("mine")["score"], 10);
 }
 
-TEST_F(GradeCommand, grades_the_others_when_names_are_no_text) {
+TEST_F(GradeCommand, grades_other_submissions_if_names_are_not_text) {
   const std::string text = contents(grading.submit("mine", "rays.py") + "/rays.py");
   const std::string odd =
       "o\xff"

@@ -73,7 +73,7 @@ candidate = "renderer:python3 {file} {scene} {image}"
   Grading grading;
 };
 
-TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
+TEST_F(Store, reuses_builds_and_answers_after_a_change_of_an_item) {
   const std::vector<std::string> folders = {
       submit("functions", "rays.py", kHits), submit("pictures", "rt.py", renderer_in_python()),
       submit("wrong", "rt.py",
@@ -100,7 +100,7 @@ TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
   for (const std::size_t right : {0, 1}) EXPECT_EQ(again["submissions"][right]["score"], 12);
 }
 
-TEST_F(Store, gives_the_same_reason_for_a_program_that_makes_no_picture) {
+TEST_F(Store, gives_the_same_reason_again_for_a_program_without_a_picture) {
   // It exits with 3 in the first form, and comes farther in the others.
   const std::string program = submit("mine", "rt.py", "first = '" + grading.path("first") + R"py('
 import os, sys
@@ -122,7 +122,7 @@ sys.exit(3 if asked == open(first).read() else 0)
   EXPECT_EQ(lines("starts"), starts);
 }
 
-TEST_F(Store, builds_equal_submissions_once_and_asks_what_has_changed_or_was_not_asked) {
+TEST_F(Store, builds_equal_submissions_once_and_asks_only_new_or_changed_questions) {
   const std::string folder = submit("mine", "rays.py", kHits);
   const json report = graded(
       rubric(10), {folder, submit("two", "rays.py", kHits), submit("three", "rays.py", kHits)});
@@ -142,7 +142,7 @@ TEST_F(Store, builds_equal_submissions_once_and_asks_what_has_changed_or_was_not
   EXPECT_EQ(asked_again("", "--seed 2")["seed"], 2);
 }
 
-TEST_F(Store, refuses_what_is_not_as_it_was_kept) {
+TEST_F(Store, ignores_stored_files_that_were_changed) {
   const std::string folder = submit("mine", "rays.py", kHits);
   graded(rubric(10), {folder});
   const std::size_t starts = lines("starts");
@@ -169,7 +169,7 @@ TEST_F(Store, refuses_what_is_not_as_it_was_kept) {
   EXPECT_EQ(lines("builds"), 2u);
 }
 
-TEST_F(Store, keeps_no_failure_that_time_may_mend) {
+TEST_F(Store, does_not_store_failures_that_may_be_temporary) {
   const std::string there = grading.path("there");
   const std::string folder =
       submit("slow", "rays.py",
@@ -180,7 +180,7 @@ TEST_F(Store, keeps_no_failure_that_time_may_mend) {
   EXPECT_EQ(graded(rubric(11), {folder})["submissions"][0]["score"], 11);
 }
 
-TEST_F(Store, keeps_that_replies_took_too_long) {
+TEST_F(Store, stores_time_outs_of_replies) {
   const std::string folder =
       submit("hangs", "rays.py", hits_but_first("import time; time.sleep(60)"));
   const json first = graded(rubric(10), {folder});
@@ -218,7 +218,7 @@ TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
   EXPECT_TRUE(fs::exists(grading.path("out/index.html")));
 }
 
-TEST_F(Store, is_its_owners_and_no_submission_is_called_so) {
+TEST_F(Store, is_accessible_to_its_owner_only_and_its_name_is_reserved) {
   const std::string folder = submit("mine", "rays.py", kHits);
   graded(rubric(10), {folder});
   struct stat status {};

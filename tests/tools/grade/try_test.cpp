@@ -60,7 +60,7 @@ TEST(TryCommand, agrees_with_grade_in_every_file_and_line) {
   }
 }
 
-TEST(TryCommand, shows_what_students_may_see_and_counts_all) {
+TEST(TryCommand, shows_visible_items_and_counts_all) {
   const Grading grading;
   const std::string root = kNearestRoot;
   const std::string rubric = grading.short_rubric(
@@ -116,7 +116,7 @@ void expect_the_commands_to_work(const Grading& grading, const std::string& hand
   expect_parts(at_home.out, {"image"});
 }
 
-TEST(Home, BuildsAsItWasBuilt) {
+TEST(Home, CommandsBuildAndRepeatAsGraded) {
   const std::vector<std::map<std::string, std::string>> hand_ins = {
       {{"rt.cpp", renderer_in_c()}},
       // By a Makefile in a folder below, without leaving the folder.

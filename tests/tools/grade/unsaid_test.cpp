@@ -47,7 +47,7 @@ class Unsaid : public GradingTest {
   Outcome outcome_;
 };
 
-TEST_F(Unsaid, cases_leave_the_total_and_every_page_says_how_many) {
+TEST_F(Unsaid, cases_leave_the_total_and_every_page_shows_their_number) {
   fs::permissions(grading.path("wrapper"), fs::perms::owner_all);  // of which others get a copy
   grade("right", "sh " + wrapper_ + " {program}");
   EXPECT_EQ(points("right"), (std::vector<double>{10, 10}));
@@ -64,7 +64,7 @@ TEST_F(Unsaid, cases_leave_the_total_and_every_page_says_how_many) {
   expect_parts(outcome_.out, {kAll});
 }
 
-TEST_F(Unsaid, cases_are_never_so_by_the_word_of_whom_is_judged) {
+TEST_F(Unsaid, cases_cannot_be_claimed_by_the_submission) {
   grade("degenerate", "sh " + wrapper_ + " {program}", kLimitsOnly);
   EXPECT_EQ(points("degenerate"), (std::vector<double>{0, 10})) << "the wrapper passes its code on";
   // And where it lies where the command runs.

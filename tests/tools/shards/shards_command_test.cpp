@@ -90,7 +90,7 @@ TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
 }
 
 /// Killed again and again, it goes on with what is missing.
-TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
+TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_repeat_no_unit) {
   const auto& [name, line, exit_code] = GetParam();
   const std::string folder = fresh_folder(name + "_killed");
   std::mt19937 random(7);
@@ -136,7 +136,7 @@ class Merge : public testing::Test {
                                     testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-TEST_F(Merge, names_a_unit_that_is_missing_and_how_it_is_done) {
+TEST_F(Merge, names_a_missing_unit_and_the_command_that_computes_it) {
   const std::size_t all = units_in(folder).size();
   fs::remove(units_in(folder)[3]);
   fs::remove(units_in(folder)[3]);
@@ -151,7 +151,7 @@ TEST_F(Merge, names_a_unit_that_is_missing_and_how_it_is_done) {
   EXPECT_EQ(run("merge " + folder, 0).out, run(kAsked, 0).out);
 }
 
-TEST_F(Merge, names_a_unit_that_is_truncated_or_changed) {
+TEST_F(Merge, names_a_truncated_or_changed_unit) {
   const fs::path unit = units_in(folder)[2];
   const std::string whole = contents(unit);
   std::string tampered = whole;
@@ -172,7 +172,7 @@ TEST_F(Merge, names_a_unit_that_is_truncated_or_changed) {
   }
 }
 
-TEST_F(Merge, writes_nothing_over_what_it_merges) {
+TEST_F(Merge, does_not_overwrite_its_input) {
   const std::string file = folder + "/campaign.json", whole = contents(file);
   for (const std::string& written :
        {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml",
@@ -184,7 +184,7 @@ TEST_F(Merge, writes_nothing_over_what_it_merges) {
   run("merge " + folder, 0);
 }
 
-TEST_F(Merge, names_what_belongs_to_another_campaign) {
+TEST_F(Merge, names_files_of_another_campaign) {
   const std::string other = fresh_folder("another");
   run(kAsked + " --seed 2 --out " + other, 0);
   expect_refused("merge " + folder + " " + other,
@@ -205,7 +205,7 @@ TEST_F(Merge, names_what_belongs_to_another_campaign) {
   expect_refused("merge format", "raycheck: format: there is no such folder");
 }
 
-TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
+TEST_F(Merge, identifies_candidates_by_content) {
   const std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/float_quadratic.cpp");
   const std::string source = temporary_file("judged.cpp", text);
   const std::string asked =
@@ -231,7 +231,7 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
 }
 
 /// What somebody else put into it is not done.
-TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
+TEST_F(Merge, refuses_options_that_shards_never_write) {
   const std::string file = folder + "/campaign.json", victim = temporary_file("victim", "mine");
   const nlohmann::json whole = nlohmann::json::parse(contents(file));
   const auto forge = [&](const std::string& command, const std::vector<std::string>& arguments,
@@ -268,7 +268,7 @@ TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
 }
 
 /// A candidate that the folder names, and whoever merges it does not know.
-TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
+TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
   const std::string folder = fresh_folder("runs"), ran = fresh_folder("ran");
   const std::string candidate =
       "command:python3 " +
@@ -295,7 +295,7 @@ TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
 }
 
 /// A candidate that hangs on some cases: whatever was asked before, and by however many threads.
-TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
+TEST(Shards, with_time_outs_merge_to_the_report_of_one_run) {
   const std::string asked =
       "properties --candidate 'command:python3 tests/candidates/sometimes_silent.py' "
       "--timeout 0.5 --filter class --source rays --source distance --cases 100 --format json";
@@ -308,7 +308,7 @@ TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
 
 /// Each request without a reply takes all of its time: laws in tens, sources in tens, and a few
 /// requests.
-TEST(Shards, ask_who_never_replies_a_few_times) {
+TEST(Shards, drop_a_candidate_that_never_replies) {
   const std::string starts = fresh_folder("starts");
   const std::string hangs = temporary_file(
       "hangs.py", "import raycheck_candidate as rc\nopen('" + starts +
@@ -322,7 +322,7 @@ TEST(Shards, ask_who_never_replies_a_few_times) {
   EXPECT_EQ(run(asked + "2", 1).out, by_one);
 }
 
-TEST(Shards, are_told_by_schedulers) {
+TEST(Shards, are_set_by_schedulers) {
   struct Told {
     std::vector<std::pair<const char*, std::string>> variables;
     std::string shard, said;
@@ -363,7 +363,7 @@ TEST(Shards, are_told_by_schedulers) {
   EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));
 }
 
-TEST(Shards, refuse_what_is_no_shard) {
+TEST(Shards, refuse_invalid_numbers) {
   const std::string out = " --out " + fresh_folder("refused");
   expect_refused(kAsked + " --shard 0/3" + out, "there is no shard 0 of 3");
   expect_refused(kAsked + " --shard 4/3" + out, "there is no shard 4 of 3");
@@ -401,7 +401,7 @@ TEST(Units, are_each_done_by_one_shard) {
   EXPECT_EQ(done, std::vector<int>(100, 1));
 }
 
-TEST(Units, remove_what_a_worker_left_that_was_killed) {
+TEST(Units, remove_temporary_files_of_killed_workers) {
   const std::string folder = fresh_folder("left");
   tools::Units(kCampaign, folder, {}).open(1);
   for (const char* name :
@@ -432,7 +432,7 @@ TEST(Units, that_contradict_each_other_are_named) {
 }
 
 /// An option that neither table has would end every shard that is given it.
-TEST(Units, depend_on_options_that_are_known) {
+TEST(Units, depend_on_listed_options_only) {
   std::set<std::string> known = {"--help",   "--out",     "--shard", "--replay",
                                  "--target", "--package", "--probe", "--for"};
   for (const tools::NamedOption& one : tools::kReportOptions) known.insert(one.name);
@@ -463,7 +463,7 @@ TEST(Units, keep_every_bit_of_a_sketch) {
 }
 
 /// Results with every kind of part, of which any bytes may be others: nothing worse than a refusal.
-TEST(Units, refuse_bytes_that_are_no_result) {
+TEST(Units, refuse_bytes_that_are_not_a_result) {
   using Result = std::vector<properties::CampaignPart>;
   properties::CampaignOptions some;
   some.cases = 20;

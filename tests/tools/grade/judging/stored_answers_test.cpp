@@ -163,7 +163,7 @@ ImageAnswer answer(Cheat cheat, const Scene& scene, const scene::Conventions& co
 
 class HostileTable : public testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(HostileTable, OfPicturesEarnsNextToNothing) {
+TEST_P(HostileTable, OfPicturesEarnsAlmostNoPoints) {
   for (const Cheat cheat : {Cheat::kKnown, Cheat::kNearest, Cheat::kResized}) {
     SCOPED_TRACE(static_cast<int>(cheat));
     int asked = 0, known = 0;
@@ -201,7 +201,7 @@ std::vector<double> numbers_of(Scene scene) {
   return numbers;
 }
 
-TEST(HostileTables, OfFunctionsHaveNoCaseThatAFreshSeedAsks) {
+TEST(HostileTables, OfFunctionsHaveNoCaseOfAFreshSeed) {
   std::set<std::vector<double>> stored;
   const auto store = [&](const Scene& scene) { stored.insert(numbers_of(scene)); };
   for (std::uint64_t seed = 1; seed <= kStoredSeeds; ++seed) for_each_case(false, seed, store);
