@@ -1,17 +1,17 @@
-// Submissions that cheat or fail: they gain nothing, and the others are graded as if alone.
+// Submissions that cheat or fail: they earn no points and do not change other grades.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// The points of right answers to what the attacks offer, `intersect` alone, and of all items.
+/// The points of right answers by `intersect`, the only function of the attacks, and of all items.
 constexpr double kDeserved = 10, kPoints = 29;
 
 struct Attack {
   const char* name;
   double score;
-  const char* what;  ///< Part of what is said of it; empty: it is right but for its attempt.
+  const char* what;  ///< Part of the report; empty: its answers are right despite the attempt.
 };
 
 const std::vector<Attack> kAttacks = {
@@ -46,7 +46,7 @@ TEST_F(Attacks, earn_no_points_and_do_not_change_other_grades) {
   const std::string rubric = grading.short_rubric("reply_seconds = 2\n", all_items());
   std::vector<std::string> folders;
   for (const Attack& attack : kAttacks) {
-    // Two are attacks on what compiles or links.
+    // Two attack the compiler or linker.
     const std::string name = attack.name;
     folders.push_back(name == "compile_error" || name == "own_sqrt"
                           ? grading.submit(name, "hostile.cpp", "#define ATTACK " + name)
@@ -92,7 +92,7 @@ TEST_F(Attacks, cover_every_attack_of_the_hostile_submission) {
   EXPECT_EQ(std::count(text.begin(), text.end(), ',') + 1, std::ssize(kAttacks));
 }
 
-/// Lines before those of rays.py: what can be read, written or listed.
+/// Lines before those of rays.py: they try to read, write and list files.
 constexpr const char* kSpy = R"(import os
 def can(how, path):
     try:
@@ -116,7 +116,7 @@ TEST_F(Attacks, cannot_read_other_submissions_the_rubric_or_the_results) {
     EXPECT_TRUE(result["refused"].is_null());
     return has(result["isolated_by"], "bubblewrap") ? result["score"].get<double>() : -1;
   };
-  // So much would it lose.
+  // The points that it would lose.
   const double seen = score_of_spy("sees", "can('r', '/usr/bin/env') and can('w', '/dev/null')");
   if (seen < 0) GTEST_SKIP() << "no bubblewrap keeps submissions apart here";
   EXPECT_LT(seen, 10);
@@ -134,7 +134,7 @@ TEST_F(Attacks, cannot_read_other_submissions_the_rubric_or_the_results) {
   EXPECT_EQ(score_of_spy("spies", condition), 10);
 }
 
-/// Draws by the program beside it, and makes one grey of all colours.
+/// Draws with the program beside it, then turns all colours into one grey.
 constexpr const char* kGrey = R"(import subprocess, sys
 subprocess.run(['./first_sphere_wins', *sys.argv[1:]], check=True)
 head, pixels = open(sys.argv[2]).read().split('\n255\n')
@@ -166,7 +166,7 @@ TEST_F(Attacks, by_renderers_that_hang_take_at_most_the_time_of_the_rubric) {
                                      "[item.pictures]\nsources = [\"course\"]\ncases = 9\n");
   const std::string rubric =
       grading.short_rubric("reply_seconds = 1\nseconds = 3\n", kPixelZeroZero + scenes);
-  // It makes the dry run's pictures.
+  // It draws the dry run's pictures.
   const std::string in_time =
       "if 'eye 0 0 40' not in open(sys.argv[1]).read():\n"
       "    import time; time.sleep(1000)\n";

@@ -1,12 +1,12 @@
-// What is not raycheck's own is neither replaced nor removed, and nothing is written into what was
-// handed in; and the folder in which a hand-in's renderer runs.
+// Only files of raycheck are replaced or removed, and nothing is written into submissions; and the
+// folder in which a submission's renderer runs.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Every file below a folder, links as what they lead to.
+/// Every file below a folder; links as their targets.
 std::map<std::string, std::string> files_below(const std::string& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -28,7 +28,7 @@ class HostileOut : public testing::Test {
     }
   }
 
-  /// It ends with 2 and a reason, and leaves all files as they are.
+  /// The command exits with 2 and a reason, and changes no file.
   void refuses(const std::string& words, const std::string& why) {
     const auto before = files_below(grading_.path("."));
     const Outcome outcome = run(words, 2);
@@ -166,7 +166,7 @@ TEST_F(HostileOut, IsNamedOnceInTheError) {
 
 /// A hand-in, and what its renderer does before it writes to a file.
 struct InRunFolder {
-  const char* name;  ///< What its folder is.
+  const char* name;  ///< What is true of the folder.
   std::string before, to;
   std::map<std::string, std::string> files = {};
   std::vector<std::string> notes = {};
@@ -208,7 +208,7 @@ const InRunFolder kInRunFolder[] = {
      "else: sys.exit(3 if os.path.islink('table.txt') else 0)\n",
      "sys.argv[2]",
      {{"table.txt", std::string(300000, '7')}}},
-    // Of the likeliest name, of the name of the driver file, and folders of the names of a run.
+    // Files of likely names and of the driver file's name, and folders with names that a run uses.
     {"has no picture that was handed in",
      "assert not os.path.exists('out.ppm')\nassert not os.path.exists('drawn')\n",
      "'mine.ppm'",

@@ -1,5 +1,5 @@
-// Right submissions, the same grades each time, runs that are cut short, and hand-ins as a class
-// gives them (tests/submissions/class): each has the score and the sentences that its table says.
+// Right submissions, reproducible grades, interrupted runs, and hand-ins like those of a class
+// (tests/submissions/class): each gets the score and the sentences of class.toml.
 
 #include "tests/tools/grade/grading.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFull = 110;  // with the bonus
 
-/// How many seeds are tried.
+/// The number of seeds.
 int seeds() {
   const char* given = std::getenv("RAYCHECK_GRADE_SEEDS");
   return given != nullptr ? std::atoi(given) : 2;
@@ -18,7 +18,7 @@ TEST(RightSubmission, has_full_marks_under_every_seed) {
   const Grading grading;
   ASSERT_GT(seeds(), 1);
   const std::string rubric = grading.lecture7_with({});
-  // What is compiled when it is graded is, under the first seed.
+  // Submissions that grading compiles are tried only under the first seed.
   std::vector<std::string> folders = {
       grading.submit("source", "rays.cpp"), grading.submit_built("renderer", "rt.cpp", "none"),
       grading.submit("mine", "rays.py"), grading.submit_built("so", "right.cpp", "right")};
@@ -35,7 +35,7 @@ TEST(RightSubmission, has_full_marks_under_every_seed) {
   }
 }
 
-/// Those of functions in Python that always miss, and what they say of themselves.
+/// Submissions in Python whose functions always miss, and their declarations.
 std::string degenerate(const Grading& grading, const std::string& name,
                        const std::string& more = "") {
   return grading.hand_in(name, "rays.py",
@@ -46,7 +46,7 @@ std::string degenerate(const Grading& grading, const std::string& name,
 
 class DegenerateSubmission : public GradingTest {};
 
-/// At exact tangents either class has a witness.
+/// At exact tangents both hit classes are excused by a witness.
 TEST_F(DegenerateSubmission, gets_no_points_if_every_answer_is_excused) {
   const std::string rubric =
       grading.write("tangents.toml",
@@ -59,8 +59,7 @@ TEST_F(DegenerateSubmission, gets_no_points_if_every_answer_is_excused) {
                 {{"state", "fails"}, {"reason/kind", "never right"}, {"reason/quantity", "class"}});
 }
 
-/// What a submission states of itself would take it out of what the rubric asks: lengths, and roots
-/// that count.
+/// Declared lengths and valid roots would exclude the rubric's cases.
 TEST_F(DegenerateSubmission, gets_no_points_by_declaring_a_domain_without_cases) {
   const std::string rubric = grading.write(
       "rays.toml", kFormOfPython +
@@ -86,8 +85,7 @@ TEST_F(DegenerateSubmission, gets_no_points_by_declaring_a_domain_without_cases)
   }
 }
 
-/// Of a bonus, that is: a case in which nothing is met is no more than the rest of an ordinary
-/// item.
+/// For bonus items only: in ordinary items, cases without hits may count.
 TEST_F(DegenerateSubmission, gets_no_bonus_by_always_missing) {
   const std::string rubric = grading.write(
       "bonus.toml", kFormOfPython + item_of("rays", "points = 10\nbonus = true\ncredit = \"share\"",
@@ -118,7 +116,7 @@ TEST(Rubric, that_raychecks_own_methods_fail_ends_with_1) {
 class Grades : public GradingTest {};
 
 TEST_F(Grades, are_the_same_bytes_for_any_number_of_jobs_and_with_stored_answers) {
-  // Something of every kind that is quick.
+  // One quick submission of every kind.
   const std::vector<std::string> folders = {
       grading.submit_built("far-root", "rays.cpp", "far_root"),
       grading.submit_built("mirrored", "rt.cpp", "mirrored"),
@@ -202,18 +200,18 @@ TEST_F(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   EXPECT_EQ(grading.file("", "grades.csv"), grading.file("", "grades.csv", "whole"));
 }
 
-/// A hand-in, as the class's table has it.
+/// A hand-in's entry in class.toml.
 struct HandIn {
   std::string name;
   std::string language;
   bool is_right = false;
   double score = 0;
-  std::vector<std::string> sentences;  ///< Of the items that fail, each once, in order.
+  std::vector<std::string> sentences;  ///< The sentences on failing items, each once, in order.
 };
 
 void PrintTo(const HandIn& hand_in, std::ostream* to) { *to << hand_in.name; }
 
-/// Those of the table, which is read by Python.
+/// The entries of class.toml, which Python reads.
 const std::vector<HandIn>& hand_ins() {
   static const std::vector<HandIn> all = [] {
     const Outcome read = run_python(
@@ -237,7 +235,7 @@ bool is_runnable(const HandIn& hand_in) {
                                             : true;
 }
 
-/// All of the class, graded at once.
+/// The whole class, graded in one run.
 const Grading& graded_class() {
   static const Grading grading;
   [[maybe_unused]] static const bool is_graded = [] {

@@ -1,4 +1,4 @@
-// A class in which some do harm: the others have the grades that they have alone.
+// A class with harmful submissions: the others get the same grades as without these.
 
 #include <sys/mount.h>
 
@@ -7,7 +7,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// A disk of this size; empty where none can be made.
+/// Mounts a disk of this size; empty if that is not possible.
 class SmallDisk {
  public:
   SmallDisk(const std::string& path, const std::string& size) {
@@ -57,7 +57,7 @@ TEST_F(HostileClass, keeps_its_grades_if_one_submission_fills_the_disk) {
     EXPECT_EQ(without_times(grading.file(name, "result.json", "together")),
               without_times(grading.file(name, "result.json", "alone")));
   }
-  // Where there is more room it is its own limit that it meets.
+  // On a larger disk it meets its own limit.
   const Outcome again = grading.grade(
       grading.short_rubric("reply_seconds = 20\nlimits = { disk_mib = 40 }\n", kNearestRoot),
       {fills}, "more");
@@ -116,7 +116,7 @@ TEST_F(HostileClass, judges_a_submission_again_that_was_killed_from_outside) {
   const json killed = grading.result("victim");
   EXPECT_EQ(killed["score"], 10) << outcome.out;
   EXPECT_TRUE(killed["finished"]);
-  // What kills itself is killed alone, too: that is its grade.
+  // A program that kills itself does so again when it runs alone: this is graded.
   const json itself = grading.result("suicide");
   expect_values(itself, {{"score", 0}, {"finished", true}});
   EXPECT_TRUE(has(itself.dump(), "was killed by signal 9")) << itself.dump(2);
@@ -141,7 +141,7 @@ TEST(HostileIntake, survives_deep_nesting_and_many_spaces) {
     grading.write(folder + "/" + name, text);
     folders.push_back(grading.path(folder));
   }
-  // They are no submissions, and that is said.
+  // They are reported as invalid submissions.
   const Outcome outcome =
       grading.grade("lecture7.toml", folders, "out", "--probe --sandbox available", 1);
   expect_parts(outcome.out, {"4 submissions tried, 4 could not be judged"});

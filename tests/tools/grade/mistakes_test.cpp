@@ -1,18 +1,18 @@
-// The classic mistakes of tests/submissions, graded by the rubric of the seventh lecture, and those
-// all in `float`, where doubles are asked for and where floats are fine.
+// The classic mistakes of tests/submissions, graded by the rubric of the seventh lecture; and
+// submissions in `float`, graded in double and in single precision.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// What a mistake costs.
+/// The cost of a mistake.
 struct Mistake {
   const char* name;
-  double score;          ///< Of 100, with a bonus of 10; to two decimals.
-  const char* fails;     ///< Items that fail by themselves.
-  const char* sentence;  ///< The mistake named for the submission; empty: none.
-  int named;             ///< So many items name it.
+  double score;          ///< Out of 100 and a bonus of 10; to two decimals.
+  const char* fails;     ///< Items that fail, without those that follow.
+  const char* sentence;  ///< The mistake named for the submission; or empty.
+  int named;             ///< The number of items that name it.
 };
 
 const std::vector<Mistake> kOfFunctions = {
@@ -135,7 +135,7 @@ const std::vector<Mistake> kOfPictures = {
      1},
 };
 
-/// Those of pictures that make it harder to see which form of driver files is read.
+/// The mistakes of pictures that make it harder to find the form of driver files that is read.
 const std::vector<Mistake> kOfForms = {
     {"axes_dropped", 0,
      "camera frame, boundary pixels, width and height, pixel (0, 0), unit directions, ray origin, "
@@ -149,7 +149,7 @@ const std::vector<Mistake> kOfForms = {
      "directions are not normalised: D = P - E", 10},
 };
 
-/// A submission costs what its mistake does, and the mistake is named.
+/// A submission loses the points of its mistake, and the mistake is named.
 void expect_cost(const Grading& grading, const std::string& submission, const Mistake& mistake,
                  const Outcome& outcome) {
   SCOPED_TRACE(submission);
@@ -165,7 +165,7 @@ void expect_cost(const Grading& grading, const std::string& submission, const Mi
     for (const json& explaining : one["mistakes"]) {
       named += explaining["sentence"] == mistake.sentence ? 1 : 0;
     }
-    // A student is shown a case, unless answers are missing alone.
+    // The student gets a failing case, unless answers are only missing.
     const bool is_shown = !one["failing"].is_null() || !one["reason"].is_null();
     EXPECT_EQ(one["state"] != "holds", is_shown) << one.dump(2);
   }
@@ -176,7 +176,7 @@ void expect_cost(const Grading& grading, const std::string& submission, const Mi
   }
 }
 
-/// A class of which each makes another mistake of the file, graded by this rubric; what is said.
+/// Grades a class with one submission per mistake of the file by this rubric; returns the report.
 std::string expect_costs(const Grading& grading, const std::string& rubric, const std::string& file,
                          const std::vector<Mistake>& mistakes,
                          std::vector<std::string> folders = {}) {
@@ -221,13 +221,13 @@ TEST(GradedMistakes, from_state_kept_between_questions_are_reported_as_such) {
 TEST(LongGradedForms, are_found_whatever_the_mistake) {
   const Grading grading;
   const std::string said = expect_costs(grading, grading.lecture7_with({}), "rt.cpp", kOfForms);
-  // No form of driver files is seen to be read where directions are not normalised.
+  // With unnormalised directions the form of driver files cannot be found.
   expect_parts(said, {"directions are not normalised: D = P - E; and rows are upside down"});
   const std::string found = grading.result("crossed_bounds").dump();
   EXPECT_FALSE(has(found, "near has the wrong sign")) << found;
 }
 
-/// The mistakes of pictures in so many parts, suites that run side by side.
+/// The mistakes of pictures are split into this many suites, which run in parallel.
 constexpr std::size_t kParts = 3;
 class GradedPictures : public testing::TestWithParam<std::size_t> {};
 
@@ -257,7 +257,7 @@ TEST(GradedMistakes, name_bounds_in_another_order_if_the_form_is_given) {
   expect_parts(outcome.out, {"right is taken from bottom and bottom from right"});
 }
 
-/// The names of the list MISTAKES of a file.
+/// The names in a file's list MISTAKES.
 std::set<std::string> mistakes_of(const std::string& file) {
   std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/submissions/" + file);
   text = text.substr(text.find("#define MISTAKES") + 16);
@@ -283,8 +283,8 @@ TEST(GradedMistakes, cover_every_mistake_of_the_submissions) {
 
 using Names = std::vector<std::string>;
 
-/// The items that a class in floats loses by the lecture's rubric, changed: by functions, by those
-/// whose lecture's formula cancels, by a renderer, by one whose formula does.
+/// The items that submissions in floats lose by a changed lecture rubric: functions, functions with
+/// the lecture's formula, which cancels, a renderer, and a renderer with that formula.
 std::vector<Names> lost(const std::vector<std::pair<std::string, std::string>>& changes) {
   const Grading grading;
   std::vector<std::string> folders;

@@ -6,13 +6,13 @@
 namespace raycheck::tests {
 namespace {
 
-/// With its permissions, which zipfile alone leaves out.
+/// Unpacks with permissions, which Python's zipfile ignores.
 constexpr const char* kUnpack = R"py(import os, sys, zipfile
 for one in (archive := zipfile.ZipFile(sys.argv[1])).infolist():
     os.chmod(archive.extract(one, sys.argv[2]), one.external_attr >> 16 & 0o777 or 0o755)
 )py";
 
-/// A machine as Gradescope's: /autograder is the folder `root`, with a package in it.
+/// A machine like Gradescope's: /autograder is the folder `root`, with a package in it.
 class Package : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -27,14 +27,14 @@ class Package : public testing::Test {
   }
   static void TearDownTestSuite() { own_.reset(); }
 
-  /// With a seed, so that no second file is needed to see that it is in it.
+  /// With a seed, to check that the package contains it.
   static void package(const std::string& name) {
     const std::string zip = own_->path(name);
     EXPECT_EQ(run("grade '" + rubric_ + "' --seed 77 --package '" + zip + "'", 0).out,
               "wrote " + zip + "\n");
   }
 
-  /// The output of shell words, with nothing of this machine's environment.
+  /// The output of a shell command run with an empty environment.
   std::string said_by(const std::string& words) const {
     const std::string root = grading.path("root");
     return run_bash("env -i PATH=/usr/local/bin:/usr/bin:/bin HOME='" + root +
@@ -42,7 +42,7 @@ class Package : public testing::Test {
                     0)
         .out;
   }
-  /// What run_autograder leaves of this submission.
+  /// The results of run_autograder for this submission.
   json graded(const std::string& folder) const {
     fs::remove_all(grading.path("root/submission"));
     fs::remove_all(grading.path("root/results"));

@@ -1,11 +1,11 @@
-// `grade --probe`: what the dry run says, and that what it suggests does the same.
+// `grade --probe`: the report of the dry run, and that its suggestion has the same effect.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Renderers in the shell, which is started a hundred times where no form shows a sphere.
+/// Renderers as shell scripts: quick, since they are started a hundred times if no form works.
 const std::string kBlackPicture =
     "echo 'line 4: I do not know that word'\n"
     "{ echo P3 25 25 255; yes '0 0 0' | head -n 625; } > \"$2\"\n";
@@ -37,7 +37,7 @@ class Probe : public testing::Test {
     EXPECT_EQ(outcome.exit_code, is_refused ? 1 : 0) << outcome.err;
     return submissions;
   }
-  /// Driver files of one form alone.
+  /// Driver files of one form only.
   std::string one_form(const std::string& preset = "2018", const std::string& keys = "") const {
     return grading_.write("one-form.toml", keys + "[driver]\npreset = \"" + preset + "\"\n" +
                                                kAsTheyCome + kOnePicture);
@@ -90,7 +90,7 @@ TEST_F(Probe, suggests_a_rubric_with_the_same_result) {
     EXPECT_EQ(now["score"], 10) << name;
     for (const char* key : {"items", "driver", "program"}) EXPECT_EQ(now[key], then[key]) << name;
   }
-  // The forms are those in words, not the one that builds as it comes; there is no more to say.
+  // All forms have explicit commands, so that there is nothing to suggest for automatic builds.
   const json again = json::parse(probe(pasted, folders, "--format json").out);
   for (const json& one : again["submissions"]) {
     EXPECT_EQ(one["build"].is_string(), one["name"] == "farid") << one["name"];
@@ -142,13 +142,13 @@ TEST_F(Probe, logs_progress_without_a_terminal_and_retries_programs_that_only_wa
 }
 
 TEST_F(Probe, names_the_form_that_is_read_if_another_is_requested) {
-  // Its driver file says recursionlevel, which this one refuses.
+  // Driver files of 2019 contain recursionlevel, which this submission rejects.
   const std::string note =
       "it does not read driver files of form B, spheres of 16 numbers, recursionlevel 0, a light, "
       "but of form B, spheres of 13 numbers, a light";
   const json refuses = probed({of_class("kofi")}, one_form("2019"))[0];
   expect_values(refuses, {{"refused/why", "it exited with 1"}, {"notes", json({note})}});
-  // What only shows nothing is judged in the form that was asked for.
+  // A submission that only shows nothing is judged in the requested form.
   const std::string farid = of_class("farid");
   grading_.grade(one_form("auto"), {farid}, "asked", "--dialect C");
   const json asked = grading_.result("farid", "asked");
@@ -156,7 +156,7 @@ TEST_F(Probe, names_the_form_that_is_read_if_another_is_requested) {
   expect_values(asked, {{"driver/dialect", "C"}, {"score", 0}});
 }
 
-/// Draws the spheres it is given, in the colours they have, where they have one.
+/// Draws the given spheres in their colours, if they have colours.
 std::string drawing_renderer(const std::string& more) {
   return R"(import math, sys
 spheres = []
@@ -197,7 +197,7 @@ TEST_F(Probe, describes_colours_only_if_spheres_are_shown) {
         name, "rt.py",
         drawing_renderer("SHOWN = lambda c: " + shown + "\nSEEN = lambda v: " + seen + "\n"));
   };
-  // Of fewer spheres than five the third shows none.
+  // The third draws no sphere if there are fewer than five.
   const json all = probed({drawing("right", "c", "v > 0"), drawing("behind", "c", "v < 0"),
                            drawing("many", "c", "v > 0 and len(spheres) > 5"),
                            drawing("grey", "[sum(c) / 3] * 3", "v > 0"),
@@ -209,7 +209,7 @@ TEST_F(Probe, describes_colours_only_if_spheres_are_shown) {
 }
 
 TEST_F(Probe, omits_a_light_if_only_the_light_makes_a_renderer_fail) {
-  // The light of the dry run's scene is at whole numbers.
+  // The light in the dry run's scene has integer coordinates.
   const json lit = probed({grading_.hand_in(
       "lit", "rt.py",
       drawing_renderer(
@@ -228,7 +228,7 @@ TEST_F(Probe, prefers_the_most_complete_form_that_is_read) {
 }
 
 TEST_F(Probe, reports_programs_that_draw_differently_each_time) {
-  // The first time, then black.
+  // Right the first time, then black.
   const std::string once = "'" + grading_.path("once") + "'";
   const std::string black =
       "if os.path.exists(" + once + "): colour = [0, 0, 0]\nopen(" + once + ", 'w').close()\n";
@@ -239,7 +239,7 @@ TEST_F(Probe, reports_programs_that_draw_differently_each_time) {
 }
 
 TEST_F(Probe, does_not_call_pictures_black_if_the_submission_has_points) {
-  // It shows the sphere of the rubric's scene, and none of the dry run's.
+  // It shows the sphere of the rubric's scene, but no sphere of the dry run's.
   const std::string odd = grading_.hand_in(
       "odd", "rt.sh",
       "while read -r word w h; do [ \"$word\" = res ] && break; done < \"$1\"\n"
@@ -258,7 +258,7 @@ TEST_F(Probe, reports_the_time_that_a_slow_renderer_needs) {
                            one_form("2019", "reply_seconds = 1\n"))[0];
   ASSERT_FALSE(slow["refused"].is_null());
   expect_parts(slow["refused"]["why"], {"it needs more time"});
-  // A tenth of a second in which it waits for a processor is not its own.
+  // The tenth of a second in which it waits for a processor does not count.
   EXPECT_GT(slow["dry_run"]["needed_seconds"], 1.2);
 }
 

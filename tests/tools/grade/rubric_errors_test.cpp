@@ -1,11 +1,11 @@
-// Rubrics and command lines that are wrong: nothing is graded, and it is said why.
+// Invalid rubrics and command lines: nothing is graded, and the reason is printed.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Right as it stands; each test replaces a part of it.
+/// A valid rubric; each test replaces a part of it.
 constexpr const char* kRubric = R"(title = "A rubric"
 [[form]]
 has = "rays.py"
@@ -21,7 +21,7 @@ cases = 4
 
 struct Wrong {
   std::string part, instead;
-  std::string said;  ///< Line, field, value and what is wrong.
+  std::string said;  ///< The expected error: line, field, value and reason.
 };
 
 constexpr const char *kTitle = "title = \"A rubric\"", *kWorth = "points = 4",

@@ -1,12 +1,11 @@
-// What a rubric's keys do to the points, and to what students see; the rubrics that come with
-// raycheck.
+// The effect of a rubric's keys on points and students' pages; and the shipped rubrics.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// The submission with this mistake, graded by a rubric of these items.
+/// Grades the submission with this mistake by a rubric of these items.
 json graded(const Grading& grading, const std::string& items, const std::string& file,
             const std::string& mistake, const std::string& more = "",
             const std::string& keys = "") {
@@ -24,7 +23,7 @@ TEST_F(RubricKeys, credit_turns_the_share_of_holding_cases_into_points) {
   const std::string nearest = functions("nearest-sphere", "course", 40, kGivenRays);
   const std::string share = "points = 8\ncredit = \"share\"";
   const std::string steps = "points = 8\ncredit = \"steps\"\nsteps = ";
-  // Each alone: several would have one mistake cost the first of them only.
+  // One at a time: together, the mistake would cost only the first item.
   const auto wrong = [&](const std::string& keys) {
     const json result =
         graded(grading, item_of("one", keys, nearest), "rays.cpp", "first_sphere_wins");
@@ -132,8 +131,8 @@ TEST_F(RubricKeys, judge_mask_ignores_which_sphere_is_shown) {
   EXPECT_EQ(right["points"], 1) << "a bonus comes on top";
 }
 
-/// What students read of an item that is withheld so, in report.html and results.json; numbers are
-/// those of redaction_test.cpp.
+/// The texts about withheld items in report.html and results.json; redaction_test.cpp checks
+/// numbers.
 TEST_F(RubricKeys, detail_and_visibility_withhold_information) {
   for (const char* format : {"gradescope", "prairielearn"}) {
     const auto read = [&](const std::string& keys) {

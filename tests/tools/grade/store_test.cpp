@@ -1,21 +1,21 @@
-// What is kept between runs: nothing is built or asked twice, and nothing else is believed.
+// The store between runs: nothing is built or asked twice, and changed files are ignored.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Builds and programs may say, in files of the test, that they were started.
+/// Builds and programs may record their starts in files of the test.
 const std::string kUnkept = std::string(kLimitsOnly) + "--format json ";
 
-/// A function that is right about spheres; what is done when it starts comes first.
+/// A right `intersect`; commands to run at the start come before it.
 const std::string kHits =
     replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"),
              "frame=frame, pixel_point=pixel_point, pixel_ray=pixel_ray,\n"
              "           focal_ray=focal_ray, intersect=intersect, nearest=nearest",
              "intersect=intersect");
 
-/// The same, where intersect does something first.
+/// The same with a command at the beginning of intersect.
 std::string hits_but_first(const std::string& line) {
   const std::string start = "    (origin, d), (centre, r) =";
   return replaced(kHits, start, "    " + line + "\n" + start);
@@ -23,7 +23,7 @@ std::string hits_but_first(const std::string& line) {
 
 class Store : public testing::Test {
  protected:
-  /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.py`.
+  /// A rubric of one item for programs `rays.py` and renderers `rt.py`.
   std::string rubric(int points, const std::string& more = "") const {
     return grading.write("rubric.toml", "reply_seconds = 1\n" + more + R"(
 [driver]
@@ -42,7 +42,7 @@ candidate = "renderer:python3 {file} {scene} {image}"
                                                         pictures("full.toml")));
   }
 
-  /// A submission that says that it is started.
+  /// A submission that records its starts.
   std::string submit(const std::string& name, const std::string& file, const std::string& text) {
     const std::string starts = "'" + grading.path("starts") + "'";
     return grading.hand_in(name, file, "open(" + starts + ", 'a').write('x\\n')\n" + text);
@@ -58,7 +58,7 @@ candidate = "renderer:python3 {file} {scene} {image}"
     return json::parse(grading.grade(by, folders, out, kUnkept).out);
   }
 
-  /// What a grade says, times aside.
+  /// A grade without times.
   static json said(json result) {
     for (const char* key : {"build_seconds", "judge_seconds", "build_is_stored"}) {
       result.erase(key);
@@ -101,7 +101,7 @@ TEST_F(Store, reuses_builds_and_answers_after_a_change_of_an_item) {
 }
 
 TEST_F(Store, gives_the_same_reason_again_for_a_program_without_a_picture) {
-  // It exits with 3 in the first form, and comes farther in the others.
+  // It exits with 3 in the first form, and gets farther in the others.
   const std::string program = submit("mine", "rt.py", "first = '" + grading.path("first") + R"py('
 import os, sys
 asked = open(sys.argv[1]).read()
@@ -191,8 +191,8 @@ TEST_F(Store, stores_time_outs_of_replies) {
   EXPECT_EQ(lines("starts"), starts);
 }
 
-/// The shards of a class: whoever is graded is not graded again, and the class is what one run
-/// makes.
+/// The shards of a class: a graded submission is not graded again, and the result equals that of
+/// one run.
 TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
   std::vector<std::string> folders;
   for (const char* name : {"ada", "ben", "cleo"}) folders.push_back(submit(name, "rays.py", kHits));

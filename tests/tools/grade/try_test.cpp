@@ -1,12 +1,12 @@
-// What students do at home: `try` says what `grade` says, and the commands that their pages name
-// are run in a copy of the hand-in.
+// `try` reports the same as `grade`, and the commands on students' pages work in a copy of the
+// submission.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// The files of a folder that students are given.
+/// The files of a folder that students get.
 std::map<std::string, std::string> files_of(const std::string& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -83,14 +83,14 @@ TEST(TryCommand, shows_visible_items_and_counts_all) {
   EXPECT_EQ(files_of(grading.path("tried/mine")), files_of(grading.path("out/mine")));
 }
 
-/// Enough to fail by what is wrong with the camera.
+/// Enough cases to fail by a wrong camera.
 const std::string kFewPictures =
     item_of("a few pictures", "points = 10",
             "[item.pictures]\njudge = \"mask\"\n"
             "scenes = [\"lecture7/wide.toml\", \"lecture7/orientation.toml\"]");
 
-/// Tries a hand-in with a mistake, and does in a copy of its folder what the report says of the
-/// first item that fails.
+/// Tries a submission with a mistake, and runs in a copy of its folder the report's commands for
+/// the first failing item.
 void expect_the_commands_to_work(const Grading& grading, const std::string& hand_in,
                                  const std::string& head = "") {
   const std::string rubric = grading.write("few.toml", head + kAsTheyCome + kFewPictures);
@@ -135,7 +135,7 @@ TEST(Home, CommandsBuildAndRepeatAsGraded) {
     for (const auto& [name, text] : files) grading.write("mine/" + name, text);
     expect_the_commands_to_work(grading, grading.path("mine"), "[driver]\npreset = \"B\"\n");
   }
-  // Of a form of driver files that has to be said.
+  // With a form of driver files that the command must name.
   expect_the_commands_to_work(Grading(), RAYCHECK_SOURCE_DIR "/tests/submissions/class/kofi");
 }
 

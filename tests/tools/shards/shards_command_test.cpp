@@ -1,4 +1,4 @@
-// Campaigns in shards: whatever did which units, merge reports what one run does.
+// Campaigns in shards: however the units are distributed, merge gives the report of one run.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// A folder that is not there yet, and goes with the test.
+/// The path of a folder that does not exist yet and is removed with the test.
 std::string fresh_folder(const std::string& name) {
   static const std::string all = temporary_folder("shards");
   return all + "/" + name;
@@ -48,14 +48,14 @@ const std::vector<Sharded> kSharded = {
 
 class ShardsOf : public testing::TestWithParam<Sharded> {
  protected:
-  /// The command line, with a scene of some units in place of FAR, and a library in that of FLOATS.
+  /// The command line, with FAR replaced by a scene of several units, and FLOATS by a library.
   static std::string asked() {
     const std::string line = GetParam().asked;
     if (has(line, "FAR")) return replaced(line, "FAR", resized_example("far-sphere.toml", 160));
     if (!has(line, "FLOATS")) return line;
     return replaced(line, "FLOATS", compiled("tests/candidates/float_quadratic.cpp"));
   }
-  /// What one run of it reports.
+  /// The report of one run without shards.
   static const std::string& whole() {
     static std::map<std::string, std::string> known;
     std::string& its = known[GetParam().name];
@@ -64,12 +64,12 @@ class ShardsOf : public testing::TestWithParam<Sharded> {
   }
 };
 
-/// By any number of workers, in any order, some units twice.
+/// With any number of workers, in any order, some units twice.
 TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
   const auto& [name, line, exit_code] = GetParam();
   const std::string twice = fresh_folder(name + "_twice");
   run(asked() + " --shard 1/2 --out " + twice, 0);
-  // What is done in units is one thing for all commands.
+  // The progress of units is the same for all commands.
   const std::vector<int> workers =
       name == "properties" ? std::vector<int>{1, 2, 7, 23} : std::vector<int>{3};
   for (const int of : workers) {
@@ -89,7 +89,7 @@ TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
   }
 }
 
-/// Killed again and again, it goes on with what is missing.
+/// If it is killed repeatedly, it resumes with the missing units.
 TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_repeat_no_unit) {
   const auto& [name, line, exit_code] = GetParam();
   const std::string folder = fresh_folder(name + "_killed");
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, ShardsOf, testing::ValuesIn(kSharded),
 const std::string kAsked =
     "properties --filter class --source rays --source distance --intersect cross --cases 90";
 
-/// Each test has a copy of what two shards did.
+/// Each test has a copy of the folder of two shards.
 class Merge : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -161,12 +161,12 @@ TEST_F(Merge, names_a_truncated_or_changed_unit) {
   expect_refused("merge " + folder,
                  unit.string() + ": is larger than the 256 MiB that one may have");
   std::string longer = whole;
-  longer.insert(longer.find('\n'), "0");  // the size that it states
+  longer.insert(longer.find('\n'), "0");  // the stated size
   for (const std::string& bytes :
        {whole.substr(0, whole.size() / 2), std::string(), tampered, longer}) {
     std::ofstream(unit, std::ios::binary) << bytes;
     expect_refused("merge " + folder, unit.string() + ": is truncated or was changed");
-    // Who does units does such a one again.
+    // A shard computes such a unit again.
     run(kAsked + " --shard 1/1 --out " + folder, 0);
     EXPECT_EQ(contents(unit), whole);
   }
@@ -195,13 +195,13 @@ TEST_F(Merge, names_files_of_another_campaign) {
   fs::copy_file(units_in(other)[0], fs::path(folder) / units_in(other)[0].filename());
   expect_refused("merge " + folder,
                  units_in(other)[0].filename().string() + ": does not belong to the campaign");
-  // Under the name of this one's.
+  // Under the name of a unit of this campaign.
   fs::remove(fs::path(folder) / units_in(other)[0].filename());
   fs::copy_file(units_in(other)[0], units_in(folder)[0], fs::copy_options::overwrite_existing);
   expect_refused("merge " + folder, "is truncated or was changed");
   expect_refused("merge " + fresh_folder("nowhere"), "there is no such folder");
   expect_refused("merge tests", "tests: holds no campaign");
-  // Named like an option, which it is not.
+  // A folder named like an option.
   expect_refused("merge format", "raycheck: format: there is no such folder");
 }
 
@@ -214,11 +214,11 @@ TEST_F(Merge, identifies_candidates_by_content) {
   run(asked + source + " --shard 1/1 --out " + its, 0);
   std::ofstream(source, std::ios::app) << "// another\n";
   expect_refused("merge --run-candidates " + its, "holds units of another version of " + source);
-  // In a folder, with a header, all of it.
+  // A header in a folder counts, too.
   const std::string sources = fresh_folder("sources"), units = fresh_folder("of_sources");
   fs::create_directories(sources + "/deeper");
   std::ofstream(sources + "/deeper/mine.h") << "// mine\n";
-  // However it is included: the compiler says what it read.
+  // However it is included: the compiler lists the files that it read.
   std::ofstream(sources + "/mine.cpp") << "#define MINE \"deeper/mine.h\"\n"
                                        << text << "%:/**/include MINE\n";
   for (const std::string& named : {sources, sources + "/mine.cpp"}) {
@@ -230,7 +230,7 @@ TEST_F(Merge, identifies_candidates_by_content) {
   }
 }
 
-/// What somebody else put into it is not done.
+/// Arguments added to a folder by someone else are not executed.
 TEST_F(Merge, refuses_options_that_shards_never_write) {
   const std::string file = folder + "/campaign.json", victim = temporary_file("victim", "mine");
   const nlohmann::json whole = nlohmann::json::parse(contents(file));
@@ -239,7 +239,7 @@ TEST_F(Merge, refuses_options_that_shards_never_write) {
     nlohmann::json campaign = whole;
     campaign["command"] = command;
     for (const std::string& one : arguments) campaign["arguments"].push_back(one);
-    // With the digest that goes with it.
+    // With the matching digest.
     const tools::CampaignIdentity forged = {command, campaign["arguments"], campaign["version"],
                                             campaign["files"]};
     if (has_digest) campaign["digest"] = forged.digest();
@@ -261,13 +261,13 @@ TEST_F(Merge, refuses_options_that_shards_never_write) {
     expect_refused("merge " + folder, "its campaign has " + added[0] +
                                           ", which raycheck never writes: the folder was changed");
   }
-  // The value of an option is no option.
+  // The value of an option is not read as an option.
   forge("properties", {"--level", "--view=" + victim});
   expect_refused("merge " + folder, "--level");
   EXPECT_EQ(contents(victim), "mine");
 }
 
-/// A candidate that the folder names, and whoever merges it does not know.
+/// A candidate that only the folder names.
 TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
   const std::string folder = fresh_folder("runs"), ran = fresh_folder("ran");
   const std::string candidate =
@@ -294,7 +294,7 @@ TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
   EXPECT_TRUE(fs::exists(ran));
 }
 
-/// A candidate that hangs on some cases: whatever was asked before, and by however many threads.
+/// A candidate that hangs on some cases, whatever the earlier questions and the number of threads.
 TEST(Shards, with_time_outs_merge_to_the_report_of_one_run) {
   const std::string asked =
       "properties --candidate 'command:python3 tests/candidates/sometimes_silent.py' "
@@ -306,8 +306,8 @@ TEST(Shards, with_time_outs_merge_to_the_report_of_one_run) {
   EXPECT_EQ(run("merge --run-candidates --format json " + folder, 1).out, whole);
 }
 
-/// Each request without a reply takes all of its time: laws in tens, sources in tens, and a few
-/// requests.
+/// Each request without a reply takes the whole time limit, so only a few are made, although there
+/// are tens of laws and sources.
 TEST(Shards, drop_a_candidate_that_never_replies) {
   const std::string starts = fresh_folder("starts");
   const std::string hangs = temporary_file(
@@ -358,7 +358,7 @@ TEST(Shards, are_set_by_schedulers) {
   }
   expect_parts(run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("told"), 0).err,
                {"--format is for merge: a shard reports nothing"});
-  // Without --out nothing of this is meant.
+  // Without --out the variables are ignored.
   const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
   EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));
 }
@@ -431,7 +431,7 @@ TEST(Units, that_contradict_each_other_are_named) {
   expect_parts(thrown_by([&] { both.read(0); }), {"contradict each other", a, b});
 }
 
-/// An option that neither table has would end every shard that is given it.
+/// A shard given an option that is in neither table would fail.
 TEST(Units, depend_on_listed_options_only) {
   std::set<std::string> known = {"--help",   "--out",     "--shard", "--replay",
                                  "--target", "--package", "--probe", "--for"};
@@ -462,7 +462,7 @@ TEST(Units, keep_every_bit_of_a_sketch) {
   EXPECT_EQ(again.quantile(0.999), sketch.quantile(0.999));
 }
 
-/// Results with every kind of part, of which any bytes may be others: nothing worse than a refusal.
+/// Results with every kind of part and arbitrary changed bytes: at worst they are refused.
 TEST(Units, refuse_bytes_that_are_not_a_result) {
   using Result = std::vector<properties::CampaignPart>;
   properties::CampaignOptions some;
@@ -485,7 +485,7 @@ TEST(Units, refuse_bytes_that_are_not_a_result) {
     EXPECT_THROW(tools::from_bytes<properties::DefectKind>(tools::to_bytes(kind)),
                  std::invalid_argument);
   }
-  // A number of parts that no memory holds.
+  // A length beyond any memory.
   EXPECT_TRUE(is_refused(std::string(8, '\xff') + whole.substr(8)));
   std::mt19937_64 random(1);
   std::size_t refused = 0;
