@@ -189,7 +189,7 @@ const InRunFolder kInRunFolder[] = {
      "assert len(open('config/table.txt').read()) == 300000\n",
      "sys.argv[2]",
      {{"config/size.txt", "large"}, {"config/table.txt", std::string(300000, '7')}}},
-    {"has so many files, those near the top first",
+    {"has a limited number of files, those near the top first",
      "assert os.path.exists('last.txt')\n"
      "count = sum(len(d) + len(f) for _, d, f in os.walk('.'))\n"
      "assert count == 101, count\n",

@@ -333,7 +333,8 @@ TEST(HostileSubmission, ThatBringsProgramsAndPicturesIsListedForTheInstructor) {
                  {"2/kind", "text with very long lines"}});
   const std::string page = contents(grading.path("out/index.html"));
   expect_parts(page, {"helper (program or library, 1 KiB), stored.ppm (picture, 1 KiB)"});
-  EXPECT_FALSE(has(grading.file("brings", "report.html"), "helper")) << "it is for them alone";
+  EXPECT_FALSE(has(grading.file("brings", "report.html"), "helper"))
+      << "only instructors may see it";
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ TEST_F(RubricKeys, requires_leaves_out_dependent_items) {
       "rays.cpp", "u_flipped");
   EXPECT_EQ(item(result, "frame")["state"], "fails");
   expect_values(item(result, "seen"), {{"state", "not asked"}, {"points", 0}});
-  EXPECT_EQ(item(result, "hit")["state"], "holds") << "what is not asked holds nobody up";
+  EXPECT_EQ(item(result, "hit")["state"], "holds")
+      << "an item that is not asked does not count as a prerequisite";
   expect_values(item(result, "after"),
                 {{"state", "left out"},
                  {"reason", json({{"kind", "needs"}, {"item", "frame"}, {"state", "fails"}})}});
