@@ -257,7 +257,7 @@ class ClassRun {
       grade.finished = !control.interrupted();
     } catch (const scene::Interrupted&) {
       // The next run grades it.
-      refuse(rubric_, {"raycheck was interrupted before anything was asked", ""}, grade);
+      refuse(rubric_, {"raycheck was interrupted before the first question", ""}, grade);
     } catch (const std::logic_error&) {  // raycheck's own
       throw;
     } catch (const std::exception& error) {
@@ -356,7 +356,7 @@ std::string try_text(const TryReport& report) {
   if (!report.folder.empty()) {
     text += "\nwritten: " + report.folder + "/report.html, and the smallest cases beside it\n";
   }
-  if (report.interrupted) text += "INTERRUPTED: these are the items that were reached.\n";
+  if (report.interrupted) text += "INTERRUPTED: these are the results so far.\n";
   return text;
 }
 

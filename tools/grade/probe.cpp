@@ -266,7 +266,7 @@ std::string probe_text(const ProbeReport& report, const ViewOptions& /*options*/
   for (const SubmissionProbe& probe : report.submissions) refused += probe.refusal ? 1 : 0;
   text += count_text(report.submissions.size(), "submission") + " tried";
   text += refused > 0 ? fmt::format(", {} could not be judged\n", refused) : "\n";
-  if (report.interrupted) text += "INTERRUPTED: these are the submissions that were reached.\n";
+  if (report.interrupted) text += "INTERRUPTED: these are the results so far.\n";
   const std::string suggested = suggestion(report);
   if (suggested.empty()) return text;
   return text +

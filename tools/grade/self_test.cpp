@@ -54,7 +54,7 @@ struct OwnSubmission {
   const char* words;  ///< Its name in errors.
 };
 constexpr OwnSubmission kOwn[] = {
-    {CandidateKind::kSource, "own.cpp", kSource, "own.cpp", "function, compiled,"},
+    {CandidateKind::kSource, "own.cpp", kSource, "own.cpp", "compiled function"},
     {CandidateKind::kCommand, "own", kCommand, "./own", "program"},
     {CandidateKind::kRenderer, "own", kRenderer, "./own {scene} {image}", "renderer"}};
 

@@ -121,8 +121,8 @@ CampaignIdentity campaign_in(const fs::path& folder) {
     return campaign_in(folder / kUnitsInside);
   }
   if (!fs::exists(file)) {
-    throw std::invalid_argument(
-        fmt::format("{}: holds no campaign: there is no {}", folder.string(), kCampaignFile));
+    throw std::invalid_argument(fmt::format("{}: has no units of a campaign: {} is missing",
+                                            folder.string(), kCampaignFile));
   }
   try {
     const Json json = Json::parse(bytes_of(file));

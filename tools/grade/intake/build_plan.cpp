@@ -144,7 +144,7 @@ constexpr Elf64_Half kMachine = EM_X86_64;
 #elif defined(__aarch64__)
 constexpr Elf64_Half kMachine = EM_AARCH64;
 #else
-#error "which machine is this?"
+#error "raycheck supports x86-64 and AArch64"
 #endif
 
 /// Whether a file could be the source of a program.

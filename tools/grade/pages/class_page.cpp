@@ -230,7 +230,7 @@ std::string summary(const ClassGrade& graded) {
     html += "<p class=\"quiet\">" + escaped(isolation_text(*graded.isolation)) + "</p>\n";
   }
   if (graded.interrupted) {
-    html += "<p><strong>Interrupted: these are the submissions that were reached.</strong></p>\n";
+    html += "<p><strong>Interrupted: these are the results so far.</strong></p>\n";
   }
   return html;
 }
