@@ -28,8 +28,7 @@ struct GradeOptions {
   std::string out = {};      ///< The folder of results, made if missing. Empty: nothing is written.
   bool for_student = false;  ///< Write only the files for the student, of one submission.
   std::uint64_t seed = 1;
-  std::optional<std::string> secret =
-      {};  ///< Each seed is derived from it and the submission's name.
+  std::optional<std::string> secret = {};  ///< Derives each submission's seed.
   Sandbox sandbox = Sandbox::kRequire;
   /// The format of the additional results file for a course's system; null: no such file.
   const ResultsFormat* results = nullptr;
@@ -86,7 +85,8 @@ struct TryReport {
 };
 
 /// Grades one submission for its author, as grade() does with the same rubric and seed: asks every
-/// item, and shows those that students may see. Errors: as grade().
+/// item, and shows those that students may see.
+/// Errors: as grade().
 TryReport try_submission(GradeOptions options, const properties::RunControl& control = {});
 
 std::string try_text(const TryReport& report);
@@ -97,7 +97,8 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
                                         const properties::RunControl& control = {});
 
 /// Judges correct submissions that come with raycheck, one of each kind that the rubric's forms
-/// accept: if these fail, the environment is broken. Errors: std::invalid_argument.
+/// accept: if these fail, the environment is broken.
+/// Errors: std::invalid_argument.
 void test_environment(const Rubric& rubric, const Layers& layers);
 
 /// Writes the zip file of a Gradescope autograder: setup.sh and run_autograder, the rubric with its

@@ -53,8 +53,7 @@ else
 fi
 )sh";
 
-/// Libraries that every machine with a C++ compiler has; submissions must use the compiler's
-/// version.
+/// Libraries of every machine with a C++ compiler; submissions must use the compiler's version.
 bool is_of_the_system(const std::string& name) {
   for (const char* own : {"libc.so", "libm.so", "libdl.so", "librt.so", "libpthread.so", "ld-linux",
                           "libstdc++.so", "libgcc_s.so", "linux-vdso"}) {

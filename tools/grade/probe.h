@@ -33,7 +33,8 @@ struct ProbeReport {
 };
 
 /// Builds and tries every submission as grade() does, including the repetition after outside
-/// causes; judges and writes nothing. Errors: as grade().
+/// causes; judges and writes nothing.
+/// Errors: as grade().
 ProbeReport probe(const GradeOptions& options, const properties::RunControl& control = {});
 
 /// The findings of the dry run as a part of a rubric, in TOML: the table [driver] with the form

@@ -7,7 +7,8 @@ namespace raycheck::tools {
 /// A line for each shipped rubric: name, title, number of items.
 std::string rubrics_text();
 
-/// The text of a shipped rubric's file. Errors: std::invalid_argument if there is no such rubric.
+/// The text of a shipped rubric's file.
+/// Errors: std::invalid_argument if there is no such rubric.
 std::string rubric_file(const std::string& name);
 
 /// Copies a shipped rubric and its scenes to a folder; returns a line about what was written.

@@ -41,7 +41,8 @@ Result from_bytes(std::string_view bytes) {
 
 /// Runs a campaign's units in order, as in_order(). With `units`: computes only the missing units
 /// of the shard and stores their results; take() gets all results, or is not called if the shard is
-/// not the whole campaign. Domain: a result depends only on its unit.
+/// not the whole campaign.
+/// Domain: a result depends only on its unit.
 template <class Result, class Make, class Take>
 void run_units(std::int64_t count, Units* units, const properties::RunControl& control,
                const Make& make, const Take& take) {

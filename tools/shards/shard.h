@@ -16,8 +16,8 @@ struct Shard {
 
 /// The shard "3/64"; for "auto/64" the number comes from a scheduler; for an empty text both
 /// numbers come from a scheduler, or there is only one shard. Slurm's arrays, Kubernetes' indexed
-/// jobs, Bazel's test shards and GitLab's parallel jobs set environment variables for this. Errors:
-/// std::invalid_argument naming the option or the variable.
+/// jobs, Bazel's test shards and GitLab's parallel jobs set environment variables for this.
+/// Errors: std::invalid_argument naming the option or the variable.
 Shard chosen_shard(const std::string& text);
 
 }  // namespace raycheck::tools

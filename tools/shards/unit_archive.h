@@ -1,8 +1,7 @@
 #pragma once
 
 // Results of units as bytes: little-endian numbers one after the other; a list is preceded by its
-// length. Input is not trusted: lengths above the number of bytes left and invalid enumerators are
-// errors.
+// length. Input is not trusted: lengths above the bytes left and invalid enumerators are errors.
 
 #include <algorithm>
 #include <bit>

@@ -39,13 +39,14 @@ class Units {
  public:
   /// To compute the missing units of a shard into a folder, which open() makes.
   Units(CampaignIdentity campaign, std::filesystem::path folder, Shard shard);
-  /// To merge the units of folders. Errors: std::invalid_argument naming a folder of another
-  /// campaign.
+  /// To merge the units of folders.
+  /// Errors: std::invalid_argument naming a folder of another campaign.
   Units(CampaignIdentity campaign, std::vector<std::filesystem::path> folders);
 
   /// The units of this shard in order, or all units when merging. `count`: the campaign's number of
-  /// units. Errors: std::invalid_argument naming a folder or file of another campaign, or, when
-  /// merging, a missing unit.
+  /// units.
+  /// Errors: std::invalid_argument naming a folder or file of another campaign, or, when merging, a
+  /// missing unit.
   std::vector<std::int64_t> open(std::int64_t count);
   /// Whether this run has all units, so that there is something to report.
   bool are_all() const { return is_merged_ || shard_.of == 1; }

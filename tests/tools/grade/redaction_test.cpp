@@ -88,8 +88,7 @@ void add_numbers(const json& list, std::vector<double>& numbers) {
   }
 }
 
-/// The withheld numbers of a record, and the harmless ones: questions, and the submission's
-/// answers.
+/// A record's withheld numbers, and the harmless ones: questions and the submission's answers.
 struct Numbers {
   std::vector<double> secret, open;
 };

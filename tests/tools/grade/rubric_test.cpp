@@ -132,8 +132,7 @@ TEST_F(RubricKeys, judge_mask_ignores_which_sphere_is_shown) {
   EXPECT_EQ(right["points"], 1) << "a bonus comes on top";
 }
 
-/// The texts about withheld items in report.html and results.json; redaction_test.cpp checks
-/// numbers.
+/// Texts about withheld items in report.html and results.json; redaction_test.cpp checks numbers.
 TEST_F(RubricKeys, detail_and_visibility_withhold_information) {
   for (const char* format : {"gradescope", "prairielearn"}) {
     const auto read = [&](const std::string& keys) {

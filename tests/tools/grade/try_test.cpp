@@ -1,5 +1,4 @@
-// `try` reports the same as `grade`, and the commands on students' pages work in a copy of the
-// submission.
+// `try` reports the same as `grade`, and a page's commands work in a copy of the submission.
 
 #include "tests/tools/grade/grading.h"
 

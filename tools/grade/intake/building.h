@@ -53,8 +53,7 @@ void plan_make(const HandedInFiles& files, BuildPlan& plan);
 void plan_cmake(const HandedInFiles& files, BuildPlan& plan);
 void plan_c_family(const HandedInFiles& files, BuildPlan& plan);
 
-/// Whether a file is a Linux program or library (ELF); whether it is an executable for this
-/// machine.
+/// Whether a file is a Linux program or library (ELF), or an executable for this machine.
 bool is_elf(std::string_view text);
 bool is_program_here(std::string_view text);
 

@@ -245,8 +245,7 @@ namespace {
 constexpr std::array<std::string_view, 9> kPictureEndings = {
     ".ppm", ".pnm", ".pgm", ".pbm", ".png", ".jpg", ".jpeg", ".gif", ".bmp"};
 
-/// The most folders and files of a submission in the folder of each run, those nearer to the top
-/// first.
+/// The most folders and files of a submission in a run's folder, those nearer to the top first.
 constexpr std::size_t kMostInRunFolder = 100;
 /// Files up to the first size are copied there while the copies fit the second; others are linked.
 constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;

@@ -20,9 +20,8 @@ namespace raycheck::tools {
 struct Preparation {
   /// The candidate as for --candidate; absent if no form fits.
   std::optional<CandidateSpec> program = {};
-  std::vector<std::string> files =
-      {};  ///< The names of the files at the top, with notebooks' modules.
-  bool built_automatically = false;  ///< Its form has build = "auto".
+  std::vector<std::string> files = {};  ///< The files at the top, with notebooks' modules.
+  bool built_automatically = false;     ///< Its form has build = "auto".
   /// The shell command that built it; empty: nothing had to be built, or raycheck compiled it.
   std::string build_words = {};
   std::optional<double> build_seconds = {};  ///< Absent: there is no program to start.

@@ -81,8 +81,7 @@ int likelihood_rank(const std::string& path);
 /// Sorts names by likelihood_rank(), then those closer to the top first.
 void sort_by_likelihood(std::vector<std::string>& names);
 
-/// A repair: an #include of a file that is not in the submission is replaced, or a missing one is
-/// added.
+/// A repair: an #include of a file that does not exist is replaced, or a missing one is added.
 struct IncludeRepair {
   std::string file;
   int line = 0;         ///< From 1; 0: the #include is missing.

@@ -18,8 +18,7 @@ using properties::Case;
 using properties::Explanation;
 using properties::Trial;
 
-/// Groups of steps whose mistakes affect each other's answers: camera, hits, choice of the nearest
-/// hit.
+/// Groups of steps whose mistakes affect each other's answers: camera, hits, nearest hit.
 int part_of(properties::Step step) {
   return step < properties::Step::kIntersect ? 0 : step == properties::Step::kIntersect ? 1 : 2;
 }

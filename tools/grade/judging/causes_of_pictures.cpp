@@ -54,8 +54,7 @@ Agreement agreement(const Fault& fault, const ItemTrial& trial, bool masks_only)
 }
 
 /// A fault under which at least this many failing pictures show something also explains the black
-/// ones; a fault that makes nearly all pictures black explains too little to charge other items for
-/// it.
+/// ones; a fault that makes nearly all pictures black explains too little to charge it elsewhere.
 constexpr int kFewestShown = 3;
 
 bool shows_enough(const Fault& fault, const std::vector<ItemTrial>& trials) {

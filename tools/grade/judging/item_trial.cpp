@@ -204,8 +204,7 @@ bool tells_spheres(const ShownPicture& picture) {
   return 2 * untold <= spheres;
 }
 
-/// The outcome from all cases together. `is_untold`: in some cases the colours do not identify the
-/// spheres.
+/// The outcome of all cases. `is_untold`: in some cases the colours do not identify the spheres.
 void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
   if (grade.cases == 0 && (is_untold || grade.unsaid > 0)) {
     // The item can be neither right nor wrong.

@@ -119,8 +119,7 @@ class Judge {
         before_(judged_.spent ? judged_.spent->so_far() : SpentTime::Time{}) {
     Candidate& candidate = judged_.candidate;
     candidate.declared = rubric.conventions.over(candidate.declared);
-    // Valid roots or a domain that the submission declares would excuse it from questions of the
-    // rubric.
+    // Valid roots or a domain that a submission declares would exclude cases of the rubric.
     candidate.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
     candidate.smallest_length = candidate.smallest_camera_length =
         std::min(candidate.smallest_length, properties::kSmallestJudgedLength);

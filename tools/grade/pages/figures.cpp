@@ -113,8 +113,7 @@ std::string sentence_of(const Item& item, const WrongAnswer& answer) {
   return text;
 }
 
-/// Whether a step of the first selection is wrong; errors in relations between answers belong to no
-/// step.
+/// Whether a step of the first selection is wrong; relations between answers belong to no step.
 bool goes_wrong(const SceneView& shown) {
   if (shown.panels.empty()) return false;
   const std::vector<std::string>& wrong = shown.panels.front().wrong;

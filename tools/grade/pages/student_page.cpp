@@ -67,8 +67,7 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
 }
 
-/// `figure`: the address of the item's failing case on the page of figures; empty: it has no
-/// figure.
+/// `figure`: the address of the item's figure; or empty.
 std::string item_html(const StudentGrade& all, std::size_t k, const std::string& figure) {
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];

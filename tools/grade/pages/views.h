@@ -75,8 +75,7 @@ std::string state_text(const ItemGrade& grade);
 /// "time is up after 60 s: robustness not judged"; empty if everything was asked.
 std::string time_up_text(const SubmissionGrade& grade);
 
-/// The score without bonus; "-" for a submission that could not be judged and gets no points for
-/// that.
+/// The score without bonus; "-" for a submission that could not be judged and gets no points.
 std::string score_text(const SubmissionGrade& grade);
 /// " of 100, bonus 7.5"
 std::string of_points_text(const SubmissionGrade& grade);

@@ -77,8 +77,7 @@ struct FailingCase {
   properties::Case the_case;  ///< No pixels: all of them, for a picture.
   /// If the program drew the case: both pictures have the size that the camera requires.
   std::optional<ComparedPictures> pictures = {};
-  /// For functions: the answers about the ray at the answer's place, or about the first ray;
-  /// absent: withheld.
+  /// For functions: about the ray at the answer's place, or the first ray; absent: withheld.
   std::optional<RayAnswers> answers = {};
 };
 
@@ -190,8 +189,7 @@ struct SubmissionGrade {
   std::optional<Refusal> refused;
   /// The times for building with the dry run, and for all questions of the rubric.
   double build_seconds = 0, judge_seconds = 0;
-  bool build_is_stored =
-      false;  ///< The build came from an earlier run or from a submission with equal files.
+  bool build_is_stored = false;  ///< The build came from the store.
   std::uint64_t seed = 0;
   bool finished = false;
   double points = 0;  ///< The maximum of the items asked, without bonus.
@@ -200,8 +198,7 @@ struct SubmissionGrade {
   std::vector<ItemGrade> items;
 };
 
-/// A sentence with the number of cases that cannot be written in its input format; empty if there
-/// are none.
+/// A sentence about the cases that cannot be written in its input format; or empty.
 std::string unsaid_text(const SubmissionGrade& grade);
 
 /// If false, its points mean nothing, since it did not run.

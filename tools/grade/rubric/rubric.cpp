@@ -112,9 +112,7 @@ class RubricReader {
       if (!given) continue;
       *value = number_between(*given, 0, kLargest, "must be 0 or more, and finite");
       if (**value * unit_ >= 1) {
-        fields_.fail(
-            *given,
-            "is so large that every answer is right: the unit is an ulp of the rubric's precision");
+        fields_.fail(*given, "allows every answer; the unit is an ulp of the rubric's precision");
       }
     }
     if (result.ulp && result.conditioning) {
@@ -136,9 +134,7 @@ class RubricReader {
       fields_.fail(candidate, "{program} requires build = \"auto\"");
     }
     if (result.is_built_automatically() && !(has_program && result.program.is_words())) {
-      fields_.fail(
-          candidate,
-          "build = \"auto\" requires {program} in the command line of a renderer: or command:");
+      fields_.fail(candidate, "build = \"auto\" requires {program} in a renderer: or command:");
     }
     return result;
   }
@@ -214,9 +210,7 @@ class RubricReader {
       }
     }
     if (!file_names_.insert(file_name(result.name)).second) {
-      fields_.fail(name,
-                   "has the same letters and digits as an earlier item, so their files would have "
-                   "the same names");
+      fields_.fail(name, "has the letters and digits of an earlier item, and so its file names");
     }
     names_.insert(result.name);
     const auto tolerance_given = fields_.optional(from, "tolerance");

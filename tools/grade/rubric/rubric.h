@@ -142,8 +142,9 @@ struct Rubric {
 
 /// Reads a rubric and the scenes that it names, beside it or shipped with raycheck. If the file
 /// does not exist, reads the shipped rubric of that name. A non-empty `dialect` replaces its
-/// [driver], see driver_rule(). Errors: scene::SceneFileError naming file, line, field and value;
-/// std::invalid_argument naming the dialect.
+/// [driver], see driver_rule().
+/// Errors: scene::SceneFileError naming file, line, field and value; std::invalid_argument naming
+/// the dialect.
 Rubric load_rubric(const std::filesystem::path& path, const std::string& dialect = "");
 
 /// The names of the shipped rubrics, without ".toml", sorted.

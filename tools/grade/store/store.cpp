@@ -26,8 +26,7 @@ namespace fs = std::filesystem;
 constexpr const char* kFiles = "files";       ///< The folder with the files of a build.
 constexpr const char* kRecord = "made.json";  ///< The description of a build.
 
-/// Copies the regular files of a folder with their times, without links; returns their digests by
-/// name.
+/// Copies a folder's regular files with their times, without links; returns digests by name.
 std::map<std::string, std::string> copy_files(const fs::path& from, const fs::path& to) {
   std::map<std::string, std::string> digests;
   for (const auto& entry : fs::recursive_directory_iterator(from)) {

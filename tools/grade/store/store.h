@@ -17,8 +17,7 @@ namespace raycheck::tools {
 
 /// The result of building a submission.
 struct Built {
-  /// The command lines of its programs, likelier ones first, or the library's name, relative to its
-  /// folder.
+  /// Its programs' command lines, likelier ones first, or its library's name, in its folder.
   std::vector<std::string> programs = {""};
   std::string words = {};  ///< The shell command that built it; empty: nothing to build.
   /// Remarks for readers of the grade: "its Makefile failed; built from its sources".
@@ -65,8 +64,7 @@ class Store {
 
 /// The file of a submission's results that records its grade, for instructors.
 inline constexpr const char* kRecordFile = "result.json";
-/// The list of the files that raycheck wrote to a folder of results; no submission may have this
-/// name.
+/// The list of the files that raycheck wrote to the results; no submission may have this name.
 inline constexpr std::string_view kOwnFilesList = ".raycheck-files";
 
 /// The files that raycheck wrote below a folder of results, in this and earlier runs, recognised by

@@ -45,7 +45,7 @@ void for_each_case(bool pictures, std::uint64_t seed, Visit visit) {
 }
 
 /// The look of a scene, which determines its picture independently of scale, position and rotation
-/// of the world: position and size of each sphere ahead on the image plane, relative to the
+/// of the world: position and size of each sphere ahead on the image plane, in units of the
 /// picture.
 std::vector<double> look_of(const Scene& scene) {
   const Camera& c = *scene.camera;
