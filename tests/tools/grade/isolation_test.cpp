@@ -150,7 +150,7 @@ TEST_P(HostileOnMachine, LessIsolationIsAnErrorUnlessRequested) {
 }
 
 TEST_P(HostileOnMachine, OtherProcessesOfTheUserDoNotCountAgainstSubmissions) {
-  if (GetParam().is_root) GTEST_SKIP() << "as root each submission has a user of its own";
+  if (GetParam().is_root) GTEST_SKIP() << "as root each submission has a separate user";
   // More than the 64 that a submission may have, as on a desktop.
   const std::string rubric = short_rubric(grading);
   const std::string threads = grading.submit("python", "rays.py");
