@@ -1,5 +1,5 @@
-"""The files of share/cluster for schedulers that are not here: what they tell raycheck to do is done, with a smaller campaign, in
-the environment that their scheduler gives, and makes the report of one machine. So does the documentation's line of GNU parallel.
+"""The files of share/cluster for schedulers that are not installed here: their raycheck commands, run with a smaller campaign in their
+scheduler's environment, give the report of one machine. So does the documentation's command with GNU parallel.
 
   files_test.py PROGRAM [unittest's arguments]
 """
@@ -24,7 +24,7 @@ case "$*" in
 esac
 exec '@PROGRAM' "$@"
 """
-SKIPPED = 77  # as ctest knows it
+SKIPPED = 77  # ctest's code for a skipped test
 SCHEDULERS = re.compile("SLURM_|JOB_COMPLETION|TEST_SHARD|TEST_TOTAL|CI_NODE|GITHUB_")
 
 
@@ -38,7 +38,7 @@ def text_of(name):
 
 
 def commands_of(text):
-    """The lines of a shell that begin with `raycheck`, with CAMPAIGN for theirs."""
+    """The shell lines that begin with `raycheck`, with their campaign replaced by CAMPAIGN."""
     lines = re.findall(r"^ *(?:- )?(raycheck .*)$", text, re.MULTILINE)
     return [re.sub(r"properties .*?(?= --out)", CAMPAIGN, line) for line in lines]
 
@@ -113,11 +113,11 @@ class Files(unittest.TestCase):
         program.chmod(0o755)
         path = f"{program.parent}:{os.environ['PATH']}"
         killed = self.run_bash(line, PATH=path)
-        self.assertEqual((killed.returncode, killed.stdout), (1, ""), killed.stderr)  # how many failed; no report
+        self.assertEqual((killed.returncode, killed.stdout), (1, ""), killed.stderr)  # the number of failed jobs; no report
         self.check_report(line, PATH=path)
         log = [entry.split("\t") for entry in (self.folder / "shards.log").read_text().splitlines()[1:]]
         signals = [entry[7] for entry in log if entry[0] == "3"]
-        self.assertEqual((signals, len(log)), (["9", "0"], 64 + 1))  # nothing but what was killed was begun again
+        self.assertEqual((signals, len(log)), (["9", "0"], 64 + 1))  # only the killed job was started again
 
 
 def main():

@@ -1,5 +1,5 @@
-"""A Slurm of one node: its daemons, as Debian packages them, in namespaces of their own, where the only process, address and
-host's name are theirs. Nothing outlives them, and two tests at once do not meet.
+"""A Slurm of one node: Debian's daemons in separate namespaces, with their own processes, address and host name.
+Nothing outlives them, and concurrent tests do not interfere.
 """
 import fcntl
 import os
@@ -15,12 +15,12 @@ import time
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "scancel", "scontrol", "unshare")
 APART = ("unshare", "--pid", "--fork", "--kill-child", "--mount-proc", "--net", "--uts", "--ipc")
 HOST = "node"
-ADDRESS = "10.0.0.1"  # of `lo`: names are not resolved where there is but 127.0.0.1
-WAIT = 0.2  # seconds between looks
-SKIPPED = 77  # as ctest knows it
+ADDRESS = "10.0.0.1"  # of `lo`: names are not resolved if 127.0.0.1 is the only address
+WAIT = 0.2  # seconds between checks
+SKIPPED = 77  # ctest's code for a skipped test
 
-# On a busy machine nothing comes too late: no node is lost, no job. A requeued job waits for its credential to expire, though,
-# which it may not do before the job is begun. Only jobs are requeued that ask for it.
+# Time limits that no busy machine exceeds, so that no node or job is lost. But a requeued job waits until its credential expires,
+# which must not happen before the job starts. Only jobs that request it are requeued.
 CONFIGURATION = """
 ClusterName=cluster
 SlurmctldHost={host}({address})
@@ -57,7 +57,7 @@ def skip(reason):
 
 
 def go_apart():
-    """Begins this program again in namespaces of its own; returns where it is in them. Says why where that cannot be."""
+    """Restarts this program in separate namespaces; returns if it runs in them. Skips the test if that is impossible."""
     os.environ["PATH"] += ":/usr/sbin:/sbin"
     if os.environ.pop("RAYCHECK_IS_APART", None):
         return
@@ -68,14 +68,14 @@ def go_apart():
         skip(f"no {', '.join(missing)} (slurmctld, slurmd, slurm-client, munge)")
     tried = subprocess.run([*APART, "true"], capture_output=True, text=True)
     if tried.returncode != 0:
-        skip(f"no namespaces of its own here: {tried.stderr.strip()}")
-    # A shell is the first process there: it buries what other processes leave behind.
+        skip(f"namespaces cannot be made here: {tried.stderr.strip()}")
+    # A shell is the first process there, to reap orphaned processes.
     os.execvpe(APART[0], [*APART, "bash", "-c", '"$@"; exit "$?"', "bash", sys.executable, *sys.argv],
                {**os.environ, "RAYCHECK_IS_APART": "1"})
 
 
 def give_address():
-    """The namespace's `lo` has the address, and is up."""
+    """Gives the namespace's `lo` the address and brings it up."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as any_socket:
         name = b"lo".ljust(16, b"\0")
         address = struct.pack("=HH4s8x", socket.AF_INET, 0, socket.inet_aton(ADDRESS))
@@ -86,14 +86,14 @@ def give_address():
 class Slurm:
     def __init__(self, folder, processors):
         self.folder = pathlib.Path(folder)
-        self.folder.chmod(0o755)  # munged wants everyone to come to its socket
+        self.folder.chmod(0o755)  # munged requires that everyone can reach its socket
         give_address()
         socket.sethostname(HOST)
         for name in ("state", "spool"):
             (self.folder / name).mkdir()
         configuration = self.folder / "slurm.conf"
         configuration.write_text(CONFIGURATION.format(host=HOST, address=ADDRESS, folder=self.folder, processors=processors))
-        # No control groups, of whichever version this system has: what 22.05 takes by this name is never asked for anything.
+        # Disables control groups; Slurm 22.05 has no 'disabled', but never uses the plugin named instead.
         version = tuple(map(int, re.findall(r"\d+", self.asked("slurmd", "-V"))[:2]))
         (self.folder / "cgroup.conf").write_text(f"CgroupPlugin={'disabled' if version >= (24, 5) else 'cgroup/v1'}\n")
         os.environ["SLURM_CONF"] = str(configuration)
@@ -119,22 +119,22 @@ class Slurm:
             daemon.wait()
 
     def wait(self, what, is_so):
-        """Until it is so: for states, never for times."""
+        """Waits until `is_so()`, without a time limit."""
         while not is_so():
             for name, daemon in self.daemons.items():
                 if daemon.poll() is not None:
-                    raise RuntimeError(f"{name} has ended, before {what}: {(self.folder / name).read_text()}")
+                    raise RuntimeError(f"{name} ended before {what}: {(self.folder / name).read_text()}")
             time.sleep(WAIT)
 
     def asked(self, *command):
-        """What a command of Slurm prints, empty where it fails, as long as daemons are not ready."""
+        """The output of a Slurm command; empty if it fails, as it does until the daemons are ready."""
         return subprocess.run(command, capture_output=True, text=True).stdout
 
     def told(self, *command):
         subprocess.run(command, check=True, capture_output=True, text=True)
 
     def job(self, number):
-        """What Slurm knows of a job, or of a task of an array, JOB_TASK."""
+        """Slurm's description of a job, or of an array's task, JOB_TASK."""
         words = self.asked("scontrol", "--oneliner", "show", "job", number).split()
         return dict(word.split("=", 1) for word in words if "=" in word)
 
@@ -143,7 +143,7 @@ class Slurm:
         def has_ended():
             job = self.job(number)
             if job.get("Reason") == "DependencyNeverSatisfied":
-                raise RuntimeError(f"job {number} will never begin: {job}")
+                raise RuntimeError(f"job {number} will never start: {job}")
             return job.get("JobState") in over
         self.wait(f"the end of job {number}", has_ended)
         return self.job(number)

@@ -2,7 +2,7 @@
 
   slurm_test.py PROGRAM [unittest's arguments]
 
-Exits with 0, with 1 where a test failed, and with 77 where Slurm cannot be had, which it says in a sentence.
+Exits with 0, with 1 if a test failed, and with 77 and a message if Slurm is not available.
 """
 import os
 import pathlib
@@ -18,10 +18,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SCRIPT = ROOT / "share/cluster/raycheck.sbatch"
 CAMPAIGN = ("properties", "--cases", "2000")
 SHARDS = 4
-CPU_SECONDS = 1  # after which a task is killed; a task needs several times as many
+CPU_SECONDS = 1  # of a task until it is killed; a task needs several times this
 
-# What tasks meet when they begin for the first time: SIGKILL in the middle of their work, from the kernel, after so much time on
-# a processor; or nothing to do until someone else ends them. `kept` is what the folder had when a killed task was begun again.
+# Mishaps of tasks at their first start: the kernel kills them with SIGKILL during their work, after CPU_SECONDS; or they hang
+# until they are ended. `kept` lists the folder when a killed task starts again.
 MISHAPS = f"""#!/usr/bin/env bash
 case ${{SLURM_RESTART_COUNT:-first}}:${{SLURM_ARRAY_TASK_ID:-}} in
   first:@KILLED) ulimit -t {CPU_SECONDS} ;;
@@ -59,7 +59,7 @@ class Array(unittest.TestCase):
         return path
 
     def submitted(self, program, **variables):
-        """The array's job and the report's, by the one command."""
+        """The jobs of the array and of the report, submitted by one command."""
         kept = {name: os.environ[name] for name in ("PATH", "SLURM_CONF")}
         environment = {**kept, "RAYCHECK": str(program), "SHARDS": str(SHARDS), "FOLDER": "shards", **variables}
         result = ran(SCRIPT, *CAMPAIGN, cwd=self.folder, env=environment, text=True)
@@ -86,25 +86,25 @@ class Array(unittest.TestCase):
             return False
         Shared.slurm.wait(f"task {task} at work", is_there)
 
-    def test_tasks_that_are_killed_go_on_and_the_report_is_that_of_one_machine(self):
+    def test_killed_tasks_resume_and_the_report_equals_that_of_one_machine(self):
         array, merge = self.submitted(self.program(killed="2", hangs="[34]"))
         self.wait_until_hanging(3)
         Shared.slurm.told("scontrol", "requeue", f"{array}_3")
         self.wait_until_hanging(4)
-        Shared.slurm.told("scancel", "--batch", "--signal=USR1", f"{array}_4")  # as before a time limit
+        Shared.slurm.told("scancel", "--batch", "--signal=USR1", f"{array}_4")  # like Slurm before a time limit
         self.check_report(merge)
         restarts = [Shared.slurm.job(f"{array}_{task}")["Restarts"] for task in range(1, SHARDS + 1)]
         self.assertEqual(restarts, ["0", "1", "1", "1"])
         kept = {line for line in (self.folder / "kept").read_text().splitlines() if line.endswith(".unit")}
         now = set(ran("ls", "--inode", "shards", cwd=self.folder, text=True).stdout.splitlines())
         self.assertTrue(kept)
-        self.assertLessEqual(kept, now)  # the same files: not done again
+        self.assertLessEqual(kept, now)  # the same files: not computed again
         self.assertIn("ended by SIGKILL, requeued", self.log("shard-2"))
         self.assertIn("ended by its time limit, requeued", self.log("shard-4"))
         for task in range(1, SHARDS + 1):
             self.assertRegex(self.log(f"shard-{task}"), f"shard {task} of {SHARDS}\\b.*SLURM")
 
-    def test_what_a_cancelled_task_did_not_do_is_said_and_done_by_the_same_command_again(self):
+    def test_the_same_command_computes_what_a_cancelled_task_did_not(self):
         array, merge = self.submitted(self.program(killed="2", hangs="3"), RESTARTS="0")
         self.wait_until_hanging(3)
         Shared.slurm.told("scancel", f"{array}_3")

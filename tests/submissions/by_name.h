@@ -1,8 +1,8 @@
 #ifndef RAYCHECK_TESTS_SUBMISSIONS_BY_NAME_H_
 #define RAYCHECK_TESTS_SUBMISSIONS_BY_NAME_H_
 
-// For submissions that are built once for all that they can do wrong: what they do is said by the
-// name of the file that they lie in, "far_root.so" or "far_root.rt".
+// For submissions that are built once with all of their mistakes: the name of the built file,
+// "far_root.so" or "far_root.rt", selects one.
 
 #include <dlfcn.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 
 #define TEXT_OF_NAMES(...) #__VA_ARGS__
-/// The place in a list of names (none, far_root, ...) of this file's.
+/// The index of this file's name in a list of names (none, far_root, ...).
 #define PLACE_BY_NAME(...) place_by_name(TEXT_OF_NAMES(__VA_ARGS__))
 
 inline long place_by_name(const std::string& list) {

@@ -1,4 +1,4 @@
-// Those of rays.cpp in float throughout, as a tracer for a GPU computes them, and it says so.
+// The functions of rays.cpp in float throughout, like a GPU tracer, declared as single precision.
 
 #define NUMBER float
 #define PRECISION single

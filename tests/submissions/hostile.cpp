@@ -1,6 +1,6 @@
-// Submissions that cheat or fail when they are asked to intersect, after a first line
-// `#define ATTACK hangs`; without one it is right. To be run by raycheck alone, never with
-// `--sandbox none`: it forks and takes memory without end.
+// Submissions that cheat or fail in intersect(), after a first line `#define ATTACK hangs`; without
+// it the answers are right. Run this only under raycheck and never with `--sandbox none`: it forks
+// and takes memory without end.
 
 #include <arpa/inet.h>
 #include <fcntl.h>
@@ -49,7 +49,7 @@ extern "C" {
 double sqrt(double) { return 1; }
 void* malloc(std::size_t) {
   static char memory[1 << 16];
-  return memory;  // the same for all
+  return memory;  // the same in all processes
 }
 void free(void*) {}
 }
@@ -74,7 +74,7 @@ static_assert(kAttack != Attack::compile_error, "this does not compile");
 constexpr const char* kBoast =
     "{\"score\": 100}\nraycheck 1 perfect\nfunction intersect\nready\nreply 1\nend 1\n";
 
-/// Of the streams that a process may have been given; which are replies it does not know.
+/// The streams that the process may have inherited; it does not know which one carries replies.
 constexpr int kMostDescriptors = 10;
 
 void say_everywhere(const char* text) {
@@ -83,7 +83,7 @@ void say_everywhere(const char* text) {
   }
 }
 
-/// Runs when the library is loaded, before anything is asked.
+/// Runs when the library is loaded, before the first question.
 struct Boast {
   Boast() {
     if (kAttack == Attack::boasts) {
@@ -103,7 +103,7 @@ void crash() {
   *nothing = 1;
 }
 
-/// For so long that no number of answers takes nearly the 2 or 5 s of the tests' limits.
+/// Takes 0.8 s, so that no number of answers ends close to the tests' limits of 2 or 5 s.
 void compute() {
   const std::clock_t end = std::clock() + CLOCKS_PER_SEC * 4 / 5;
   while (std::clock() < end) {
@@ -116,7 +116,7 @@ void compute() {
   }
 }
 
-/// A page of every MiB is touched: that is soon at an end, and takes all there is without one.
+/// Touches a page of every MiB: reaches a limit soon, and without a limit takes all memory.
 [[noreturn]] void take_memory() {
   constexpr std::size_t kBlock = std::size_t{1} << 28, kStep = std::size_t{1} << 20;
   for (;;) {
@@ -156,7 +156,7 @@ void open_socket() {
 
 namespace fs = std::filesystem;
 
-/// Says what looks like a scene or like someone's submission.
+/// Reports files that look like scenes or other submissions.
 class Search {
  public:
   ~Search() { std::fprintf(stderr, "found %d files of %d seen\n", found_, seen_); }
@@ -171,7 +171,7 @@ class Search {
       std::error_code ignored;
       if (depth > 0 && fs::is_directory(fs::symlink_status(path, ignored))) in(path, depth - 1);
       const std::string extension = path.extension();
-      if (path.filename() == "raycheck_candidate.py") continue;  // for all who write in Python
+      if (path.filename() == "raycheck_candidate.py") continue;  // for all submissions in Python
       if (extension == ".toml" || extension == ".cpp" || extension == ".py") say(path);
     }
   }
@@ -209,11 +209,11 @@ pid_t parent_of(pid_t process) {
   return -1;
 }
 
-/// Who asks, where it can be reached: the parent of the supervisor. A namespace of processes has
-/// small numbers.
+/// The process ID of raycheck, the supervisor's parent, if it is visible. In a process namespace
+/// the numbers are small.
 pid_t judge() { return getppid() > 2 ? parent_of(getppid()) : -1; }
 
-/// Every way to reach it by its number, by that of a thread, by its group, and by a stream.
+/// Every way to kill it: by process ID, thread ID, process group, and stream.
 void kill_judge() {
   const pid_t other = judge();
   const auto each = [&](pid_t target) {
@@ -243,7 +243,7 @@ void kill_judge() {
   }
   if (other > 0 && setpgid(0, getpgid(other)) == 0) kill(0, SIGKILL);
   if (other > 0) kill(-getpgid(other), SIGKILL);
-  // All that it may: in a namespace of its own that is itself and what waits for it.
+  // All processes that it may signal: in its own namespace, itself and its supervisor.
   if (other > 0) kill(-1, SIGKILL);
 }
 
@@ -262,7 +262,7 @@ bool weakens_judge() {
          sched_setaffinity(other, sizeof first, &first) == 0;
 }
 
-/// As a child that is root in a namespace of its own.
+/// In a child that is root in its own namespace.
 bool makes_namespaces() {
   const auto child =
       syscall(SYS_clone, CLONE_NEWUSER | SIGCHLD, nullptr, nullptr, nullptr, nullptr);
@@ -277,7 +277,7 @@ bool makes_namespaces() {
   return other > 0 || unshare(CLONE_NEWUSER) == 0;
 }
 
-/// What outlives it, for the next submission or to fill the machine.
+/// Leaves memory and queues that outlive it, for the next submission or to fill the machine.
 bool leaves_memory() {
   constexpr int kMode = IPC_CREAT | 0600;
   return shmget(IPC_PRIVATE, 4096, kMode) >= 0 || msgget(IPC_PRIVATE, kMode) >= 0 ||
@@ -301,7 +301,7 @@ bool runs_raycheck() {
          reads("/proc/" + std::to_string(judge()) + "/exe");
 }
 
-/// What it gained makes it answer wrongly, so that its score tells.
+/// If an attack succeeds, its answers are wrong, so that the score shows it.
 bool has_gained = false;
 
 void attack() {

@@ -1,5 +1,5 @@
-// A student's rays and spheres in C++, right as it stands. A first line `#define MISTAKE u_flipped`
-// makes it wrong in the one way of that name, `#define NUMBER float` computes all in floats.
+// A student's rays and spheres in C++, correct by default. A first line `#define MISTAKE u_flipped`
+// adds the mistake of that name; `#define NUMBER float` computes in floats.
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +70,7 @@ struct View {
     if (has(Mistake::u_and_w_flipped)) w = normalize(in(camera.look_at) - in(camera.eye));
     u = normalize(cross(in(camera.up), w));
     if (has(Mistake::u_flipped)) u = normalize(cross(w, in(camera.up)));
-    // An up vector near W leaves U askew.
+    // An up vector near W makes U inaccurate.
     v = normalize(cross(w, u));
     u = cross(v, w);
     if (has(Mistake::top_from_right)) camera.top = camera.right;
@@ -93,7 +93,7 @@ Number position(double low, double high, Number index, Number count, Samples sam
   return in(low) + share * (in(high)-in(low));
 }
 
-/// P - E, without the rounding of P.
+/// P - E, without rounding P.
 Vec to_pixel(const View& view, const Conventions& asked, Pixel pixel) {
   const Camera& camera = view.camera;
   const auto width = static_cast<Number>(camera.width);
@@ -139,7 +139,7 @@ Ray focal_ray(const Camera& camera, const Conventions& asked, Pixel pixel) {
 
 struct Roots {
   Number smaller, larger;
-  Number d_sq;  // the square of half the chord, of unit directions
+  Number d_sq;  // the square of half the chord, for unit directions
 };
 
 /// a s^2 - 2 b s + c = 0; this discriminant does not cancel on far spheres.
@@ -147,7 +147,7 @@ std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
   const Vec t = in(sphere.centre) - in(ray.origin), d = in(ray.direction);
   const Number r = in(sphere.radius);
   if (has(Mistake::normalize_discarded) || has(Mistake::cancelling)) {
-    // The lecture's, of unit directions.
+    // The lecture's formula, for unit directions.
     const Number v = dot(t, d), d_sq = r * r - (dot(t, t) - v * v);
     if (d_sq < 0) return {};
     return Roots{v - std::sqrt(d_sq), v + std::sqrt(d_sq), d_sq};

@@ -1,7 +1,6 @@
-// A student's finished renderer in C++, right as it stands: rt DRIVER IMAGE reads a driver file of
-// dialect B and writes a PPM (P3), the top line first, by ambient light alone. A first line
-// `#define MISTAKE u_flipped` makes it wrong in the one way of that name, `#define NUMBER float`
-// computes all in floats.
+// A student's finished renderer in C++, correct by default: rt DRIVER IMAGE reads a driver file of
+// dialect B and writes a PPM (P3), top line first, with ambient light only. A first line `#define
+// MISTAKE u_flipped` adds the mistake of that name; `#define NUMBER float` computes in floats.
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +78,7 @@ struct Sphere {
 };
 struct Roots {
   Number smaller, larger;
-  Number d_sq;  // the square of half the chord, of unit directions
+  Number d_sq;  // the square of half the chord, for unit directions
 };
 
 class Camera {
@@ -89,7 +88,7 @@ class Camera {
     if (has(Mistake::u_and_w_flipped)) w_ = normalize(look - eye);
     u_ = normalize(cross(up, w_));
     if (has(Mistake::u_flipped)) u_ = normalize(cross(w_, up));
-    // An up vector near W leaves U askew.
+    // An up vector near W makes U inaccurate.
     v_ = normalize(cross(w_, u_));
     u_ = cross(v_, w_);
     if (has(Mistake::top_from_right)) top = right;
@@ -101,7 +100,7 @@ class Camera {
     if (has(Mistake::axes_dropped)) u_ = v_ = w_ = {};
   }
 
-  /// From the pixel's point away from the eye; row 0 is the lowest.
+  /// The ray from the pixel's point away from the eye; row 0 is the lowest.
   Ray ray(int i, int j) const {
     if (has(Mistake::mirrored)) i = width - 1 - i;
     if (has(Mistake::upside_down)) j = height - 1 - j;
@@ -199,7 +198,7 @@ std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
   const Vector t = sphere.centre - ray.origin, d = ray.direction;
   const Number r = sphere.radius;
   if (has(Mistake::normalize_discarded) || has(Mistake::cancelling)) {
-    // The lecture's, of unit directions.
+    // The lecture's formula, for unit directions.
     const Number v = dot(t, d), d_sq = r * r - (dot(t, t) - v * v);
     if (d_sq < 0) return {};
     return Roots{v - std::sqrt(d_sq), v + std::sqrt(d_sq), d_sq};

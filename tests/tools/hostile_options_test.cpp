@@ -256,8 +256,8 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"try lecture7.toml", "SUBMISSION"},
     {"try nowhere.toml README.md", "nowhere.toml: cannot be read"},
     {"try lecture7.toml nowhere", "nowhere: there is no such file or folder"},
-    {"rubric lecture8", "lecture8: none of that name comes with raycheck; there is lecture7"},
-    {"rubric lecture7/frame", "rubric lecture7/frame: none of that name"},
+    {"rubric lecture8", "lecture8: raycheck has no rubric of this name; it has lecture7"},
+    {"rubric lecture7/frame", "rubric lecture7/frame: raycheck has no rubric"},
     {"rubric --out somewhere", "--out requires NAME"},
     // Numbers; none is of octal digits.
     {"properties --cases 010", "give a whole number from 1 to 1000000000, not '010'"},

@@ -50,8 +50,7 @@ void judge_all(const Rubric& rubric, JudgedSubmission judged, const RunControl& 
   grade.finished = !control.interrupted();
 }
 
-/// Nothing could be judged: no item of its form gets points; the rubric says what the submission is
-/// worth.
+/// The submission could not be run: no item is judged, and the rubric's `unjudged` gives the score.
 void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade) {
   grade.refused = {plain_text(refusal.why), plain_text(refusal.said)};
   const bool pictures = grade.program && grade.program->kind == CandidateKind::kRenderer;
@@ -72,7 +71,8 @@ void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   if (found.dry_run) grade.driver = found.dry_run->driver;
 }
 
-/// Not true of a submission with points: it shows scenes other than the dry run's.
+/// Adds the note that pictures show nothing, unless the submission has points: then it draws other
+/// scenes than the dry run's.
 void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& grade) {
   if (!dry || dry->shows_nothing.empty()) return;
   const bool has_points =
@@ -88,7 +88,7 @@ std::vector<std::string_view> names_of_class_files() {
   return names;
 }
 
-/// The names that the files for a student may have.
+/// All possible names of the files for a student.
 std::vector<std::string> names_for_student(const Rubric& rubric) {
   std::vector<std::string> names = {kReportFile, kFiguresFile};
   for (const Item& item : rubric.items) {
@@ -99,7 +99,7 @@ std::vector<std::string> names_for_student(const Rubric& rubric) {
   return names;
 }
 
-/// These files, by name: pages, and the failing cases as TOML and as driver files.
+/// The files for a student by name: pages, and the failing cases as TOML and as driver files.
 std::map<std::string, std::string> files_for_student(const StudentGrade& shown) {
   std::map<std::string, std::string> files;
   for (std::size_t k = 0; k < shown.items.size(); ++k) {
@@ -159,7 +159,7 @@ class ClassRun {
   }
 
  private:
-  /// Grades and notes those of a shard that are not noted.
+  /// Grades the submissions of a shard whose units are missing, and writes the units.
   void grade_shard(const RunControl& control, Units& units) {
     std::vector<std::int64_t> open;
     std::vector<Submission> mine;
@@ -176,7 +176,7 @@ class ClassRun {
     }
   }
 
-  /// Checks before grading that no foreign file is where results may be written.
+  /// Checks before grading that no file of other origin has the name of a result.
   void require_place() const {
     std::vector<std::string> names = names_for_student(rubric_);
     if (!options_.for_student) {
@@ -198,7 +198,7 @@ class ClassRun {
 
   struct Graded {
     SubmissionGrade grade;
-    std::string outside = {};  ///< The external cause why it has no grade; empty: none.
+    std::string outside = {};  ///< Non-empty: the environment failed, so there is no grade.
   };
 
   Graded graded(const Submission& submission, const RunControl& control, bool alone) {
@@ -218,7 +218,7 @@ class ClassRun {
     return one;
   }
 
-  /// What a dry run, if any, shows about the form that a renderer reads.
+  /// How the form that a renderer reads is known, after a dry run if there was one.
   static FormKnown form_known(const DriverRule& rule, const std::optional<DryRun>& dry) {
     const bool is_given = !dry || !rule.tries_others ||
                           (rule.is_asked_for && dry->shows_a_sphere() && dry->driver == rule.form);
@@ -226,7 +226,7 @@ class ClassRun {
     return dry->shows_a_sphere() ? FormKnown::kFound : FormKnown::kNot;
   }
 
-  /// The cause outside the submission why there is no grade; empty: there is one.
+  /// Non-empty: the cause outside the submission for which there is no grade.
   std::string grade_one(const Submission& submission, const RunControl& given, bool alone,
                         SubmissionGrade& grade) {
     Stopwatch watch;
@@ -257,13 +257,13 @@ class ClassRun {
       grade.finished = !control.interrupted();
     } catch (const scene::Interrupted&) {
       // The next run grades it.
-      refuse(rubric_, {"raycheck was interrupted before anything was asked", ""}, grade);
+      refuse(rubric_, {"raycheck was interrupted before the first question", ""}, grade);
     } catch (const std::logic_error&) {  // raycheck's own
       throw;
     } catch (const std::exception& error) {
       surroundings->blame(error.what());
     }
-    // The machine's fault, not the submission's: the next run grades it again.
+    // Not the submission's fault: the next run grades it again.
     const std::string cause = surroundings->cause();
     if (!cause.empty()) {
       grade = before;
@@ -286,8 +286,8 @@ class ClassRun {
   LayersHere here_;
   Layers layers_;
   std::vector<Submission> submissions_;
-  std::optional<OwnFiles> own_;  ///< Where results are written, if they are.
-  std::optional<Store> store_;   ///< Likewise for a class.
+  std::optional<OwnFiles> own_;  ///< Absent: no results are written.
+  std::optional<Store> store_;   ///< Absent without `out`, and for students.
 };
 
 }  // namespace
@@ -348,7 +348,7 @@ std::string try_text(const TryReport& report) {
   if (shown.unlisted > 0) text += "  " + unlisted_text(shown) + "\n";
   for (std::size_t k = 0; k < shown.items.size(); ++k) {
     const ItemGrade& item = shown.submission.items[k];
-    // For unanswered items the line says everything.
+    // For unanswered items the line above is complete.
     const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
     if (item.state != ItemState::kFails || !has_more) continue;
     text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
@@ -356,7 +356,7 @@ std::string try_text(const TryReport& report) {
   if (!report.folder.empty()) {
     text += "\nwritten: " + report.folder + "/report.html, and the smallest cases beside it\n";
   }
-  if (report.interrupted) text += "INTERRUPTED: these are the items that were reached.\n";
+  if (report.interrupted) text += "INTERRUPTED: these are the results so far.\n";
   return text;
 }
 

@@ -25,28 +25,29 @@ struct GradeOptions {
   std::string rubric = {};
   std::string dialect = {};  ///< Replaces the rubric's [driver]; see driver_rule().
   std::vector<std::string> submissions = {};
-  std::string out = {};      ///< The folder, made if missing. Empty: nothing is written.
-  bool for_student = false;  ///< Of one submission, only what its student gets is written.
+  std::string out = {};      ///< The folder of results, made if missing. Empty: nothing is written.
+  bool for_student = false;  ///< Write only the files for the student, of one submission.
   std::uint64_t seed = 1;
-  std::optional<std::string> secret = {};  ///< Seeds follow from it and the submissions' names.
+  std::optional<std::string> secret = {};  ///< Derives each submission's seed.
   Sandbox sandbox = Sandbox::kRequire;
-  /// The results file written for a course's system, besides the usual files; null: none.
+  /// The format of the additional results file for a course's system; null: no such file.
   const ResultsFormat* results = nullptr;
 };
 
-/// Grades every submission: OUT/NAME/ has its report.html, figures.html and the failing scenes for
-/// the student, and result.json for instructors, as soon as it is done; OUT gets the class pages at
-/// the end. What an earlier run into the same folder built and asked is neither built nor asked
-/// again (store.h). Files that raycheck did not write are neither replaced nor removed. Errors,
-/// before anything is written: what load_rubric(), find_submissions(), chosen_layers(),
-/// require_disjoint() and OwnFiles::require_own() throw. With `units`, which only note who is
-/// graded, those of their shard that are not; if they are not all, OUT gets no class pages.
+/// Grades every submission: as soon as it is graded, OUT/NAME/ gets report.html, figures.html and
+/// the failing scenes for the student, and result.json for instructors; OUT gets the class pages at
+/// the end. Builds and answers of earlier runs into the same folder are reused (store.h). Files
+/// that raycheck did not write are neither replaced nor removed. Errors, before anything is
+/// written: what load_rubric(), find_submissions(), chosen_layers(), require_disjoint() and
+/// OwnFiles::require_own() throw. With `units`, grades the submissions of the shard whose units are
+/// missing; a unit only records that a submission was graded. Unless the shard is the whole class,
+/// OUT gets no class pages.
 ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {},
                  Units* units = nullptr);
 
-/// Does something for every submission, in their order; what fails for a cause outside it
-/// (`outside` of a result says which) is done again at the end, when nothing runs beside it.
-/// `done`: "graded".
+/// Does `work` for every submission, in order. What fails for a cause outside the submission
+/// (`outside` of a result is non-empty) is repeated at the end, with nothing running beside it.
+/// `done`: the word for progress lines, "graded".
 template <class Result>
 std::vector<Result> done_for_each(
     const std::vector<Submission>& submissions, const properties::RunControl& control,
@@ -75,16 +76,16 @@ std::vector<Result> done_for_each(
 struct TryReport {
   std::shared_ptr<const Rubric> rubric;  ///< What `shown` refers to.
   StudentGrade shown;
-  std::string folder;  ///< Where the page and the failing cases are; empty: nowhere.
+  std::string
+      folder;  ///< The folder of the page and the failing cases; empty: nothing was written.
   bool interrupted = false;
 
-  /// Whether every item that is shown, and was asked, holds.
+  /// Whether every item that is shown and was asked holds.
   bool holds() const;
 };
 
-/// Grades one submission as grade() does with the same rubric and seed, for its author: asks every
-/// item, and shows those that students may see. `out`: the parent of the submission's folder of
-/// results; empty: nothing is written.
+/// Grades one submission for its author, as grade() does with the same rubric and seed: asks every
+/// item, and shows those that students may see.
 /// Errors: as grade().
 TryReport try_submission(GradeOptions options, const properties::RunControl& control = {});
 
@@ -95,13 +96,13 @@ std::string try_text(const TryReport& report);
 std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,
                                         const properties::RunControl& control = {});
 
-/// Judges raycheck's own, correct submissions, one of each kind that the rubric's forms accept: if
-/// they fail, so would the students', through no fault of theirs.
-/// Errors: std::invalid_argument with what is wrong.
+/// Judges correct submissions that come with raycheck, one of each kind that the rubric's forms
+/// accept: if these fail, the environment is broken.
+/// Errors: std::invalid_argument.
 void test_environment(const Rubric& rubric, const Layers& layers);
 
 /// Writes the zip file of a Gradescope autograder: setup.sh and run_autograder, the rubric with its
-/// scenes, and raycheck with the libraries that it needs besides those of C and C++.
+/// scenes, and raycheck with its libraries except those of C and C++.
 /// Errors: std::invalid_argument or std::runtime_error naming the file.
 void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& path);
 

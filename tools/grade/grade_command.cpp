@@ -24,7 +24,7 @@ struct GradeArguments {
   std::string secret_file;
   std::string package;
   bool probe = false;
-  /// Grading with less isolation than there should be takes an explicit choice.
+  /// Grading with less isolation requires an explicit option.
   SandboxArguments sandbox = {.sandbox = Sandbox::kRequire};
   std::string format = "text";
   ShardArguments shards;
@@ -41,7 +41,7 @@ std::string secret_of(const std::string& path) {
   throw std::invalid_argument("--secret-file " + path + ": is empty");
 }
 
-/// Prints the class in a format, or in the first if that is only a format of results.json.
+/// The class in a printed format; in the default one if `format` is a format of results.json only.
 std::string printed(const ClassGrade& graded, const std::string& format) {
   for (const ClassView& view : kPrintedViews) {
     if (view.name == format) return view.render(graded);
@@ -49,7 +49,7 @@ std::string printed(const ClassGrade& graded, const std::string& format) {
   return kPrintedViews[0].render(graded);
 }
 
-/// Without submissions the rubric itself is tried, on raycheck's own methods.
+/// Without submissions: tries the rubric on raycheck's own methods.
 int try_own_methods(const GradeArguments& arguments) {
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric, arguments.options.dialect);
@@ -64,7 +64,7 @@ int try_own_methods(const GradeArguments& arguments) {
       if (is_given) continue;
       const std::string reason = reason_text(item.reason);
       print_error(item.name + ": " +
-                  (reason.empty() ? "raycheck's own answer is not given all points" : reason) +
+                  (reason.empty() ? "raycheck's own methods do not get all points" : reason) +
                   "\n");
     }
   }
@@ -75,7 +75,7 @@ int try_own_methods(const GradeArguments& arguments) {
 int run_probe(const GradeArguments& arguments) {
   if (std::ranges::none_of(kProbeViews,
                            [&](const auto& view) { return view.name == arguments.format; })) {
-    throw std::invalid_argument("--format " + arguments.format + ": --probe has text and json");
+    throw std::invalid_argument("--format " + arguments.format + ": --probe prints text or json");
   }
   GradeOptions options = arguments.options;
   options.sandbox = sandbox_of(arguments.sandbox);
@@ -94,7 +94,8 @@ int run_grade(const GradeArguments& arguments) {
   }
   if (options.submissions.empty()) return try_own_methods(arguments);
   if (arguments.shards.merged.size() > 1) {
-    throw std::invalid_argument("merge: the shards of a class grade it into one folder");
+    throw std::invalid_argument(
+        "merge: give one folder; all shards of a class write into the same folder");
   }
   for (const std::string& folder : arguments.shards.merged) options.out = folder;
   if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
@@ -127,29 +128,28 @@ CommandRun add_grade(CLI::App& command) {
       ->required();
   CLI::Option* const submissions =
       command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
-  command.add_option("--out", arguments.options.out, "the folder that takes the results")
+  command.add_option("--out", arguments.options.out, "the folder for the results")
       ->needs(submissions);
   add_shards_inside(command, arguments.shards);
   command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
       ->check(whole_number(1, 1024));
-  // With --out, too: the command is the later grading's, tried beforehand.
+  // Allowed with --out, so that the later grading command only needs --probe removed.
   CLI::Option* const probe =
       command
           .add_flag("--probe", arguments.probe,
-                    "only build and try the submissions, judge none: what each reads, writes and "
-                    "shows, and a [driver] and [[form]]s that say so")
+                    "only build and try the submissions, without judging; print what each reads, "
+                    "writes and shows, and a [driver] and [[form]]s for the rubric")
           ->needs(submissions);
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   command
       .add_option("--secret-file", arguments.secret_file,
-                  "a secret file: it and a submission's name make its seed")
+                  "derive each submission's seed from this secret file and its name")
       ->needs(submissions)
       ->excludes(probe);
   add_sandbox(command, arguments.sandbox);
   command
-      .add_option("--package", arguments.package,
-                  "write the zip file that Gradescope takes as an autograder")
+      .add_option("--package", arguments.package, "write the zip file of a Gradescope autograder")
       ->excludes(submissions)
       ->excludes(command.get_option("--dialect"));
   std::vector<std::string> formats = names_of(kPrintedViews);

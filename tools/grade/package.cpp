@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Package names on Debian and Ubuntu: what submissions are compiled and run with.
+/// Installs the Debian and Ubuntu packages that compile and run submissions.
 constexpr const char* kSetup = R"sh(#!/usr/bin/env bash
 # Prepares the machine on which submissions are graded.
 set -euo pipefail
@@ -53,7 +53,7 @@ else
 fi
 )sh";
 
-/// Libraries on every machine with a C++ compiler; submissions need the compiler's own.
+/// Libraries of every machine with a C++ compiler; submissions must use the compiler's version.
 bool is_of_the_system(const std::string& name) {
   for (const char* own : {"libc.so", "libm.so", "libdl.so", "librt.so", "libpthread.so", "ld-linux",
                           "libstdc++.so", "libgcc_s.so", "linux-vdso"}) {
@@ -62,7 +62,7 @@ bool is_of_the_system(const std::string& name) {
   return false;
 }
 
-/// The libraries that a program is loaded with: names and paths, as ldd lists them.
+/// The shared libraries of a program, by name, as ldd lists them.
 std::map<std::string, fs::path> libraries_of(const fs::path& program) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(
       popen(fmt::format("ldd '{}'", program.string()).c_str(), "r"), pclose);

@@ -62,7 +62,7 @@ namespace {
 
 using Probes = std::vector<const SubmissionProbe*>;
 
-/// Files that determine how a submission is built without being named in the command.
+/// Files that determine the build although the command does not name them.
 constexpr std::array<std::string_view, 2> kRecipes = {"CMakeLists.txt", "package.json"};
 
 constexpr std::size_t kMostNamed = 4;
@@ -83,7 +83,7 @@ std::string toml_text(std::string_view text) {
   return result + "\"";
 }
 
-/// The form that most read; in a tie the first.
+/// The form that most submissions read; in a tie the first.
 std::string driver_part(const ProbeReport& report) {
   std::vector<std::pair<DriverForm, int>> counts;
   for (const SubmissionProbe& probe : report.submissions) {
@@ -133,7 +133,8 @@ bool has_file(const SubmissionProbe& probe, const std::string& name) {
   return std::ranges::find(probe.found.files, name) != probe.found.files.end();
 }
 
-/// The name of a file by which a form fits only these; empty if there is none.
+/// A file name that only these submissions have, so that a form can select them; empty if there is
+/// no such name.
 std::string distinguishing_file(const BuiltAlike& alike, const ProbeReport& report) {
   for (const std::string& name : alike.members.front()->found.files) {
     const bool is_what_it_is_of = alike.build.find(name) != std::string::npos ||
@@ -193,13 +194,13 @@ std::string shown_text(const DryRun& dry) {
   if (!dry.shows_a_sphere()) return "not the scene";
   std::string text = "spheres";
   if (!dry.colours.tells_spheres) {
-    text += ", not which";
+    text += ", not told apart";
   } else if (dry.colours.channels != ColourHabit{}.channels) {
     text += ", channels exchanged";
   }
   const auto& [red, green, blue] = dry.colours.background;
   if (!(dry.colours.background == Colour{})) {
-    text += fmt::format(", on ({}, {}, {})", red, green, blue);
+    text += fmt::format(", background ({}, {}, {})", red, green, blue);
   }
   return text;
 }
@@ -217,7 +218,7 @@ std::vector<std::string> row(const SubmissionProbe& probe) {
   }
   cells.push_back(draws && dry->shows_a_sphere() ? dry->driver.name() : std::string(kNone));
   cells.push_back(!draws                      ? std::string(kNone)
-                  : dry->picture_name.empty() ? "as told"
+                  : dry->picture_name.empty() ? "as asked"
                                               : line_text(dry->picture_name));
   cells.push_back(draws ? shown_text(*dry) : std::string(kNone));
   return cells;
@@ -230,10 +231,10 @@ std::string notes_text(const SubmissionProbe& probe) {
     if (!said.empty()) text += plain_text(said) + "\n";
   };
   for (const std::string& note : probe.found.all_notes()) add(note);
-  if (!probe.functions.empty()) add(fmt::format("offers {}", fmt::join(probe.functions, ", ")));
+  if (!probe.functions.empty()) add(fmt::format("implements {}", fmt::join(probe.functions, ", ")));
   if (const auto& dry = probe.found.dry_run) {
     add(dry->shows_nothing);
-    if (!dry->said.empty()) add("it said:\n" + indented(dry->said, "  "));
+    if (!dry->said.empty()) add("its output:\n" + indented(dry->said, "  "));
   }
   if (probe.refusal) {
     add("could not be judged: " + probe.refusal->why);
@@ -265,12 +266,12 @@ std::string probe_text(const ProbeReport& report, const ViewOptions& /*options*/
   for (const SubmissionProbe& probe : report.submissions) refused += probe.refusal ? 1 : 0;
   text += count_text(report.submissions.size(), "submission") + " tried";
   text += refused > 0 ? fmt::format(", {} could not be judged\n", refused) : "\n";
-  if (report.interrupted) text += "INTERRUPTED: these are the submissions that were reached.\n";
+  if (report.interrupted) text += "INTERRUPTED: these are the results so far.\n";
   const std::string suggested = suggestion(report);
   if (suggested.empty()) return text;
   return text +
-         "\n# What does the same, in place of the rubric's [driver] and of its form with build = "
-         "\"auto\":\n" +
+         "\n# To write this into the rubric, replace its [driver] and its form with build = "
+         "\"auto\" by:\n" +
          suggested;
 }
 

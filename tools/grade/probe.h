@@ -13,13 +13,13 @@
 
 namespace raycheck::tools {
 
-/// What is known about a submission before it is judged.
+/// The result of a dry run of one submission.
 struct SubmissionProbe {
   std::string name;
   Preparation found;
-  std::set<std::string> functions;  ///< Those it offers; none for a renderer.
-  std::optional<Refusal> refusal;   ///< Why it cannot be judged at all.
-  std::string outside = {};         ///< The cause outside it of that; empty: its own.
+  std::set<std::string> functions;  ///< The functions it implements; empty for a renderer.
+  std::optional<Refusal> refusal;   ///< Why it cannot be judged; absent if it can.
+  std::string outside = {};         ///< Non-empty: the cause lies outside the submission.
 };
 
 /// The dry run of a class.
@@ -32,15 +32,15 @@ struct ProbeReport {
   bool holds() const;
 };
 
-/// Builds and tries every submission as grade() does, if need be again on its own; judges and
-/// writes nothing.
+/// Builds and tries every submission as grade() does, including the repetition after outside
+/// causes; judges and writes nothing.
 /// Errors: as grade().
 ProbeReport probe(const GradeOptions& options, const properties::RunControl& control = {});
 
-/// A part of a rubric, in TOML, under which the submissions run as the dry run made them run: the
-/// table [driver] with the form that most read, and of those that are built automatically each
-/// [[form]] that says so in words of its own and fits no others, then the form that fits the rest.
-/// Empty: nothing runs that it could be made of.
+/// The findings of the dry run as a part of a rubric, in TOML: the table [driver] with the form
+/// that most submissions read, then for automatically built submissions a [[form]] with explicit
+/// commands per group that a file name selects, then the automatic form for the rest. Empty if no
+/// submission runs.
 std::string suggestion(const ProbeReport& report);
 
 std::string probe_text(const ProbeReport& report, const ViewOptions& options);

@@ -14,12 +14,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Tests that the environment works, not how fast it is.
+/// The self-test checks whether the environment works, not its speed.
 constexpr double kLeastSeconds = 10;
 /// The compiler for sources.
 constexpr const char* kCompiler = "/usr/bin/g++";
 
-// Correct for the questions asked below, and only these.
+// Correct only for the questions asked below.
 constexpr const char* kSource = R"(#include <raycheck/candidate.h>
 static raycheck_hit intersect(const raycheck_ray*, const raycheck_sphere* sphere,
                               const raycheck_conventions*) {
@@ -50,15 +50,15 @@ cat "$1" > /dev/null && printf 'P3\n2 1\n255\n255 0 0\n0 0 0\n' > "$2"
 struct OwnSubmission {
   CandidateKind kind;
   const char *file, *text;
-  const char* what;   ///< What follows its kind in a rubric's form.
+  const char* what;   ///< The candidate's words in a rubric's form, without the kind.
   const char* words;  ///< Its name in errors.
 };
 constexpr OwnSubmission kOwn[] = {
-    {CandidateKind::kSource, "own.cpp", kSource, "own.cpp", "function, compiled,"},
+    {CandidateKind::kSource, "own.cpp", kSource, "own.cpp", "compiled function"},
     {CandidateKind::kCommand, "own", kCommand, "./own", "program"},
     {CandidateKind::kRenderer, "own", kRenderer, "./own {scene} {image}", "renderer"}};
 
-/// Libraries and builds are tried only if there is a compiler: otherwise nothing is built here.
+/// A library is compiled for the test only if there is a compiler.
 bool is_asked(CandidateKind kind, const Rubric& rubric) {
   return std::ranges::any_of(rubric.forms, [&](const Form& form) {
     const bool may_compile = form.program.kind == CandidateKind::kLibrary || !form.build.empty();
@@ -76,13 +76,13 @@ void judge_hit(const External& external) {
   const scene::Sphere sphere = {{0, 0, 5}, 1};
   const auto hits = external_candidate(external).intersect({&ray, 1}, {&sphere, 1}, {});
   expect(hits.size() == 1 && hits[0].size() == 1 && hits[0][0].hit.parameter == 4,
-         "its answer, 4, did not arrive");
+         "its answer, 4, was not received");
 }
 
 void judge_picture(const External& external) {
   const ReadPicture picture = rendered(*external.renderer, "a driver file\n", {2, 1}).picture;
   expect(picture.width == 2 && picture.pixels.size() == 2 && picture.pixels[0] == Colour{255, 0, 0},
-         "its picture is not as it drew it");
+         "its picture differs from what it drew");
 }
 
 void judge(const OwnSubmission& own, const RunOptions& given) {
@@ -116,10 +116,10 @@ void test_environment(const Rubric& rubric, const Layers& layers) {
       why = error.what();
     }
     if (why.empty()) continue;
-    throw std::invalid_argument(
-        fmt::format("grading does not begin: raycheck's own {} is right, and cannot be judged here "
-                    "(isolated by: {}; temporary files in {}): {}",
-                    own.words, layers.text(), fs::temp_directory_path().string(), why));
+    throw std::invalid_argument(fmt::format(
+        "grading does not start: raycheck's own {} is correct but cannot be judged here "
+        "(isolated by: {}; temporary files in {}): {}",
+        own.words, layers.text(), fs::temp_directory_path().string(), why));
   }
 }
 

@@ -33,7 +33,7 @@ CommandRun add_try(CLI::App& command) {
   command.add_option("SUBMISSION", arguments.options.submissions, "the folder or file to hand in")
       ->required();
   command.add_option("--out", arguments.options.out,
-                     "a folder that takes one of the submission's name, with its page and cases");
+                     "a folder for the results: FOLDER/NAME/ gets the page and the failing cases");
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   add_sandbox(command, arguments.sandbox);

@@ -24,30 +24,29 @@ namespace fs = std::filesystem;
 
 struct MergeArguments {
   std::vector<std::string> folders;
-  std::map<std::string, std::vector<std::string>> passed;  ///< Values of options of reports,
-  std::map<std::string, bool> flags;                       ///< and those without a value.
+  std::map<std::string, std::vector<std::string>> passed;  ///< Report options with values.
+  std::map<std::string, bool> flags;                       ///< Report options without values.
   bool may_run = false;
 };
 
-/// The folder says what to run, and the folder may be anyone's.
+/// The folder names the programs to run, and it may come from anyone.
 void tell_what_runs(const CampaignIdentity& campaign, const std::string& folder, bool may_run) {
   if (!runs_candidates(campaign)) return;
   const std::string told =
       fmt::format("{}: its campaign runs candidates: {}", folder, campaign.text());
   if (!may_run) {
-    throw std::invalid_argument(
-        told + "; if you trust them and the folder, merge it with --run-candidates");
+    throw std::invalid_argument(told + "; add --run-candidates if you trust them and the folder");
   }
   print_error(fmt::format("raycheck: {}\n", told));
 }
 
-/// Becomes the campaign's own command, which takes its units from the folders.
+/// Executes the campaign's command, which takes its units from the folders.
 int run_merge(const MergeArguments& arguments) {
   const CampaignIdentity campaign = campaign_in(arguments.folders.front());
   const CommandRow* const row = find_command(campaign.command);
   if (row == nullptr) {
     throw std::invalid_argument(
-        fmt::format("{}: is of the command {}, which this version does not have",
+        fmt::format("{}: was made by the command {}, which this version does not have",
                     arguments.folders.front(), campaign.command));
   }
   std::vector<std::string> words = {"raycheck", campaign.command};
@@ -61,11 +60,11 @@ int run_merge(const MergeArguments& arguments) {
     const bool lacks_value =
         known != std::end(kUnitOptions) && known->has_value && std::next(argument) == all.end();
     if (known == std::end(kUnitOptions) || lacks_value) {
-      throw std::invalid_argument(
-          fmt::format("{}: its campaign has {}, which no shard writes: the folder was changed",
-                      arguments.folders.front(), *argument));
+      throw std::invalid_argument(fmt::format(
+          "{}: its campaign has {}, which raycheck never writes: the folder was changed",
+          arguments.folders.front(), *argument));
     }
-    // In one word: what a value begins with makes it no option.
+    // One word, so that a value that begins with '-' is not read as an option.
     words.push_back(known->has_value ? *argument + "=" + *std::next(argument) : *argument);
     if (known->has_value) ++argument;
   }
@@ -90,13 +89,13 @@ int run_merge(const MergeArguments& arguments) {
 
 CommandRun add_merge(CLI::App& command) {
   const auto given = std::make_shared<MergeArguments>();
-  command.add_option("FOLDER", given->folders, "what shards kept by --out")
+  command.add_option("FOLDER", given->folders, "the folders that shards wrote with --out")
       ->required()
       ->type_name("FOLDER");
   command.add_flag("--run-candidates", given->may_run,
-                   "run the candidates that the folder's campaign names, or its submissions");
+                   "allow the merge to run the campaign's candidates or submissions");
   for (const NamedOption& option : kReportOptions) {
-    const std::string meaning = "as of the command whose campaign it is";
+    const std::string meaning = "as for the campaign's command";
     if (option.has_value) {
       command.add_option(option.name, given->passed[option.name], meaning)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

@@ -16,7 +16,7 @@ std::string rubric_report(const RubricArguments& arguments) {
   if (!arguments.out.empty()) return copy_rubric(arguments.name, arguments.out);
   if (!arguments.name.empty()) return rubric_file(arguments.name);
   return rubrics_text() +
-         "`raycheck rubric NAME` prints one, with --out FOLDER copies it with its scenes.\n";
+         "`raycheck rubric NAME` prints a rubric; --out FOLDER copies it with its scenes.\n";
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ std::string rubric_report(const RubricArguments& arguments) {
 CommandRun add_rubric(CLI::App& command) {
   const auto given = std::make_shared<RubricArguments>();
   CLI::Option* const name = command.add_option("NAME", given->name, "lecture7");
-  command.add_option("--out", given->out, "the folder that takes a copy of it and its scenes")
+  command.add_option("--out", given->out, "copy the rubric and its scenes to this folder")
       ->needs(name);
   return [given] {
     print_report(rubric_report(*given));

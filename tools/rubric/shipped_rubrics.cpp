@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 fs::path path_of(const std::string& name) {
   if (const auto path = shipped_rubric(name)) return *path;
   throw std::invalid_argument(
-      fmt::format("rubric {}: none of that name comes with raycheck; there is {}", name,
+      fmt::format("rubric {}: raycheck has no rubric of this name; it has {}", name,
                   fmt::join(shipped_rubrics(), ", ")));
 }
 
@@ -51,7 +51,7 @@ std::string copy_rubric(const std::string& name, const std::string& out) {
   // A user's own changes are not overwritten.
   for (const auto& [file, source] : files) {
     if (fs::exists(fs::path(out) / file)) {
-      throw scene::InvalidInput("out", out, file + " is there already");
+      throw scene::InvalidInput("out", out, file + " exists already");
     }
   }
   for (const auto& [file, source] : files) {

@@ -4,14 +4,14 @@
 
 namespace raycheck::tools {
 
-/// The rubrics shipped with raycheck, a line each: name, title, how many items.
+/// A line for each shipped rubric: name, title, number of items.
 std::string rubrics_text();
 
-/// The unchanged text of one's file.
-/// Errors: std::invalid_argument if none has that name.
+/// The text of a shipped rubric's file.
+/// Errors: std::invalid_argument if there is no such rubric.
 std::string rubric_file(const std::string& name);
 
-/// Copies one and the scenes that it names to a folder; what was written, in a line.
+/// Copies a shipped rubric and its scenes to a folder; returns a line about what was written.
 /// Errors: as rubric_file(); std::invalid_argument if a file exists already, or cannot be written.
 std::string copy_rubric(const std::string& name, const std::string& out);
 

@@ -22,26 +22,27 @@
 
 namespace raycheck::tools {
 
-/// The same on every machine; doubles keep every bit.
+/// A result as bytes: the same on every machine, exact for doubles.
 template <class Result>
 std::string to_bytes(const Result& result) {
   UnitWriter archive;
   archive(result);
   return std::move(archive.bytes);
 }
-/// Errors: std::invalid_argument where the bytes are not what to_bytes() makes of some result.
+/// Errors: std::invalid_argument if the bytes are not those of a result.
 template <class Result>
 Result from_bytes(std::string_view bytes) {
   Result result;
   UnitReader archive(bytes);
   archive(result);
-  if (!archive.is_done()) throw std::invalid_argument("there is more than a result");
+  if (!archive.is_done()) throw std::invalid_argument("extra bytes follow the result");
   return result;
 }
 
-/// in_order() of a campaign's units; with `units`, of those alone that are missing of its shard,
-/// whose results it keeps, and take() sees all or, where others have some, none.
-/// Domain: a result depends on its unit alone.
+/// Runs a campaign's units in order, as in_order(). With `units`: computes only the missing units
+/// of the shard and stores their results; take() gets all results, or is not called if the shard is
+/// not the whole campaign.
+/// Domain: a result depends only on its unit.
 template <class Result, class Make, class Take>
 void run_units(std::int64_t count, Units* units, const properties::RunControl& control,
                const Make& make, const Take& take) {

@@ -13,11 +13,11 @@
 namespace raycheck::tools {
 namespace {
 
-/// The variables by which a scheduler says who this worker is; null: it does not say that.
+/// The environment variables of a scheduler that hold a worker's index and count; null: none.
 struct Scheduler {
   const char* index;
   const char* count;
-  std::int64_t least = 0;  ///< The least index, where no variable has it.
+  std::int64_t least = 0;  ///< The least index, if `first` is null.
   const char* first = nullptr;
   const char* step = nullptr;
 };
@@ -43,29 +43,30 @@ std::optional<std::int64_t> variable(const char* name) {
   return number_of(name, "", text);
 }
 
-/// Empty: this scheduler says nothing. `of`: what was said otherwise.
+/// The shard that a scheduler sets; empty if its variables are not set. `of`: the count from
+/// --shard, if given.
 std::optional<Shard> shard_of(const Scheduler& scheduler, std::optional<std::int64_t> of) {
   const std::optional<std::int64_t> index = variable(scheduler.index);
   if (!index) return std::nullopt;
   const std::string said_by = fmt::format("{}={}", scheduler.index, *index);
   const std::optional<std::int64_t> count = of ? of : variable(scheduler.count);
   if (!count) {
-    throw std::invalid_argument(said_by + ": nothing says of how many; give auto/N as the shard");
+    throw std::invalid_argument(said_by + ": the number of shards is unknown; give --shard auto/N");
   }
   const std::int64_t first = variable(scheduler.first).value_or(scheduler.least);
   const std::int64_t step = variable(scheduler.step).value_or(1);
   if (step == 0 || (*index - first) % step != 0) {
-    throw std::invalid_argument(
-        fmt::format("{}: is not {} and some steps of {}={}", said_by, first, scheduler.step, step));
+    throw std::invalid_argument(fmt::format("{}: is not {} plus a multiple of {}={}", said_by,
+                                            first, scheduler.step, step));
   }
   return Shard{(*index - first) / step + 1, *count, said_by};
 }
 
 Shard checked(Shard shard, const std::string& field, const std::string& value) {
   if (shard.number >= 1 && shard.number <= shard.of) return shard;
-  throw scene::InvalidInput(
-      field, value,
-      fmt::format("there is no shard {} of {}; the first is shard 1", shard.number, shard.of));
+  throw scene::InvalidInput(field, value,
+                            fmt::format("there is no shard {} of {}; shards are numbered from 1",
+                                        shard.number, shard.of));
 }
 
 }  // namespace
@@ -87,9 +88,8 @@ Shard chosen_shard(const std::string& text) {
   }
   if (text.empty()) return {};
   throw scene::InvalidInput("shard", text,
-                            "no scheduler says the number by SLURM_ARRAY_TASK_ID, "
-                            "JOB_COMPLETION_INDEX, TEST_SHARD_INDEX or "
-                            "CI_NODE_INDEX");
+                            "auto needs a scheduler that sets SLURM_ARRAY_TASK_ID, "
+                            "JOB_COMPLETION_INDEX, TEST_SHARD_INDEX or CI_NODE_INDEX");
 }
 
 }  // namespace raycheck::tools

@@ -1,8 +1,7 @@
 #pragma once
 
-// Results of units as bytes: little-endian numbers one after the other, and before a list how many
-// elements it has. What is read is not trusted: no count above the bytes that are left is believed,
-// and no enumerator that there is not.
+// Results of units as bytes: little-endian numbers one after the other; a list is preceded by its
+// length. Input is not trusted: lengths above the bytes left and invalid enumerators are errors.
 
 #include <algorithm>
 #include <bit>
@@ -21,7 +20,7 @@
 
 namespace raycheck::tools {
 
-/// How many enumerators there are, of each enumeration that a result has.
+/// The number of enumerators, for each enumeration in results.
 template <class Enum>
 constexpr std::size_t enumerators(Enum value) {
   return names_of(value).size();
@@ -56,10 +55,10 @@ class UnitReader : public cereal::InputArchive<UnitReader, cereal::AllowEmptyCla
 
   bool is_done() const { return left_.empty(); }
 
-  /// Throws std::invalid_argument where fewer bytes are left.
+  /// Throws std::invalid_argument if fewer bytes are left.
   void take(void* to, std::size_t size, std::size_t of_number) {
     require(size);
-    if (size == 0) return;  // there may be no address, either
+    if (size == 0) return;  // the address may be null
     auto* const first = static_cast<char*>(to);
     std::memcpy(first, left_.data(), size);
     if constexpr (std::endian::native == std::endian::big) {
@@ -69,7 +68,7 @@ class UnitReader : public cereal::InputArchive<UnitReader, cereal::AllowEmptyCla
     }
     left_.remove_prefix(size);
   }
-  /// Of a list, each of whose elements takes a byte or more.
+  /// Checks a list's length: each element takes at least one byte.
   void require(std::uint64_t count) const {
     if (count > left_.size()) throw std::invalid_argument("it ends too early");
   }
@@ -110,7 +109,7 @@ void load(UnitReader& archive, Enum& value) {
   std::underlying_type_t<Enum> number = 0;
   load(archive, number);
   if (number < 0 || static_cast<std::size_t>(number) >= enumerators(Enum{})) {
-    throw std::invalid_argument("a number is no enumerator");
+    throw std::invalid_argument("a number is not a valid enumerator");
   }
   value = static_cast<Enum>(number);
 }
@@ -142,7 +141,7 @@ void load(UnitReader& archive, cereal::SizeTag<Count>& count) {
 CEREAL_SETUP_ARCHIVE_TRAITS(raycheck::tools::UnitReader, raycheck::tools::UnitWriter)
 
 namespace cereal {
-// In place of cereal's own for enumerations, which take any number.
+// Replaces cereal's functions for enumerations, which accept any number.
 template <class Archive, class Enum>
 requires(raycheck::tools::is_of_units<Archive>&& std::is_enum_v<Enum>) struct specialize<
     Archive, Enum, specialization::non_member_load_save> : std::true_type {

@@ -26,15 +26,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kUnitEnding = ".unit";
-/// Of a file in a folder of units.
+/// The limit for a file in a folder of units.
 constexpr std::uintmax_t kMostUnitBytes = std::uintmax_t{256} << 20;
 
 std::string bytes_of(const fs::path& file) {
   if (!fs::is_regular_file(file)) {
-    throw std::invalid_argument(fmt::format("{}: is no file", file.string()));
+    throw std::invalid_argument(fmt::format("{}: is not a file", file.string()));
   }
   if (fs::file_size(file) > kMostUnitBytes) {
-    throw std::invalid_argument(fmt::format("{}: is larger than the {} MiB that one may have",
+    throw std::invalid_argument(fmt::format("{}: is larger than {} MiB, the limit for a unit",
                                             file.string(), kMostUnitBytes >> 20));
   }
   std::ifstream in(file, std::ios::binary);
@@ -43,14 +43,14 @@ std::string bytes_of(const fs::path& file) {
   return bytes;
 }
 
-/// Of what a unit's file holds: a packed result, and its size.
+/// The digest of a unit's file: of a packed result and its size.
 std::string digest_of(const std::string& campaign, std::int64_t unit, std::size_t size,
                       const std::string& result) {
   return digest({campaign, std::to_string(unit), std::to_string(size), result});
 }
 
-/// Removes what a worker that was killed had not placed. One that runs, on whatever machine, places
-/// it at once.
+/// Removes the temporary files of killed workers. A running worker, on any machine, renames its
+/// file at once.
 void remove_if_abandoned(const fs::path& file) {
   constexpr std::chrono::hours kAbandoned{1};
   const std::string name = file.filename().string();
@@ -61,13 +61,13 @@ void remove_if_abandoned(const fs::path& file) {
   if (!error && fs::file_time_type::clock::now() - written > kAbandoned) fs::remove(file, error);
 }
 
-/// As users know it.
+/// The folder as users gave it.
 std::string shown(const fs::path& folder) {
   const std::string path = folder.string(), inside = std::string("/") + kUnitsInside;
   return path.ends_with(inside) ? path.substr(0, path.size() - inside.size()) : path;
 }
 
-/// What differs of the units of a folder.
+/// How the campaign of a folder differs from the expected one.
 std::string difference(const CampaignIdentity& other, const CampaignIdentity& campaign) {
   if (other.text() != campaign.text()) {
     return fmt::format("{}, not of {}", other.text(), campaign.text());
@@ -78,7 +78,7 @@ std::string difference(const CampaignIdentity& other, const CampaignIdentity& ca
   for (const auto& [file, its_digest] : campaign.files) {
     const auto found = other.files.find(file);
     if (found == other.files.end() || found->second != its_digest) {
-      return fmt::format("another {}, which has changed since", file);
+      return fmt::format("another version of {}", file);
     }
   }
   return "other files";
@@ -121,8 +121,8 @@ CampaignIdentity campaign_in(const fs::path& folder) {
     return campaign_in(folder / kUnitsInside);
   }
   if (!fs::exists(file)) {
-    throw std::invalid_argument(
-        fmt::format("{}: holds no campaign: there is no {}", folder.string(), kCampaignFile));
+    throw std::invalid_argument(fmt::format("{}: has no units of a campaign: {} is missing",
+                                            folder.string(), kCampaignFile));
   }
   try {
     const Json json = Json::parse(bytes_of(file));
@@ -130,7 +130,7 @@ CampaignIdentity campaign_in(const fs::path& folder) {
                                  json.at("files")};
     if (json.at("digest") == campaign.digest()) return campaign;
   } catch (const Json::exception&) {
-    // as below
+    // reported below
   }
   throw std::invalid_argument(fmt::format("{}: is truncated or was changed", file.string()));
 }
@@ -175,8 +175,8 @@ std::vector<std::int64_t> Units::open(std::int64_t count) {
       std::int64_t unit = -1;
       std::from_chars(name.data(), name.data() + name.size(), unit);
       if (unit < 0 || unit >= count || name != name_of(unit)) {
-        throw std::invalid_argument(
-            fmt::format("{}: is no unit of {}", entry.path().string(), campaign_.text()));
+        throw std::invalid_argument(fmt::format("{}: does not belong to the campaign {}",
+                                                entry.path().string(), campaign_.text()));
       }
       files_[unit].push_back(entry.path());
     }
@@ -193,10 +193,10 @@ void Units::refuse_missing(std::int64_t count) const {
   std::int64_t first = 0;
   while (files_.count(first) > 0) ++first;
   const std::int64_t others = count - std::ssize(files_) - 1;
-  throw std::invalid_argument(
-      fmt::format("{}: unit {} of {} is missing{}; what is missing is done by {}, kept there",
-                  shown(folders_.front()), first + 1, count,
-                  others > 0 ? fmt::format(", and {} more", others) : "", campaign_.text()));
+  throw std::invalid_argument(fmt::format(
+      "{}: unit {} of {} is missing{}; to add the missing units, run {} with this folder as --out",
+      shown(folders_.front()), first + 1, count,
+      others > 0 ? fmt::format(", and {} more", others) : "", campaign_.text()));
 }
 
 std::string Units::name_of(std::int64_t unit) const {
@@ -209,13 +209,13 @@ std::string Units::contents(const fs::path& file, std::int64_t unit) const {
   std::size_t size = 0;
   bytes >> stated >> size;
   bytes.get();
-  // Checked before it is unpacked: a size that was changed is not believed.
+  // Checked before unpacking, so that a changed size is not used.
   const std::string packed_result{std::istreambuf_iterator<char>(bytes), {}};
   if (stated == digest_of(digest_, unit, size, packed_result)) {
     return unpacked(packed_result, size);
   }
-  throw std::invalid_argument(
-      fmt::format("{}: is truncated or was changed: remove it, and do it again", file.string()));
+  throw std::invalid_argument(fmt::format(
+      "{}: is truncated or was changed: remove it and run its shard again", file.string()));
 }
 
 std::optional<std::string> Units::read(std::int64_t unit) const {
@@ -238,7 +238,7 @@ std::optional<std::string> Units::read(std::int64_t unit) const {
 
 void Units::refuse(std::int64_t unit, const std::string& why) const {
   throw std::invalid_argument(
-      fmt::format("{}: does not hold what a unit has: {}", files_.at(unit).front().string(), why));
+      fmt::format("{}: is not a valid unit: {}", files_.at(unit).front().string(), why));
 }
 
 void Units::write(std::int64_t unit, const std::string& result) const {

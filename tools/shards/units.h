@@ -11,51 +11,52 @@
 
 namespace raycheck::tools {
 
-/// What all units of a campaign have in common.
+/// Identifies a campaign: equal for all of its units.
 struct CampaignIdentity {
   std::string command;                       ///< "properties"
-  std::vector<std::string> arguments;        ///< Those that its result depends on.
-  std::string version;                       ///< Of raycheck, and of the shape of units.
-  std::map<std::string, std::string> files;  ///< That the arguments name, and their digests.
+  std::vector<std::string> arguments;        ///< The arguments that the result depends on.
+  std::string version;                       ///< The versions of raycheck and of the unit format.
+  std::map<std::string, std::string> files;  ///< Files that the arguments name, with digests.
 
-  /// Of all that.
+  /// A digest of all members.
   std::string digest() const;
 
   /// "raycheck properties --cases 2000"
   std::string text() const;
 };
 
-/// The file of a folder of units that tells whose they are.
+/// The file in a folder of units that identifies their campaign.
 inline constexpr const char* kCampaignFile = "campaign.json";
-/// Where the units are in a folder that has other things.
+/// The subfolder of the units in a folder that also has other files.
 inline constexpr const char* kUnitsInside = ".raycheck/units";
-/// The campaign of a folder, or of that inside.
+/// The campaign of a folder, or of its subfolder kUnitsInside.
 /// Errors: std::invalid_argument naming the folder or the file.
 CampaignIdentity campaign_in(const std::filesystem::path& folder);
 
-/// The units of a campaign that folders hold: each a file, which appears completely or not at all
-/// and states the digest of what is in it. Thread-safe but for open().
+/// The units of a campaign in folders: each is a file that appears completely or not at all and
+/// contains its digest. Thread-safe except for open().
 class Units {
  public:
-  /// Does what is missing of a shard, and keeps it in a folder, which open() makes.
+  /// To compute the missing units of a shard into a folder, which open() makes.
   Units(CampaignIdentity campaign, std::filesystem::path folder, Shard shard);
-  /// Merges what folders hold. Errors: std::invalid_argument naming the one of another campaign.
+  /// To merge the units of folders.
+  /// Errors: std::invalid_argument naming a folder of another campaign.
   Units(CampaignIdentity campaign, std::vector<std::filesystem::path> folders);
 
-  /// The units that this shard does, or all, in order. `count`: how many the campaign has. Errors:
-  /// std::invalid_argument naming a folder or a file of another campaign, or a missing unit, if to
-  /// be merged.
+  /// The units of this shard in order, or all units when merging. `count`: the campaign's number of
+  /// units.
+  /// Errors: std::invalid_argument naming a folder or file of another campaign, or, when merging, a
+  /// missing unit.
   std::vector<std::int64_t> open(std::int64_t count);
-  /// Whether all units are seen, so that there is something to report.
+  /// Whether this run has all units, so that there is something to report.
   bool are_all() const { return is_merged_ || shard_.of == 1; }
   const Shard& shard() const { return shard_; }
   const CampaignIdentity& campaign() const { return campaign_; }
 
-  /// What a unit's file has, or empty if it is missing or, where it can be done again, damaged.
-  /// Errors, to be merged: std::invalid_argument naming the file that is damaged, or two that
-  /// contradict each other.
+  /// The contents of a unit's file; empty if it is missing or, unless merging, damaged. Errors when
+  /// merging: std::invalid_argument naming a damaged file, or two files that contradict each other.
   std::optional<std::string> read(std::int64_t unit) const;
-  /// Throws std::invalid_argument that names the file of a unit that was read.
+  /// Throws std::invalid_argument naming the file of a unit that was read.
   [[noreturn]] void refuse(std::int64_t unit, const std::string& why) const;
   /// Errors: std::runtime_error.
   void write(std::int64_t unit, const std::string& result) const;
@@ -67,11 +68,11 @@ class Units {
   [[noreturn]] void refuse_missing(std::int64_t count) const;
 
   CampaignIdentity campaign_;
-  std::string digest_;  ///< Its own.
+  std::string digest_;  ///< The campaign's.
   std::vector<std::filesystem::path> folders_;
   Shard shard_;
   bool is_merged_;
-  /// Of each unit that is there.
+  /// The files of each unit that exists.
   std::map<std::int64_t, std::vector<std::filesystem::path>> files_;
 };
 

@@ -1,17 +1,17 @@
-// Submissions that cheat or fail: they gain nothing, and the others are graded as if alone.
+// Submissions that cheat or fail: they earn no points and do not change other grades.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// The points of right answers to what the attacks offer, `intersect` alone, and of all items.
+/// The points of right answers by `intersect`, the only function of the attacks, and of all items.
 constexpr double kDeserved = 10, kPoints = 29;
 
 struct Attack {
   const char* name;
   double score;
-  const char* what;  ///< Part of what is said of it; empty: it is right but for its attempt.
+  const char* what;  ///< Part of the report; empty: its answers are right despite the attempt.
 };
 
 const std::vector<Attack> kAttacks = {
@@ -42,11 +42,11 @@ std::string all_items() { return kPixelZeroZero + kNearestRoot + kNearestSphere;
 
 class Attacks : public GradingTest {};
 
-TEST_F(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
+TEST_F(Attacks, earn_no_points_and_do_not_change_other_grades) {
   const std::string rubric = grading.short_rubric("reply_seconds = 2\n", all_items());
   std::vector<std::string> folders;
   for (const Attack& attack : kAttacks) {
-    // Two are attacks on what compiles or links.
+    // Two attack the compiler or linker.
     const std::string name = attack.name;
     folders.push_back(name == "compile_error" || name == "own_sqrt"
                           ? grading.submit(name, "hostile.cpp", "#define ATTACK " + name)
@@ -84,7 +84,7 @@ TEST_F(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
   }
 }
 
-TEST_F(Attacks, are_all_that_the_hostile_submission_knows) {
+TEST_F(Attacks, cover_every_attack_of_the_hostile_submission) {
   std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/submissions/hostile.cpp");
   const std::size_t from = text.find("#define ATTACKS") + 15;
   text = text.substr(from, text.find("enum class", from) - from);
@@ -92,7 +92,7 @@ TEST_F(Attacks, are_all_that_the_hostile_submission_knows) {
   EXPECT_EQ(std::count(text.begin(), text.end(), ',') + 1, std::ssize(kAttacks));
 }
 
-/// Lines before those of rays.py: what can be read, written or listed.
+/// Lines before those of rays.py: they try to read, write and list files.
 constexpr const char* kSpy = R"(import os
 def can(how, path):
     try:
@@ -101,7 +101,7 @@ def can(how, path):
         return False
 )";
 
-TEST_F(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
+TEST_F(Attacks, cannot_read_other_submissions_the_rubric_or_the_results) {
   const std::string rubric = grading.short_rubric("", kNearestRoot);
   const std::string scene =
       grading.write("lecture7/behind.toml",
@@ -116,7 +116,7 @@ TEST_F(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
     EXPECT_TRUE(result["refused"].is_null());
     return has(result["isolated_by"], "bubblewrap") ? result["score"].get<double>() : -1;
   };
-  // So much would it lose.
+  // The points that it would lose.
   const double seen = score_of_spy("sees", "can('r', '/usr/bin/env') and can('w', '/dev/null')");
   if (seen < 0) GTEST_SKIP() << "no bubblewrap keeps submissions apart here";
   EXPECT_LT(seen, 10);
@@ -134,7 +134,7 @@ TEST_F(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
   EXPECT_EQ(score_of_spy("spies", condition), 10);
 }
 
-/// Draws by the program beside it, and makes one grey of all colours.
+/// Draws with the program beside it, then turns all colours into one grey.
 constexpr const char* kGrey = R"(import subprocess, sys
 subprocess.run(['./first_sphere_wins', *sys.argv[1:]], check=True)
 head, pixels = open(sys.argv[2]).read().split('\n255\n')
@@ -144,7 +144,7 @@ with open(sys.argv[2], 'w') as image:
         image.write('0 0 0\n' if pixel == '0 0 0' else '102 102 102\n')
 )";
 
-TEST_F(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_asked) {
+TEST_F(Attacks, by_colours_that_identify_no_sphere_earn_no_points_for_spheres) {
   const std::string folder = grading.submit_built("grey", "rt.cpp", "first_sphere_wins");
   fs::rename(folder + "/first_sphere_wins.rt", folder + "/first_sphere_wins");
   grading.write("submissions/grey/grey.py", kGrey);
@@ -161,12 +161,12 @@ TEST_F(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_as
   EXPECT_EQ(result["points"], 14) << "neither right nor wrong";
 }
 
-TEST_F(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
+TEST_F(Attacks, by_renderers_that_hang_take_at_most_the_time_of_the_rubric) {
   const std::string scenes = item_of("whole scenes", "points = 10",
                                      "[item.pictures]\nsources = [\"course\"]\ncases = 9\n");
   const std::string rubric =
       grading.short_rubric("reply_seconds = 1\nseconds = 3\n", kPixelZeroZero + scenes);
-  // It makes the dry run's pictures.
+  // It draws the dry run's pictures.
   const std::string in_time =
       "if 'eye 0 0 40' not in open(sys.argv[1]).read():\n"
       "    import time; time.sleep(1000)\n";
@@ -184,7 +184,7 @@ TEST_F(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
                {"did not end, and used almost no CPU time for 1 s (reply_seconds)"});
 }
 
-TEST_F(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
+TEST_F(Attacks, by_links_pipes_and_names_are_refused_and_other_submissions_graded) {
   const std::string right = grading.submit("right", "rays.py");
   fs::create_directory_symlink(right, grading.path("submissions/link"));
   const std::string pipe = grading.path("submissions/pipe");

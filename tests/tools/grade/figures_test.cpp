@@ -1,17 +1,16 @@
-// The figures of failing cases of functions: what a student's page of them has, and what is not in
-// it.
+// The figures of failing cases of functions: what a student's page shows and what it withholds.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Whether the item's record has a case that its student is shown in a figure.
+/// Whether the item's record has a failing case that the student's page draws.
 bool has_figure(const json& item) {
   return !item["failing"].is_null() && item["pictures"] == false;
 }
 
-/// "%.17g", as pages have numbers, of a record's hexadecimal ones.
+/// A record's hexadecimal number as "%.17g", the format of pages.
 std::vector<std::string> digits_of_record(const json& hexfloats) {
   std::vector<std::string> list;
   for (const json& one : hexfloats) {
@@ -22,7 +21,7 @@ std::vector<std::string> digits_of_record(const json& hexfloats) {
   return list;
 }
 
-/// What a panel has of a step for a method; null where it has none.
+/// A panel's entry of a step for a method; null if there is no entry.
 json step_of(const json& panel, const std::string& symbol, const std::string& method) {
   for (const json& step : panel["steps"]) {
     if (step["symbol"] != symbol) continue;
@@ -34,7 +33,7 @@ json step_of(const json& panel, const std::string& symbol, const std::string& me
   return nullptr;
 }
 
-/// The numbers of what is said, whose wrong digits are apart.
+/// The numbers of a text whose wrong digits are marked separately.
 std::vector<std::string> numbers_of(const json& said) {
   std::vector<std::string> numbers;
   bool is_within = false;
@@ -47,7 +46,7 @@ std::vector<std::string> numbers_of(const json& said) {
   return numbers;
 }
 
-/// The verdict on a method's hit; null where it has none.
+/// The verdict on a method's hit, or null.
 json verdict_of(const json& panel, const std::string& method) {
   for (const json& one : panel["verdicts"]) {
     if (one["name"] == method && one["said"][0][0] == "symbol") return one;
@@ -55,7 +54,7 @@ json verdict_of(const json& panel, const std::string& method) {
   return nullptr;
 }
 
-/// The panel that a page opens at a finding.
+/// The panel that a page opens for a finding.
 json panel_of(const json& document, const json& finding) {
   for (const json& panel : document["scenes"][finding["scene"].get<std::size_t>()]["panels"]) {
     if (panel["pixel"] == finding["pixel"] && panel["ray"] == finding["ray"] &&
@@ -78,7 +77,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 struct FigureSubject {
   const char* mistake;
   const char* item;
-  bool is_a_step = true;  ///< What is wrong is a step of the panel.
+  bool is_a_step = true;  ///< The panel has a wrong step.
 };
 
 constexpr FigureSubject kFigureSubjects[] = {
@@ -88,8 +87,7 @@ constexpr FigureSubject kFigureSubjects[] = {
     {"no_test_for_t", "nearest root"},          {"near_root_only", "robustness"},
     {"normalize_discarded", "unit directions"}, {"first_sphere_wins", "nearest sphere", false}};
 
-/// A graded submission's page has a figure of each of its failing items, with the numbers of the
-/// text.
+/// A graded submission's page has a figure for each failing item, with the numbers of the text.
 void expect_figures(const Grading& grading, const FigureSubject& subject) {
   const std::string name = subject.mistake;
   SCOPED_TRACE(name);
@@ -120,7 +118,7 @@ void expect_figures(const Grading& grading, const FigureSubject& subject) {
     if (item["name"] != subject.item) continue;
     is_found = true;
     json yours = step_of(panel, answer["symbol"], "yours");
-    // Where the ray misses, no step is called s.
+    // If the ray misses, no step is called s.
     if (yours.is_null() && answer["symbol"] == "s") yours = verdict_of(panel, "yours");
     if (subject.is_a_step) {
       ASSERT_FALSE(yours.is_null()) << answer["symbol"];
@@ -134,7 +132,7 @@ void expect_figures(const Grading& grading, const FigureSubject& subject) {
   EXPECT_EQ(count_of(grading.file("", "index.html"), "href=\"" + name + "/figures.html\""), 1u);
 }
 
-/// The items of functions of the seventh lecture, of fewer cases.
+/// The function items of the seventh lecture, with fewer cases.
 std::string lecture_items() {
   const auto lecture = [](const char* name, const char* law, const char* source = "course",
                           const std::string& more = "") {
@@ -150,7 +148,7 @@ std::string lecture_items() {
 
 class Figures : public GradingTest {};
 
-TEST_F(Figures, have_the_numbers_of_their_items_text_and_are_the_same_when_made_again) {
+TEST_F(Figures, show_the_same_numbers_as_the_text_and_are_reproducible) {
   const std::string rubric = grading.short_rubric("", lecture_items());
   std::vector<std::string> all;
   for (const FigureSubject& subject : kFigureSubjects) {
@@ -175,13 +173,13 @@ TEST_F(Figures, have_the_numbers_of_their_items_text_and_are_the_same_when_made_
   }
 }
 
-/// Graded by a rubric of these items.
+/// Grades by a rubric of these items.
 Outcome graded_by(const Grading& grading, const std::string& items,
                   const std::vector<std::string>& folders, const std::string& out = "out") {
   return grading.grade(grading.short_rubric("tolerance = { ulp = 64 }\n", items), folders, out);
 }
 
-/// The only panel of one who makes this mistake, by a rubric of this item.
+/// The only panel of a submission with this mistake, by a rubric of this item.
 json only_panel(const Grading& grading, const std::string& item, const std::string& mistake) {
   graded_by(grading, item, {grading.submit_built("mine", "rays.cpp", mistake)});
   const json document = grading.figures("mine");
@@ -189,7 +187,7 @@ json only_panel(const Grading& grading, const std::string& item, const std::stri
   return panel_of(document, document["findings"][0]);
 }
 
-TEST_F(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
+TEST_F(Figures, draw_a_hit_on_the_ray_that_the_submission_computed) {
   const json panel =
       only_panel(grading, item_of("hit point", "points = 1", functions("hit-point", "course", 4)),
                  "float_directions");
@@ -202,8 +200,8 @@ TEST_F(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
                {"(yours: for the ray that it makes itself)", "goes wrong at D (its own ray)"});
 }
 
-TEST_F(Figures, hold_a_submission_to_what_its_item_tolerates) {
-  // Directions in floats are right to this item, and its hits go wrong at their root alone.
+TEST_F(Figures, apply_the_tolerance_of_the_item) {
+  // Directions in floats are within this item's tolerance; only the root of its hits is wrong.
   const json panel = only_panel(grading,
                                 item_of("root", "points = 1\ntolerance = { ulp = 1e11 }",
                                         functions("nearest-root", "course-behind", 4)),
@@ -219,8 +217,7 @@ TEST_F(Figures, hold_a_submission_to_what_its_item_tolerates) {
   EXPECT_FALSE(verdict_of(panel, "yours").is_null());
 }
 
-/// A submission whose s is too large, by a mistake that nobody has a name for: no item follows from
-/// another.
+/// A submission whose s is too large by an unknown mistake, so that no item follows from another.
 std::string beside(const Grading& grading, const std::string& name) {
   const std::string end = "    return None if s < 0 else";
   const std::string text = replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"), end,
@@ -228,8 +225,8 @@ std::string beside(const Grading& grading, const std::string& name) {
   return grading.hand_in(name, "rays.py", text);
 }
 
-TEST_F(Figures, are_as_large_whatever_fails_that_is_hidden) {
-  // Neither the page, its size, nor a link tells whether a hidden item fails.
+TEST_F(Figures, do_not_reveal_by_their_size_whether_a_hidden_item_fails) {
+  // Neither the page, its size nor a link reveals whether a hidden item fails.
   const std::string visible =
       item_of("open", "points = 1", functions("parameter", "course", 4, kGivenRays));
   const std::string hidden = "visibility = \"hidden\"";
@@ -257,7 +254,7 @@ TEST_F(Figures, are_as_large_whatever_fails_that_is_hidden) {
   EXPECT_FALSE(has(grading.file("", "index.html", "alone"), "figures.html"));
 }
 
-TEST_F(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fails_say_how) {
+TEST_F(Figures, show_answers_that_are_not_finite_and_how_a_program_failed) {
   const std::string item =
       item_of("root", "points = 1", functions("parameter", "course", 4, kGivenRays));
   const std::string import = "import math, raycheck_candidate as rc\n";
@@ -281,7 +278,7 @@ TEST_F(Figures, of_answers_that_are_no_numbers_are_kept_and_of_a_program_that_fa
   EXPECT_FALSE(has(grading.file("dies", "report.html"), "<b>no"));
 }
 
-TEST_F(Figures, have_hostile_names_as_text) {
+TEST_F(Figures, escape_hostile_names) {
   const std::string name = "<b>x&\"' #?";
   graded_by(grading,
             item_of("<img src=x onerror=alert(1)> & \\\"'", "points = 1",
@@ -302,7 +299,7 @@ TEST_F(Figures, have_hostile_names_as_text) {
   expect_parts(document["findings"][0]["sentence"], {"<img src=x onerror=alert(1)>"});
 }
 
-TEST_F(Figures, are_of_functions_alone_and_go_when_what_was_wrong_is_mended) {
+TEST_F(Figures, are_only_for_functions_and_are_removed_when_the_mistake_is_corrected) {
   const std::string drawn = grading.submit_built("drawn", "rt.cpp", "mirrored");
   const std::string mine = grading.submit_built("mine", "rays.cpp", "mirrored");
   graded_by(grading, kPixelZeroZero, {drawn, mine});

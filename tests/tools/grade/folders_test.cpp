@@ -1,12 +1,12 @@
-// What is not raycheck's own is neither replaced nor removed, and nothing is written into what was
-// handed in; and the folder in which a hand-in's renderer runs.
+// Only files of raycheck are replaced or removed, and nothing is written into submissions; and the
+// folder in which a submission's renderer runs.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Every file below a folder, links as what they lead to.
+/// Every file below a folder; links as their targets.
 std::map<std::string, std::string> files_below(const std::string& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -28,7 +28,7 @@ class HostileOut : public testing::Test {
     }
   }
 
-  /// It ends with 2 and a reason, and leaves all files as they are.
+  /// The command exits with 2 and a reason, and changes no file.
   void refuses(const std::string& words, const std::string& why) {
     const auto before = files_below(grading_.path("."));
     const Outcome outcome = run(words, 2);
@@ -47,14 +47,15 @@ class HostileOut : public testing::Test {
   std::string rubric_, mine_;
 };
 
-TEST_F(HostileOut, ThatIsHoldsOrLiesInASubmissionIsRefused) {
+TEST_F(HostileOut, IsRefusedIfItIsContainsOrLiesInASubmission) {
   fs::create_directory(grading_.path("linked"));
   fs::create_directory_symlink(mine_, grading_.path("linked/mine"));
   fs::create_directory_symlink(grading_.path("submissions"), grading_.path("also"));
   grading_.write("submissions/mine/below/file", "");
   for (const auto& words : {&HostileOut::grade_words, &HostileOut::try_words}) {
     const auto out = [&](const char* folder) { return (this->*words)(folder); };
-    refuses(out("submissions/mine"), " is " + mine_ + ", which is handed in; results take another");
+    refuses(out("submissions/mine"),
+            " is " + mine_ + ", which is a submission; give another folder");
     refuses(out("submissions/mine/"), " is " + mine_ + ", which");
     refuses(out("submissions"), " holds " + mine_ + ", which is handed in");
     refuses(out("."), " holds " + mine_);
@@ -65,7 +66,7 @@ TEST_F(HostileOut, ThatIsHoldsOrLiesInASubmissionIsRefused) {
   }
 }
 
-TEST_F(HostileOut, HasFilesOfOthersThatStay) {
+TEST_F(HostileOut, KeepsFilesThatRaycheckDidNotWrite) {
   const std::string notes = grading_.write("out/mine/notes.txt", "do not lose");
   const std::string scene = grading_.write("out/mine/other.toml", "do not lose");
   const std::string above = grading_.write("out/README.txt", "do not lose");
@@ -77,7 +78,7 @@ TEST_F(HostileOut, HasFilesOfOthersThatStay) {
   for (const std::string& file : {notes, scene, above}) EXPECT_EQ(contents(file), "do not lose");
 }
 
-TEST_F(HostileOut, HasNoFileInTheWayThatRaycheckDidNotWrite) {
+TEST_F(HostileOut, IsRefusedIfAResultWouldReplaceAForeignFile) {
   for (const char* name :
        {"index.html", "grades.csv", "mine/report.html", "mine/result.json", "mine/figures.html",
         "mine/pixel-0-0.toml", "mine/pixel-0-0.txt", ".raycheck-files"}) {
@@ -90,14 +91,15 @@ TEST_F(HostileOut, HasNoFileInTheWayThatRaycheckDidNotWrite) {
   refuses(try_words("out"), "out/mine/report.html");
 }
 
-TEST_F(HostileOut, HasItsOwnFilesReplacedUnlessSomeoneEditedThem) {
+TEST_F(HostileOut, HasItsFilesReplacedUnlessTheyWereEdited) {
   EXPECT_EQ(run(grade_words("out")).exit_code, 0);
   const std::string scene = grading_.path("out/mine/pixel-0-0.toml");
   const std::string page = grading_.path("out/mine/report.html");
   EXPECT_TRUE(fs::exists(scene));
   const std::string original = contents(page);
   grading_.write("out/mine/report.html", original + "<p>2 points more: see me</p>");
-  refuses(grade_words("out"), page + " is not as raycheck wrote it, and stays; move it away");
+  refuses(grade_words("out"),
+          page + " was not written by raycheck, or has changed since; move it away");
   grading_.write("out/mine/report.html", original);
   fs::remove_all(mine_);
   grading_.submit_built("mine", "rt.cpp", "none");
@@ -106,7 +108,7 @@ TEST_F(HostileOut, HasItsOwnFilesReplacedUnlessSomeoneEditedThem) {
   EXPECT_NE(contents(page), original);
 }
 
-TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
+TEST_F(HostileOut, IsRefusedIfItIsAnInputFile) {
   const std::string root = RAYCHECK_SOURCE_DIR;
   const std::string toml = contents(root + "/scene/examples/far-sphere.toml");
   const std::string scene = grading_.write("scene.ppm", toml);
@@ -140,7 +142,7 @@ TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
   }
 }
 
-TEST_F(HostileOut, MayBeCalledAsAMethodIs) {
+TEST_F(HostileOut, MayHaveTheNameOfAMethod) {
   const std::string words =
       "cd '" + grading_.path(".") +
       "' && exec '" RAYCHECK_BINARY
@@ -150,7 +152,7 @@ TEST_F(HostileOut, MayBeCalledAsAMethodIs) {
   }
 }
 
-TEST_F(HostileOut, IsNamedOnce) {
+TEST_F(HostileOut, IsNamedOnceInTheError) {
   const std::string scene = std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/far-sphere.toml";
   const std::string one = grading_.path("x"), same = grading_.path("./x");
   const std::string twice = ": the file is named twice";
@@ -164,7 +166,7 @@ TEST_F(HostileOut, IsNamedOnce) {
 
 /// A hand-in, and what its renderer does before it writes to a file.
 struct InRunFolder {
-  const char* name;  ///< What its folder is.
+  const char* name;  ///< What is true of the folder.
   std::string before, to;
   std::map<std::string, std::string> files = {};
   std::vector<std::string> notes = {};
@@ -187,7 +189,7 @@ const InRunFolder kInRunFolder[] = {
      "assert len(open('config/table.txt').read()) == 300000\n",
      "sys.argv[2]",
      {{"config/size.txt", "large"}, {"config/table.txt", std::string(300000, '7')}}},
-    {"has so many files, those near the top first",
+    {"has a limited number of files, those near the top first",
      "assert os.path.exists('last.txt')\n"
      "count = sum(len(d) + len(f) for _, d, f in os.walk('.'))\n"
      "assert count == 101, count\n",
@@ -206,7 +208,7 @@ const InRunFolder kInRunFolder[] = {
      "else: sys.exit(3 if os.path.islink('table.txt') else 0)\n",
      "sys.argv[2]",
      {{"table.txt", std::string(300000, '7')}}},
-    // Of the likeliest name, of the name of the driver file, and folders of the names of a run.
+    // Files of likely names and of the driver file's name, and folders with names that a run uses.
     {"has no picture that was handed in",
      "assert not os.path.exists('out.ppm')\nassert not os.path.exists('drawn')\n",
      "'mine.ppm'",
@@ -218,7 +220,7 @@ const InRunFolder kInRunFolder[] = {
       {"mine.ppm", "P3 1 1 255 0 0 0\n"}},
      {"it writes mine.ppm and ignores the given file name"}}};
 
-TEST(HostileRunFolder, IsThatOfTheHandInAndNothingElse) {
+TEST(HostileRunFolder, HasTheFilesOfTheHandInAndNoOthers) {
   const Grading grading;
   std::vector<std::string> folders;
   for (const auto& [name, before, to, files, notes] : kInRunFolder) {
@@ -236,7 +238,7 @@ TEST(HostileRunFolder, IsThatOfTheHandInAndNothingElse) {
   }
 }
 
-TEST(HostileRunFolder, OfAnotherHandInIsNotTakenForAStoredOne) {
+TEST(HostileRunFolder, OfAnotherHandInIsNotReusedFromTheStore) {
   const Grading grading;
   const std::string rubric = grading.write("rubric.toml", full_rubric(1));
   grading.write("mine/rt.py", renderer_in_python("assert h == 25 or os.path.isdir('output')\n"));

@@ -1,5 +1,5 @@
-// Right submissions, the same grades each time, runs that are cut short, and hand-ins as a class
-// gives them (tests/submissions/class): each has the score and the sentences that its table says.
+// Right submissions, reproducible grades, interrupted runs, and hand-ins like those of a class
+// (tests/submissions/class): each gets the score and the sentences of class.toml.
 
 #include "tests/tools/grade/grading.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kFull = 110;  // with the bonus
 
-/// How many seeds are tried.
+/// The number of seeds.
 int seeds() {
   const char* given = std::getenv("RAYCHECK_GRADE_SEEDS");
   return given != nullptr ? std::atoi(given) : 2;
@@ -18,7 +18,7 @@ TEST(RightSubmission, has_full_marks_under_every_seed) {
   const Grading grading;
   ASSERT_GT(seeds(), 1);
   const std::string rubric = grading.lecture7_with({});
-  // What is compiled when it is graded is, under the first seed.
+  // Submissions that grading compiles are tried only under the first seed.
   std::vector<std::string> folders = {
       grading.submit("source", "rays.cpp"), grading.submit_built("renderer", "rt.cpp", "none"),
       grading.submit("mine", "rays.py"), grading.submit_built("so", "right.cpp", "right")};
@@ -35,7 +35,7 @@ TEST(RightSubmission, has_full_marks_under_every_seed) {
   }
 }
 
-/// Those of functions in Python that always miss, and what they say of themselves.
+/// Submissions in Python whose functions always miss, and their declarations.
 std::string degenerate(const Grading& grading, const std::string& name,
                        const std::string& more = "") {
   return grading.hand_in(name, "rays.py",
@@ -46,8 +46,8 @@ std::string degenerate(const Grading& grading, const std::string& name,
 
 class DegenerateSubmission : public GradingTest {};
 
-/// At exact tangents either class has a witness.
-TEST_F(DegenerateSubmission, whose_every_answer_is_excused_has_no_points) {
+/// At exact tangents both hit classes are excused by a witness.
+TEST_F(DegenerateSubmission, gets_no_points_if_every_answer_is_excused) {
   const std::string rubric =
       grading.write("tangents.toml",
                     kFormOfPython + item_of("tangents", "points = 10\ntolerance = { ulp = 16 }",
@@ -59,9 +59,8 @@ TEST_F(DegenerateSubmission, whose_every_answer_is_excused_has_no_points) {
                 {{"state", "fails"}, {"reason/kind", "never right"}, {"reason/quantity", "class"}});
 }
 
-/// What a submission states of itself would take it out of what the rubric asks: lengths, and roots
-/// that count.
-TEST_F(DegenerateSubmission, that_states_a_domain_without_any_case_has_no_points) {
+/// Declared lengths and valid roots would exclude the rubric's cases.
+TEST_F(DegenerateSubmission, gets_no_points_by_declaring_a_domain_without_cases) {
   const std::string rubric = grading.write(
       "rays.toml", kFormOfPython +
                        item_of("hits", "points = 10", functions("class", "rays", 20, kGivenRays)) +
@@ -86,9 +85,8 @@ TEST_F(DegenerateSubmission, that_states_a_domain_without_any_case_has_no_points
   }
 }
 
-/// Of a bonus, that is: a case in which nothing is met is no more than the rest of an ordinary
-/// item.
-TEST_F(DegenerateSubmission, that_always_misses_has_no_bonus) {
+/// For bonus items only: in ordinary items, cases without hits may count.
+TEST_F(DegenerateSubmission, gets_no_bonus_by_always_missing) {
   const std::string rubric = grading.write(
       "bonus.toml", kFormOfPython + item_of("rays", "points = 10\nbonus = true\ncredit = \"share\"",
                                             functions("class", "rays", 60, kGivenRays)));
@@ -98,7 +96,7 @@ TEST_F(DegenerateSubmission, that_always_misses_has_no_bonus) {
   EXPECT_GT(result["items"][0]["cases"], 0);
 }
 
-TEST(RightSubmission, may_lie_in_the_only_folder_of_its_folder_or_be_a_file) {
+TEST(RightSubmission, may_be_a_file_or_lie_in_a_nested_folder) {
   const Grading grading;
   const std::string deep = grading.submit("deep/unpacked/src", "rays.py");
   grading.grade(grading.short_rubric("", kNearestRoot),
@@ -106,19 +104,19 @@ TEST(RightSubmission, may_lie_in_the_only_folder_of_its_folder_or_be_a_file) {
   for (const char* name : {"deep", "rays"}) EXPECT_EQ(grading.result(name)["score"], 10) << name;
 }
 
-TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
+TEST(Rubric, that_raychecks_own_methods_fail_ends_with_1) {
   const Grading grading;
   const std::string rubric =
       grading.write("rubric.toml", item_of("beyond doubles", "points = 1\ntolerance = { ulp = 0 }",
                                            functions("direction", "course", 20)));
   const Outcome outcome = run("grade '" + rubric + "'", 1);
-  expect_parts(outcome.err, {"beyond doubles: raycheck's own answer is not given all points"});
+  expect_parts(outcome.err, {"beyond doubles: raycheck's own methods do not get all points"});
 }
 
 class Grades : public GradingTest {};
 
-TEST_F(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers_are_stored) {
-  // Something of every kind that is quick.
+TEST_F(Grades, are_the_same_bytes_for_any_number_of_jobs_and_with_stored_answers) {
+  // One quick submission of every kind.
   const std::vector<std::string> folders = {
       grading.submit_built("far-root", "rays.cpp", "far_root"),
       grading.submit_built("mirrored", "rt.cpp", "mirrored"),
@@ -150,7 +148,7 @@ TEST_F(Grades, are_the_same_bytes_however_many_run_at_a_time_and_whether_answers
   }
 }
 
-TEST_F(Grades, come_of_other_cases_for_each_seed_of_which_each_has_its_own_under_a_secret) {
+TEST_F(Grades, use_other_cases_for_each_seed_and_a_seed_per_submission_under_a_secret) {
   const std::string rubric = grading.short_rubric("", kNearestSphere);
   const std::vector<std::string> folders = {
       grading.submit_built("alice", "rays.cpp", "first_sphere_wins"),
@@ -186,7 +184,7 @@ TEST_F(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   const Outcome cut =
       run_interrupted(grading.arguments(rubric, folders, "out", "--jobs 1"), first_is_graded);
   EXPECT_EQ(cut.exit_code, 130) << cut.err;
-  expect_parts(cut.out, {"INTERRUPTED: the same command goes on where it was cut."});
+  expect_parts(cut.out, {"INTERRUPTED: run the same command again to continue."});
   expect_parts(grading.file("", "index.html"), {"Interrupted: "});
   expect_parts(grading.file("", "grades.csv"), {"\nfar-root,10,10"});
   const std::string last = grading.file("last", "result.json");
@@ -202,18 +200,18 @@ TEST_F(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   EXPECT_EQ(grading.file("", "grades.csv"), grading.file("", "grades.csv", "whole"));
 }
 
-/// A hand-in, as the class's table has it.
+/// A hand-in's entry in class.toml.
 struct HandIn {
   std::string name;
   std::string language;
   bool is_right = false;
   double score = 0;
-  std::vector<std::string> sentences;  ///< Of the items that fail, each once, in order.
+  std::vector<std::string> sentences;  ///< The sentences on failing items, each once, in order.
 };
 
 void PrintTo(const HandIn& hand_in, std::ostream* to) { *to << hand_in.name; }
 
-/// Those of the table, which is read by Python.
+/// The entries of class.toml, which Python reads.
 const std::vector<HandIn>& hand_ins() {
   static const std::vector<HandIn> all = [] {
     const Outcome read = run_python(
@@ -237,7 +235,7 @@ bool is_runnable(const HandIn& hand_in) {
                                             : true;
 }
 
-/// All of the class, graded at once.
+/// The whole class, graded in one run.
 const Grading& graded_class() {
   static const Grading grading;
   [[maybe_unused]] static const bool is_graded = [] {
@@ -254,7 +252,7 @@ const Grading& graded_class() {
 
 class EachHandIn : public testing::TestWithParam<HandIn> {};
 
-TEST_P(EachHandIn, HasItsScoreAndItsSentences) {
+TEST_P(EachHandIn, HasTheExpectedScoreAndSentences) {
   const HandIn& hand_in = GetParam();
   if (!is_runnable(hand_in)) GTEST_SKIP() << hand_in.language << " is not installed";
   const json result = graded_class().result(hand_in.name);

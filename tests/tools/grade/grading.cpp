@@ -3,7 +3,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// Prints the document that is in a page, deflated.
+/// Prints the document that a page contains in deflated form.
 constexpr const char* kDocumentReader = R"py(import base64, re, sys, zlib
 found = re.findall('id="document"[^>]*>([^<]*)<', open(sys.argv[1]).read())
 assert len(found) == 1
@@ -68,7 +68,7 @@ std::string Grading::lecture7_with(
   const std::string root = RAYCHECK_SOURCE_DIR;
   std::string text = contents(root + "/" + kLecture7);
   for (const auto& [from, to] : replacements) text = replaced(text, from, to);
-  // Before the form that fits whatever is handed in.
+  // Before the form that fits every submission.
   const std::string last_form = "[[form]]\nhas = \"*\"";
   const std::string rubric =
       write("rubrics/lecture7.toml", replaced(text, last_form, kFormsOfBuilt + last_form));

@@ -4,10 +4,10 @@
 
 namespace raycheck::tests {
 
-/// The rubric of the seventh lecture, as the program finds it.
+/// The name of the seventh lecture's rubric.
 inline constexpr const char* kLecture7 = "examples/rubrics/lecture7.toml";
 
-/// A folder of one test for submissions, rubrics and results, which goes when the test does.
+/// A test's folder for submissions, rubrics and results, removed with the test.
 class Grading {
  public:
   Grading();
@@ -15,54 +15,54 @@ class Grading {
   Grading(const Grading&) = delete;
   Grading& operator=(const Grading&) = delete;
 
-  /// Where a file or folder of this name lies.
+  /// The path of a file or folder in it.
   std::string path(const std::string& name) const;
-  /// Writes a file, in folders that are made; its path.
+  /// Writes a file and makes its folders; returns its path.
   std::string write(const std::string& name, const std::string& text) const;
-  /// A submission: a folder of this name with a file of tests/submissions after a first line. Its
-  /// path. Attacks lie in rays.cpp.
+  /// Makes a submission: a folder with a file of tests/submissions after a first line; returns its
+  /// path. Attacks are named rays.cpp.
   std::string submit(const std::string& name, const std::string& file,
                      const std::string& first_line = "") const;
-  /// The same of another file.
+  /// The same with another file.
   std::string hand_in(const std::string& name, const std::string& file,
                       const std::string& text) const;
-  /// The same, built: quicker than what is compiled when it is graded, and to be graded by
+  /// The same, already built, which is quicker than compiling it while grading; for
   /// `lecture7_with`. `wrong` is the name of its mistake or attack.
   std::string submit_built(const std::string& name, const std::string& file,
                            const std::string& wrong) const;
-  /// Built submissions, each called as what it does wrong.
+  /// Built submissions, each named after its mistake or attack.
   std::vector<std::string> submit_each(const std::vector<std::string>& wrong,
                                        const std::string& file) const;
-  /// One that g++ says does not compile.
+  /// A submission that does not compile.
   std::string submit_broken(const std::string& name) const;
-  /// The lecture's rubric and its scenes, with each of the first texts replaced by the second; it
-  /// takes built submissions, too.
+  /// The lecture's rubric and its scenes, with each first text replaced by the second; it also
+  /// accepts built submissions.
   std::string lecture7_with(
       const std::vector<std::pair<std::string, std::string>>& replacements) const;
 
-  /// A rubric that grades in a moment: after keys of the rubric, all of the forms below and items.
+  /// A quick rubric: keys, all of the forms below, and items.
   std::string short_rubric(const std::string& keys, const std::string& items,
                            const std::string& name = "short.toml") const;
 
-  /// Grades into the folder `out`, which ends so.
+  /// Grades into the folder `out`; expects this exit code.
   Outcome grade(const std::string& rubric, const std::vector<std::string>& submissions,
                 const std::string& out = "out", const std::string& more = "",
                 std::optional<int> exit_code = 0) const;
-  /// The arguments of the same.
+  /// The arguments for grading.
   std::string arguments(const std::string& rubric, const std::vector<std::string>& submissions,
                         const std::string& out, const std::string& more = "") const;
-  /// A file of a submission's results, empty where there is none, and its result.json.
+  /// A file of a submission's results, empty if it does not exist, and its result.json.
   std::string file(const std::string& submission, const std::string& name,
                    const std::string& out = "out") const;
   json result(const std::string& submission, const std::string& out = "out") const;
-  /// What a submission's page of figures shows, as data.
+  /// The data of a submission's page of figures.
   json figures(const std::string& submission, const std::string& out = "out") const;
 
  private:
   fs::path folder_;
 };
 
-/// Where it is not tried how submissions are kept, none is: each start of a program is cheaper.
+/// Without isolation each start of a program is cheaper; for tests of other subjects.
 inline constexpr const char* kLimitsOnly = "--sandbox none --i-know ";
 
 /// A test with such a folder.
@@ -71,7 +71,7 @@ class GradingTest : public testing::Test {
   const Grading grading;
 };
 
-/// The [[form]]s of submissions that are built.
+/// The [[form]]s of built submissions.
 inline constexpr const char* kFormsOfBuilt = R"(
 [[form]]
 has = "*.so"
@@ -83,7 +83,7 @@ candidate = "renderer:./{file} {scene} {image}"
 
 )";
 
-/// That of programs in Python.
+/// The [[form]] of programs in Python.
 inline constexpr const char* kFormOfPython = R"(
 [[form]]
 has = "*.py"
@@ -91,7 +91,7 @@ candidate = "command:python3 {file}"
 
 )";
 
-/// That of renderers as they come.
+/// The [[form]] of automatically built renderers.
 inline constexpr const char* kAsTheyCome = R"(
 [[form]]
 has = "*"
@@ -105,11 +105,11 @@ std::string functions(const std::string& law, const std::string& source, int cas
                       const std::string& more = "");
 inline constexpr const char* kGivenRays = "rays = \"given\"\n";
 
-/// Pictures of a scene of a rubric.
+/// Questions for pictures of a rubric's scene.
 std::string pictures(const std::string& scene, const std::string& more = "judge = \"mask\"\n");
 
-/// Items of few cases, of functions and of pictures, which the submissions fail that are mirrored,
-/// take the far root or the first sphere, do not test for s >= 0.
+/// Items of few cases, for functions and pictures, failed by submissions that are mirrored, take
+/// the far root or the first sphere, or do not test s >= 0.
 inline const std::string kPixelZeroZero =
     item_of("pixel (0, 0)", "points = 4",
             functions("pixel-zero-zero", "course", 6) + pictures("lecture7/orientation.toml"));
@@ -122,14 +122,14 @@ inline const std::string kNearestSphere = item_of(
     "nearest sphere", "points = 15",
     functions("nearest-sphere", "course", 12, kGivenRays) + pictures("lecture7/overlap.toml", ""));
 
-/// A rubric of one item of renderers as they come, so many pictures of full.toml, after a head.
-/// That lies in each such folder: a sphere that fills the picture.
+/// A rubric with one item for automatically built renderers, after a head: `pictures` pictures of
+/// full.toml, in which a sphere fills the picture.
 std::string full_rubric(int pictures, const std::string& head = "");
 
-/// Renderers that are right about the scene above, and about those of the dry run, so that their
-/// form of driver files is found at once: the discs of five spheres, in the last sphere's colour.
-/// The one in C, or C++, prints three parts of a colour by a format; the one in Python does
-/// something before it writes to a file; the one in Java is a class Discs.
+/// Renderers that are right for the scene above and for the dry run's scenes, so that their form of
+/// driver files is found at once: they draw the discs of five spheres in the last one's colour. The
+/// one in C or C++ prints a colour's three parts by a format; the one in Python runs a command
+/// before it writes its file; the one in Java is a class Discs.
 std::string renderer_in_c(const std::string& format = "\"%.0f %.0f %.0f \"");
 std::string renderer_in_python(const std::string& before = "",
                                const std::string& to = "sys.argv[2]");
@@ -156,14 +156,14 @@ public class Discs {
 }
 )";
 
-/// An item of a result.json, by its name.
+/// The item of this name in a result.json.
 json item(const json& result, const std::string& name);
 
 /// The names of the items in this state.
 std::vector<std::string> items_that(const json& result, const std::string& state);
 
-/// A result or page with "T" for each time: how long it took differs from run to run, and so which
-/// of two equal submissions was built first.
+/// A result or page with "T" for each time: times differ between runs, and so does which of two
+/// equal submissions is built first.
 std::string without_times(const std::string& text);
 
 }  // namespace raycheck::tests

@@ -1,4 +1,4 @@
-// A class in which some do harm: the others have the grades that they have alone.
+// A class with harmful submissions: the others get the same grades as without these.
 
 #include <sys/mount.h>
 
@@ -7,7 +7,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// A disk of this size; empty where none can be made.
+/// Mounts a disk of this size; empty if that is not possible.
 class SmallDisk {
  public:
   SmallDisk(const std::string& path, const std::string& size) {
@@ -36,7 +36,7 @@ time.sleep(60)
 
 class HostileClass : public GradingTest {};
 
-TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
+TEST_F(HostileClass, keeps_its_grades_if_one_submission_fills_the_disk) {
   const SmallDisk disk(grading.path("disk"), "300m");
   if (disk.path().empty()) GTEST_SKIP() << "no disk can be mounted here";
   const std::string rubric = grading.short_rubric("reply_seconds = 20\n", kNearestRoot);
@@ -49,21 +49,22 @@ TEST_F(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   const Outcome alone = grading.grade(rubric, innocents, "alone");
   const Variable temporary("TMPDIR", disk.path());
   const Outcome together = grading.grade(rubric, all, "together", "--jobs 2", 4);
-  expect_parts(together.out, {"less than 256 MiB of disk left",
-                              "1 of them for causes outside: the same command tries again"});
+  expect_parts(together.out,
+               {"less than 256 MiB of disk left",
+                "1 of them for reasons outside the submission: run the same command"});
   EXPECT_FALSE(grading.result("fills", "together")["finished"]);
   for (const char* name : {"one", "two", "three"}) {
     EXPECT_EQ(without_times(grading.file(name, "result.json", "together")),
               without_times(grading.file(name, "result.json", "alone")));
   }
-  // Where there is more room it is its own limit that it meets.
+  // On a larger disk it meets its own limit.
   const Outcome again = grading.grade(
       grading.short_rubric("reply_seconds = 20\nlimits = { disk_mib = 40 }\n", kNearestRoot),
       {fills}, "more");
   EXPECT_TRUE(has(again.out, "its files take more than 40 MiB (disk_mib)")) << again.out;
 }
 
-TEST_F(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {
+TEST_F(HostileClass, reports_in_table_and_spreadsheet_that_one_submission_used_up_its_time) {
   const std::string rubric = grading.short_rubric(
       "seconds = 2\nreply_seconds = 60\n",
       item_of("hit or miss", "points = 15", functions("class", "course", 9, kGivenRays)) +
@@ -79,7 +80,7 @@ TEST_F(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_
   }
   expect_values(slow, {{"score", 0}, {"points", 40}, {"finished", true}});
   EXPECT_TRUE(has(grading.file("slow", "report.html"),
-                  "not judged: time is up: a submission has 2 s for "));
+                  "not judged: time is up: the limit for all questions together is 2 s for "));
   std::string items;
   for (const json& item : slow["items"]) {
     if (!item["reason"].is_object() || item["reason"]["kind"] != "time is up") continue;
@@ -91,7 +92,7 @@ TEST_F(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_
   EXPECT_TRUE(has(grading.file("", "grades.csv"), said)) << grading.file("", "grades.csv");
 }
 
-TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone) {
+TEST_F(HostileClass, judges_a_submission_again_that_was_killed_from_outside) {
   const std::string mark = "killed_" + std::to_string(getpid());
   const std::string victim =
       grading.submit("victim", "rays.py", "import time; time.sleep(2) # " + mark);
@@ -115,7 +116,7 @@ TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alo
   const json killed = grading.result("victim");
   EXPECT_EQ(killed["score"], 10) << outcome.out;
   EXPECT_TRUE(killed["finished"]);
-  // What kills itself is killed alone, too: that is its grade.
+  // A program that kills itself does so again when it runs alone: this is graded.
   const json itself = grading.result("suicide");
   expect_values(itself, {{"score", 0}, {"finished", true}});
   EXPECT_TRUE(has(itself.dump(), "was killed by signal 9")) << itself.dump(2);
@@ -123,7 +124,7 @@ TEST_F(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alo
 
 constexpr std::size_t kMany = 200000;
 
-TEST(HostileIntake, is_not_ended_by_what_is_nested_deeply_or_has_many_spaces) {
+TEST(HostileIntake, survives_deep_nesting_and_many_spaces) {
   const Grading grading;
   const std::string spaces = repeated(" ", kMany);
   const std::pair<const char*, std::string> files[] = {
@@ -140,7 +141,7 @@ TEST(HostileIntake, is_not_ended_by_what_is_nested_deeply_or_has_many_spaces) {
     grading.write(folder + "/" + name, text);
     folders.push_back(grading.path(folder));
   }
-  // They are no submissions, and that is said.
+  // They are reported as invalid submissions.
   const Outcome outcome =
       grading.grade("lecture7.toml", folders, "out", "--probe --sandbox available", 1);
   expect_parts(outcome.out, {"4 submissions tried, 4 could not be judged"});

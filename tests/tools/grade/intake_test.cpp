@@ -1,4 +1,4 @@
-// Submissions that nobody wrote for raycheck are built as they come.
+// Submissions that were not written for raycheck are built automatically.
 
 #include "tests/tools/grade/grading.h"
 
@@ -11,7 +11,7 @@ const std::string kCpp = "#include \"format.h\"\n" + renderer_in_c("format()");
 const std::string kFormatHeader = "const char* format();\n";
 const std::string kFormatSource =
     "#include \"format.h\"\nconst char* format() { return \"%.0f %.0f %.0f \"; }\n";
-/// It needs the library of mathematics.
+/// It needs the mathematics library.
 const std::string kC =
     "#include <math.h>\n" + renderer_in_c("sqrt(count) > 0 ? \"%.0f %.0f %.0f \" : \"\"");
 const std::string kJava =
@@ -29,7 +29,7 @@ const std::string kNotebook =
             {{"cell_type", "code"}, {"source", {"%%bash\n", "ls -l\n"}}},
             {{"cell_type", "code"}, {"source", renderer_in_python("", "name")}}}}})
         .dump();
-/// A program of a likelier name than the renderer's, which draws nothing.
+/// A program that draws nothing and has a likelier name than the renderer.
 const std::string kChecks = "#include <stdio.h>\nint main() { puts(\"all is well\"); return 0; }\n";
 const std::string kNoSuchKey =
     "#include <stdio.h>\nint main() { puts(\"no such key\"); return 0; }\n";
@@ -47,7 +47,7 @@ const pixels = Array.from({length: w * h}, (_, k) => seen(k) ? colour : '0 0 0')
 fs.writeFileSync(image, `P3 ${w} ${h} 255\n${pixels.join('\n')}\n`);
 )";
 
-/// Found wherever Eigen is.
+/// Finds Eigen in any folder.
 const std::string kUseOfEigen = "int unused() { return EIGEN_WORLD_VERSION; }\n";
 
 Files with(Files files, const Files& more) {
@@ -57,20 +57,20 @@ Files with(Files files, const Files& more) {
 const Files kSources = {
     {"rt.cpp", kCpp}, {"format.cpp", kFormatSource}, {"format.h", kFormatHeader}};
 
-/// What is handed in, and what is said of it.
+/// A submission, and the expected report.
 struct Brought {
-  const char* name;  ///< What becomes of it.
+  const char* name;  ///< The expected outcome.
   Files files;
-  std::string program = {};               ///< Part of what starts it.
-  std::vector<std::string> notes = {};    ///< Parts of all of them.
-  std::string needs = {};                 ///< A program without which the test is skipped.
+  std::string program = {};               ///< Part of its command line.
+  std::vector<std::string> notes = {};    ///< Parts of the notes, in order.
+  std::string needs = {};                 ///< The test is skipped without this program.
   std::string limits = {};                ///< Keys of the rubric.
-  std::vector<std::string> refused = {};  ///< Parts of why; empty: it has all points.
+  std::vector<std::string> refused = {};  ///< Parts of the refusal; empty: it gets all points.
 };
 
 void PrintTo(const Brought& brought, std::ostream* to) { *to << brought.name; }
 
-/// A renderer in Python that writes to a file of its own name, and the note of that.
+/// A renderer in Python that chooses its output file itself, and the note about this.
 Brought writing(const char* name, const std::string& to, const std::string& note,
                 const std::string& before = "") {
   return {name, {{"rt.py", renderer_in_python(before, to)}}, "", {"it writes " + note}};
@@ -88,7 +88,7 @@ const std::vector<Brought> kBuilt = {
                       "\tmkdir -p bin\n\tg++ -o $@ $(OBJECTS)\n"},
                      {"rt.o", "of another machine"}}),
      "./bin/shiny"},
-    // The program handed in is not taken for the one that is made.
+    // The submitted program is not mistaken for the built one.
     {"makes_a_program_in_a_folder_below",
      {{"report.txt", "see src"},
       {"src/rt.c", kC},
@@ -137,7 +137,7 @@ const std::vector<Brought> kBuilt = {
     {"has_two_mains_of_which_the_likeliest_is_taken",
      with(kSources, {{"another.cpp", "int main() { return 1; }\n"}}),
      "",
-     {"2 of its files have a main; this is that of rt.cpp"}},
+     {"2 of its files have a main; the one in rt.cpp is used"}},
     {"has_a_source_that_does_not_compile_and_that_nothing_includes",
      with(kSources, {{"attempt.cpp", "this is no C++\n"}}),
      "",
@@ -148,15 +148,15 @@ const std::vector<Brought> kBuilt = {
       {"src/format.cpp", kFormatSource},
       {"include/format.h", kFormatHeader}},
      "",
-     {" is taken for "}},
+     {" is replaced by "}},
     {"is_given_headers_that_gcc_says_are_missing",
      with(kSources, {{"one.cpp",
                       "#include \"format.h\"\n"
                       "std::tuple<int, std::optional<int>> unused() { return {1, 2}; }\n"}}),
      "",
-     {"#include <tuple> is added to one.cpp, where it is missing",
-      "#include <optional> is added to one.cpp, where it is missing"}},
-    // By package.json, not the file of a likelier name.
+     {"the missing #include <tuple> is added to one.cpp",
+      "the missing #include <optional> is added to one.cpp"}},
+    // package.json is preferred to the file with a likelier name.
     {"is_a_module_that_package_json_names",
      {{"package.json", R"({"type": "module", "main": "./src/tracer"})"},
       {"src/tracer.js", kModule},
@@ -183,7 +183,7 @@ const std::vector<Brought> kBuilt = {
      with(kSources, {{"one.cpp", "#include \"../../libs/eigen/Eigen/src/Core/util/Macros.h\"\n" +
                                      kUseOfEigen}}),
      "",
-     {" is taken for <Eigen/src/Core/util/Macros.h>"},
+     {" is replaced by <Eigen/src/Core/util/Macros.h>"},
      "/usr/include/eigen3"},
     {"finds_eigen_by_its_makefile",
      with(
@@ -192,9 +192,9 @@ const std::vector<Brought> kBuilt = {
           {"Makefile",
            "rt: rt.cpp format.cpp one.cpp\n\tg++ -I/opt/eigen -o rt rt.cpp format.cpp one.cpp\n"}}),
      "",
-     {" is taken for <Eigen/src/Core/util/Macros.h>"},
+     {" is replaced by <Eigen/src/Core/util/Macros.h>"},
      "/usr/include/eigen3"},
-    // What lies in it is not compiled.
+    // Its files are not compiled.
     {"brings_its_own_eigen",
      with(kSources, {{"one.cpp", "#include <Eigen/Dense>\nint two() { return kTwo; }\n"},
                      {"libs/eigen-3.4/Eigen/Dense", "constexpr int kTwo = 2;\n"},
@@ -212,15 +212,15 @@ const std::vector<Brought> kRefused = {
              {"checks.c", kChecks},
              {"rt.c", kNoSuchKey}},
             {kNoPicture}),
-    // The Makefile's program fails; the other, of its sources, ends without a picture.
+    // The Makefile's program fails; the one built from sources makes no picture.
     refused("is_built_in_several_ways_of_which_the_one_that_comes_farthest_is_quoted",
             with(kMakesWhatFails, {{"rt.c", kNoSuchKey}}), {kNoPicture}, "",
-            {"nothing that draws comes from its Makefile; built from its sources"}),
+            {"what was built from its Makefile shows no spheres; built from its sources instead"}),
     refused("is_built_in_several_ways_of_which_the_first_is_quoted_where_none_comes_farther",
             with(kMakesWhatFails, {{"rt.c", "int main() { return 4; }\n"}}), {"it exited with 3"}),
-    refused("is_a_program_of_windows", {{"rt.exe", "MZ"}}, {"rt.exe is a program of Windows"}),
+    refused("is_a_program_of_windows", {{"rt.exe", "MZ"}}, {"rt.exe is a Windows program"}),
     refused("has_no_main", {{"vec.cpp", "int one() { return 1; }\n"}},
-            {"none of its sources is a program's main one"}),
+            {"none of its sources starts a program"}),
     refused("does_not_compile", {{"rt.cpp", "int main() { return 0 }\n"}},
             {"'g++ -O2 -std=c++20 rt.cpp' exited with 1", "error: expected"}),
     refused("cannot_be_made", {{"Makefile", "rt: missing.cpp\n"}},
@@ -270,7 +270,7 @@ void bring(const Grading& grading, const std::string& name, const Files& files) 
   }
 }
 
-/// Grades those in folders of these names; `head` begins the rubric.
+/// Grades these submissions; `head` begins the rubric.
 void grade_brought(const Grading& grading, const std::vector<std::string>& names,
                    const std::string& head = "", const std::string& more = "") {
   std::vector<std::string> folders;
@@ -282,7 +282,7 @@ bool is_here(const std::string& needed) {
   return needed.empty() || (needed[0] == '/' ? fs::exists(needed) : is_installed(needed));
 }
 
-/// All of a list, graded at once.
+/// A list of submissions, graded in one run.
 const Grading& graded(const std::vector<Brought>& list) {
   static std::map<const void*, Grading> known;
   const auto [at, is_new] = known.try_emplace(&list);
@@ -303,7 +303,7 @@ const Grading& graded(const std::vector<Brought>& list) {
 
 class EachBrought : public testing::TestWithParam<Brought> {};
 
-TEST_P(EachBrought, IsBuiltAndRightOrRefused) {
+TEST_P(EachBrought, IsBuiltAndRightOrIsRefused) {
   const Brought& one = GetParam();
   if (!is_here(one.needs)) GTEST_SKIP() << one.needs << " is not installed";
   const bool is_right = one.refused.empty();
@@ -331,7 +331,7 @@ INSTANTIATE_TEST_SUITE_P(LongIntake, EachBrought, testing::ValuesIn(kRefused), k
 
 class LongIntake : public GradingTest {};
 
-TEST_F(LongIntake, is_the_same_when_graded_again_from_the_store) {
+TEST_F(LongIntake, gives_the_same_grades_from_the_store) {
   bring(grading, "other",
         {{"Makefile", "check: checks.cpp\n\tgcc -o check checks.cpp\n"},
          {"checks.cpp", kChecks},
@@ -339,7 +339,7 @@ TEST_F(LongIntake, is_the_same_when_graded_again_from_the_store) {
   grade_brought(grading, {"other"});
   const json other = grading.result("other");
   EXPECT_EQ(other["notes"][1],
-            "nothing that draws comes from its Makefile; built from its sources");
+            "what was built from its Makefile shows no spheres; built from its sources instead");
   expect_parts(other["program"], {"./raycheck-built "});
   grade_brought(grading, {"other"}, "title = \"again\"\n");
   const json again = grading.result("other");
@@ -350,8 +350,8 @@ TEST_F(LongIntake, is_the_same_when_graded_again_from_the_store) {
   }
 }
 
-/// A folder that a form means is not unwrapped.
-TEST_F(LongIntake, leaves_a_folder_that_a_form_names) {
+/// A folder that a form names is not unwrapped.
+TEST_F(LongIntake, does_not_unwrap_a_folder_that_a_form_names) {
   bring(grading, "named",
         {{"source/rt.c", kC}, {"source/Makefile", "rt: rt.c\n\tcc -o rt rt.c -lm\n"}});
   const std::string rubric =
@@ -395,11 +395,11 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
     EXPECT_TRUE(result["notes"].empty()) << result["notes"];
   }
   expect_parts(grading.result("missing")["refused"]["why"],
-               {"there is no package org.ejml.simple in it, so put the jar that has it beside"});
+               {"the package org.ejml.simple is missing: put its jar beside the sources"});
 }
 
-/// In the forms that it reads it waits; the others it does not read.
-TEST_F(LongIntake, shows_what_a_program_says_where_it_comes_farthest) {
+/// It waits in the forms that it reads and rejects the others.
+TEST_F(LongIntake, shows_the_output_of_the_form_in_which_a_program_gets_farthest) {
   bring(grading, "far",
         {{"rt.py",
           "import sys, time\nfor line in open(sys.argv[1]):\n    words = line.split()\n"

@@ -1,5 +1,5 @@
-// What keeps submissions, on machines that have more and less of it: the attacks that it keeps from
-// gaining anything, and what is said where it is missing.
+// Isolation of submissions on machines with more and fewer layers: attacks earn no points, and
+// missing layers are reported.
 
 #include "tests/tools/external/machine.h"
 #include "tests/tools/grade/grading.h"
@@ -7,14 +7,14 @@
 namespace raycheck::tests {
 namespace {
 
-/// The points of right answers to all that attacks offer, and of all items.
+/// The points of right answers by the attacks' functions, and of all items.
 constexpr double kRightHits = 10, kAll = 14;
 
 std::string short_rubric(const Grading& grading, const std::string& keys = "") {
   return grading.short_rubric(keys, kPixelZeroZero + kNearestRoot);
 }
 
-/// Why a machine cannot be had here; empty where it can.
+/// Why a machine cannot be simulated here; empty if it can.
 std::string why_not(const Machine& machine) {
   if (geteuid() != 0) return "only root can be another user or hide a program";
   if (std::system((machine.words() + "true").c_str()) != 0) return "no " + machine.words();
@@ -35,7 +35,7 @@ class HostileOnMachine : public testing::TestWithParam<Machine> {
     }
   }
 
-  /// Grades there. `program` is raycheck, wherever it lies.
+  /// Grades there. `program`: the path of raycheck.
   Outcome grade(int exit_code, const std::string& rubric,
                 const std::vector<std::string>& submissions, const std::string& more = "",
                 const std::string& program = RAYCHECK_BINARY,
@@ -44,7 +44,7 @@ class HostileOnMachine : public testing::TestWithParam<Machine> {
                         grading.arguments(rubric, submissions, "out", "--jobs 2 " + more) + "\n",
                     exit_code);
   }
-  /// What `grade` is to be told there, for it to go on.
+  /// The options with which `grade` works there.
   std::string as_it_is() const { return GetParam().has_bubblewrap ? "" : "--sandbox available "; }
 
   const Grading grading;
@@ -52,16 +52,16 @@ class HostileOnMachine : public testing::TestWithParam<Machine> {
 
 INSTANTIATE_TEST_SUITE_P(Machines, HostileOnMachine, testing::ValuesIn(kMachines), kNameOfMachine);
 
-TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
+TEST_P(HostileOnMachine, AttacksEarnNoPointsAndTheGraderSurvives) {
   if (GetParam().is_root && GetParam().has_bubblewrap) {
-    GTEST_SKIP() << "Attacks.gain_nothing_and_leave_the_others_as_they_are tries this machine";
+    GTEST_SKIP() << "Attacks.earn_no_points_and_do_not_change_other_grades tries this machine";
   }
   const std::string rubric = short_rubric(grading);
   const std::vector<std::string> attacks = {"none",          "kills_judge",   "weakens_judge",
                                             "reads_others",  "opens_socket",  "makes_namespaces",
                                             "leaves_memory", "runs_raycheck", "writes_outside"};
   std::vector<std::string> folders = grading.submit_each(attacks, "hostile.cpp");
-  // Innocents in other languages.
+  // Harmless submissions in other languages.
   folders.push_back(grading.submit("python", "rays.py"));
   const bool has_node = is_installed("node");
   if (has_node) folders.push_back(RAYCHECK_SOURCE_DIR "/tests/submissions/class/ella");
@@ -83,7 +83,7 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
 }
 
 TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
-  // Installed below /usr/local, for this test alone.
+  // Installed below /usr/local for this test only.
   const std::string build = fs::path(RAYCHECK_BINARY).parent_path().string();
   const std::string install = grading.write(
       "install.sh",
@@ -105,7 +105,7 @@ TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
   EXPECT_EQ(grading.result("python")["score"], kAll) << "the adapter is there";
 }
 
-TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
+TEST_P(HostileOnMachine, ConcurrentForkBombsDoNotRaiseTheirLimits) {
   const std::string rubric = grading.short_rubric("seconds = 2\nreply_seconds = 1\n", kNearestRoot);
   std::vector<std::string> submissions = {grading.submit("right", "rays.py")};
   for (const char* name : {"first", "second"}) {
@@ -120,7 +120,7 @@ TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
   }
 }
 
-TEST_P(HostileOnMachine, PicturesAndFoldersThatAreClosedAreNoFailureOfTheMachine) {
+TEST_P(HostileOnMachine, UnreadablePicturesAndFoldersAreNotFailuresOfTheMachine) {
   const std::string rubric = short_rubric(grading);
   const std::string picture =
       "#!/bin/sh\n{ echo P3 25 25 255; yes 255 255 255 | head -n 625; } > $2\nchmod 0 $2\n";
@@ -135,7 +135,7 @@ TEST_P(HostileOnMachine, PicturesAndFoldersThatAreClosedAreNoFailureOfTheMachine
   }
 }
 
-TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
+TEST_P(HostileOnMachine, LessIsolationIsAnErrorUnlessRequested) {
   const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   const Outcome outcome = grade(GetParam().has_bubblewrap ? 0 : 2, rubric, {right});
@@ -149,9 +149,9 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
       2);
 }
 
-TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {
-  if (GetParam().is_root) GTEST_SKIP() << "as root each submission has a user of its own";
-  // More than the 64 that a submission may have, as a desktop has them.
+TEST_P(HostileOnMachine, OtherProcessesOfTheUserDoNotCountAgainstSubmissions) {
+  if (GetParam().is_root) GTEST_SKIP() << "as root each submission has a separate user";
+  // More than the 64 that a submission may have, as on a desktop.
   const std::string rubric = short_rubric(grading);
   const std::string threads = grading.submit("python", "rays.py");
   const std::string before = std::string("for k in $(seq 80); do ") + kAsNobody +
@@ -161,13 +161,13 @@ TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {
   EXPECT_EQ(grading.result("python")["score"], kAll);
 }
 
-TEST(HostileJail, KeepsSignalsInWhereTheKernelCannot) {
+TEST(HostileJail, BlocksSignalsIfTheKernelCannot) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can be another user";
   const Grading grading;
-  // A copy, for that user may not enter every folder that raycheck is built in.
+  // A copy, since the other user may lack access to the build folder.
   const std::string jail = grading.path("jail");
   fs::copy_file(fs::path(RAYCHECK_BINARY).parent_path() / "raycheck-jail", jail);
-  // Without Landlock, so by seccomp alone. Its last line is reached by who is not killed.
+  // Without Landlock, by seccomp only. The last line is reached only if the script is not killed.
   const std::string script = grading.write("signals.sh", R"(
 sleep 100 &
 judge=$!
@@ -207,9 +207,9 @@ kill $judge
 
 class HostileSandbox : public GradingTest {};
 
-TEST_F(HostileSandbox, ThatFailsLaterIsNeverLeftOut) {
+TEST_F(HostileSandbox, ThatFailsLaterIsNotSkipped) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can put a program in another's place";
-  // Works when it is tried and when the candidate introduces itself, and no more.
+  // Works for the trial and for the candidate's introduction, then fails.
   grading.write("count", "0\n");
   grading.write("bwrap",
                 "#!/bin/sh\ncd '" + grading.path("") +
@@ -230,14 +230,14 @@ TEST_F(HostileSandbox, ThatFailsLaterIsNeverLeftOut) {
                              "bubblewrap"});
 }
 
-/// A TMPDIR, and what is said of it; empty: it is used.
+/// A TMPDIR and the expected error; empty: it is usable.
 struct TriedFolder {
   const char* name;
   mode_t mode;
   const char* said;
 };
 
-TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
+TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeGrading) {
   const Grading grading;
   const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
@@ -268,7 +268,7 @@ TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
   expect_parts(grade_in(grading.path("nowhere")).err, {"there is no such folder"});
 }
 
-TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
+TEST(HostileTemporaryFolder, WithoutExecutionPreventsGrading) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can mount a folder where nothing runs";
   const Grading grading;
   const std::string rubric = short_rubric(grading);
@@ -282,15 +282,15 @@ TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
   ASSERT_NE(outcome.exit_code, 0);
   const Variable temporary("TMPDIR", grading.path("noexec"));
   const Outcome there = run_bash(script, 2);
-  // By a submission of raycheck's own; or by its jail, where that is a copy in that folder, for
-  // raycheck lies where others may not enter.
-  EXPECT_TRUE(has(there.err, "grading does not begin: raycheck's own ") ||
+  // The error comes from the self-test, or from the jail program if that was copied to this folder
+  // because others have no access to raycheck's.
+  EXPECT_TRUE(has(there.err, "grading does not start: raycheck's own ") ||
               has(there.err, "/raycheck-jail cannot be started: Permission denied"))
       << there.err;
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
 }
 
-TEST_F(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
+TEST_F(HostileSandbox, WithoutTheJailProgramIsRefusedWithoutBlamingACandidate) {
   for (const char* program : {"raycheck", "raycheck-check", "raycheck-grade"}) {
     fs::copy_file(fs::path(RAYCHECK_BINARY).parent_path() / program, grading.path(program));
   }
@@ -306,7 +306,7 @@ TEST_F(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
   }
 }
 
-TEST_F(HostileSandbox, NoneIsRefusedToRootWhoDoesNotSayThatHeKnows) {
+TEST_F(HostileSandbox, NoneRequiresIKnowForRoot) {
   const std::string rubric = short_rubric(grading);
   const std::string right = grading.submit("right", "rays.py");
   if (geteuid() == 0) {
@@ -334,7 +334,8 @@ TEST(HostileSubmission, ThatBringsProgramsAndPicturesIsListedForTheInstructor) {
                  {"2/kind", "text with very long lines"}});
   const std::string page = contents(grading.path("out/index.html"));
   expect_parts(page, {"helper (program or library, 1 KiB), stored.ppm (picture, 1 KiB)"});
-  EXPECT_FALSE(has(grading.file("brings", "report.html"), "helper")) << "it is for them alone";
+  EXPECT_FALSE(has(grading.file("brings", "report.html"), "helper"))
+      << "only instructors may see it";
 }
 
 }  // namespace

@@ -1,18 +1,18 @@
-// The classic mistakes of tests/submissions, graded by the rubric of the seventh lecture, and those
-// all in `float`, where doubles are asked for and where floats are fine.
+// The classic mistakes of tests/submissions, graded by the rubric of the seventh lecture; and
+// submissions in `float`, graded in double and in single precision.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// What a mistake costs.
+/// The cost of a mistake.
 struct Mistake {
   const char* name;
-  double score;          ///< Of 100, with a bonus of 10; to two decimals.
-  const char* fails;     ///< Items that fail by themselves.
-  const char* sentence;  ///< The mistake named for the submission; empty: none.
-  int named;             ///< So many items name it.
+  double score;          ///< Out of 100 and a bonus of 10; to two decimals.
+  const char* fails;     ///< Items that fail, without those that follow.
+  const char* sentence;  ///< The mistake named for the submission; or empty.
+  int named;             ///< The number of items that name it.
 };
 
 const std::vector<Mistake> kOfFunctions = {
@@ -135,7 +135,7 @@ const std::vector<Mistake> kOfPictures = {
      1},
 };
 
-/// Those of pictures that make it harder to see which form of driver files is read.
+/// The mistakes of pictures that make it harder to find the form of driver files that is read.
 const std::vector<Mistake> kOfForms = {
     {"axes_dropped", 0,
      "camera frame, boundary pixels, width and height, pixel (0, 0), unit directions, ray origin, "
@@ -149,7 +149,7 @@ const std::vector<Mistake> kOfForms = {
      "directions are not normalised: D = P - E", 10},
 };
 
-/// A submission costs what its mistake does, and the mistake is named.
+/// A submission loses the points of its mistake, and the mistake is named.
 void expect_cost(const Grading& grading, const std::string& submission, const Mistake& mistake,
                  const Outcome& outcome) {
   SCOPED_TRACE(submission);
@@ -165,7 +165,7 @@ void expect_cost(const Grading& grading, const std::string& submission, const Mi
     for (const json& explaining : one["mistakes"]) {
       named += explaining["sentence"] == mistake.sentence ? 1 : 0;
     }
-    // A student is shown a case, unless answers are missing alone.
+    // The student gets a failing case, unless answers are only missing.
     const bool is_shown = !one["failing"].is_null() || !one["reason"].is_null();
     EXPECT_EQ(one["state"] != "holds", is_shown) << one.dump(2);
   }
@@ -176,7 +176,7 @@ void expect_cost(const Grading& grading, const std::string& submission, const Mi
   }
 }
 
-/// A class of which each makes another mistake of the file, graded by this rubric; what is said.
+/// Grades a class with one submission per mistake of the file by this rubric; returns the report.
 std::string expect_costs(const Grading& grading, const std::string& rubric, const std::string& file,
                          const std::vector<Mistake>& mistakes,
                          std::vector<std::string> folders = {}) {
@@ -188,7 +188,7 @@ std::string expect_costs(const Grading& grading, const std::string& rubric, cons
   return outcome.out;
 }
 
-TEST(GradedMistakes, of_functions_cost_what_they_deserve_and_are_named_in_python_as_well) {
+TEST(GradedMistakes, in_functions_have_the_expected_cost_and_name_also_in_python) {
   const Grading grading;
   const std::string line = "MISTAKE = \"far_root\"";
   expect_costs(grading, grading.lecture7_with({}), "rays.cpp", kOfFunctions,
@@ -198,7 +198,7 @@ TEST(GradedMistakes, of_functions_cost_what_they_deserve_and_are_named_in_python
   EXPECT_EQ(in_python["items"], far_root["items"]);
 }
 
-TEST(GradedMistakes, that_are_kept_between_questions_are_called_that_and_no_formula) {
+TEST(GradedMistakes, from_state_kept_between_questions_are_reported_as_such) {
   const Grading grading;
   const std::string right = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py");
   grading.hand_in(
@@ -221,17 +221,17 @@ TEST(GradedMistakes, that_are_kept_between_questions_are_called_that_and_no_form
 TEST(LongGradedForms, are_found_whatever_the_mistake) {
   const Grading grading;
   const std::string said = expect_costs(grading, grading.lecture7_with({}), "rt.cpp", kOfForms);
-  // No form of driver files is seen to be read where directions are not normalised.
+  // With unnormalised directions the form of driver files cannot be found.
   expect_parts(said, {"directions are not normalised: D = P - E; and rows are upside down"});
   const std::string found = grading.result("crossed_bounds").dump();
   EXPECT_FALSE(has(found, "near has the wrong sign")) << found;
 }
 
-/// The mistakes of pictures in so many parts, suites that run side by side.
+/// The mistakes of pictures are split into this many suites, which run in parallel.
 constexpr std::size_t kParts = 3;
 class GradedPictures : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(GradedPictures, cost_what_they_deserve_and_their_mistakes_are_named) {
+TEST_P(GradedPictures, have_the_expected_cost_and_name_their_mistakes) {
   const Grading grading;
   std::vector<Mistake> part;
   for (std::size_t k = GetParam(); k < kOfPictures.size(); k += kParts) {
@@ -246,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(LongSecond, GradedPictures, testing::Values(1));
 INSTANTIATE_TEST_SUITE_P(LongThird, GradedPictures, testing::Values(2));
 static_assert(kParts == 3);
 
-TEST(GradedMistakes, bounds_in_another_order_are_that_in_a_form_that_is_given) {
+TEST(GradedMistakes, name_bounds_in_another_order_if_the_form_is_given) {
   const Grading grading;
   const std::string corners = item_of("boundary pixels", "points = 5",
                                       "[item.pictures]\njudge = \"mask\"\nscenes = "
@@ -257,7 +257,7 @@ TEST(GradedMistakes, bounds_in_another_order_are_that_in_a_form_that_is_given) {
   expect_parts(outcome.out, {"right is taken from bottom and bottom from right"});
 }
 
-/// The names of the list MISTAKES of a file.
+/// The names in a file's list MISTAKES.
 std::set<std::string> mistakes_of(const std::string& file) {
   std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/submissions/" + file);
   text = text.substr(text.find("#define MISTAKES") + 16);
@@ -270,7 +270,7 @@ std::set<std::string> mistakes_of(const std::string& file) {
   return names;
 }
 
-TEST(GradedMistakes, are_all_that_the_submissions_know) {
+TEST(GradedMistakes, cover_every_mistake_of_the_submissions) {
   std::vector<Mistake> of_renderers = kOfPictures;
   of_renderers.insert(of_renderers.end(), kOfForms.begin(), kOfForms.end());
   for (const auto& [file, mistakes] :
@@ -283,8 +283,8 @@ TEST(GradedMistakes, are_all_that_the_submissions_know) {
 
 using Names = std::vector<std::string>;
 
-/// The items that a class in floats loses by the lecture's rubric, changed: by functions, by those
-/// whose lecture's formula cancels, by a renderer, by one whose formula does.
+/// The items that submissions in floats lose by a changed lecture rubric: functions, functions with
+/// the lecture's formula, which cancels, a renderer, and a renderer with that formula.
 std::vector<Names> lost(const std::vector<std::pair<std::string, std::string>>& changes) {
   const Grading grading;
   std::vector<std::string> folders;
@@ -310,17 +310,17 @@ std::vector<Names> lost(const std::vector<std::pair<std::string, std::string>>& 
 
 const Names kRobustness = {"robustness"};
 
-TEST(Floats, lose_robustness_alone_where_doubles_are_asked_for) {
+TEST(Floats, lose_only_robustness_in_double_precision) {
   EXPECT_EQ(lost({}), (std::vector<Names>{kRobustness, kRobustness, {}, kRobustness}));
 }
 
-TEST(Floats, lose_what_cancels_alone_where_precision_is_single) {
+TEST(Floats, lose_only_what_cancels_in_single_precision) {
   EXPECT_EQ(
       lost({{"seconds = 60", "precision = \"single\"\nseconds = 60"}, {"ulp = 1e11", "ulp = 256"}}),
       (std::vector<Names>{{}, kRobustness, {}, kRobustness}));
 }
 
-TEST(Floats, keep_to_bounds_in_their_own_units) {
+TEST(Floats, meet_bounds_in_units_of_float) {
   const Grading grading;
   const auto score = [&](const std::string& precision) {
     const std::string rubric = grading.write(

@@ -6,13 +6,13 @@
 namespace raycheck::tests {
 namespace {
 
-/// With its permissions, which zipfile alone leaves out.
+/// Unpacks with permissions, which Python's zipfile ignores.
 constexpr const char* kUnpack = R"py(import os, sys, zipfile
 for one in (archive := zipfile.ZipFile(sys.argv[1])).infolist():
     os.chmod(archive.extract(one, sys.argv[2]), one.external_attr >> 16 & 0o777 or 0o755)
 )py";
 
-/// A machine as Gradescope's: /autograder is the folder `root`, with a package in it.
+/// A machine like Gradescope's: /autograder is the folder `root`, with a package in it.
 class Package : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -27,14 +27,14 @@ class Package : public testing::Test {
   }
   static void TearDownTestSuite() { own_.reset(); }
 
-  /// With a seed, so that no second file is needed to see that it is in it.
+  /// With a seed, to check that the package contains it.
   static void package(const std::string& name) {
     const std::string zip = own_->path(name);
     EXPECT_EQ(run("grade '" + rubric_ + "' --seed 77 --package '" + zip + "'", 0).out,
               "wrote " + zip + "\n");
   }
 
-  /// The output of shell words, with nothing of this machine's environment.
+  /// The output of a shell command run with an empty environment.
   std::string said_by(const std::string& words) const {
     const std::string root = grading.path("root");
     return run_bash("env -i PATH=/usr/local/bin:/usr/bin:/bin HOME='" + root +
@@ -42,7 +42,7 @@ class Package : public testing::Test {
                     0)
         .out;
   }
-  /// What run_autograder leaves of this submission.
+  /// The results of run_autograder for this submission.
   json graded(const std::string& folder) const {
     fs::remove_all(grading.path("root/submission"));
     fs::remove_all(grading.path("root/results"));
@@ -82,7 +82,7 @@ TEST_F(Package, grades_submissions_as_raycheck_does) {
   expect_parts(none["output"], {"raycheck could not grade this"});
 }
 
-TEST_F(Package, grades_in_a_container_without_namespaces_and_says_so) {
+TEST_F(Package, reports_missing_namespaces_in_a_container_and_grades) {
   if (std::system((std::string(kWithoutBubblewrap) + "true").c_str()) != 0) {
     GTEST_SKIP() << "bubblewrap cannot be hidden here";
   }
@@ -95,7 +95,7 @@ TEST_F(Package, grades_in_a_container_without_namespaces_and_says_so) {
   EXPECT_EQ(json::parse(contents(grading.path("root/results/results.json")))["score"], 14) << said;
 }
 
-TEST_F(Package, brings_the_libraries_that_only_raycheck_needs) {
+TEST_F(Package, contains_the_libraries_that_only_raycheck_needs) {
   static const std::regex of_the_system(
       "lib(c|m|dl|rt|pthread|gcc_s|stdc\\+\\+)\\.so\\.[0-9]|linux-vdso\\.so\\.1|.*/ld-linux-.*");
   const std::string bin = grading.path("root/source/raycheck/libexec/raycheck/");
@@ -129,7 +129,7 @@ TEST_F(Package, has_scripts_that_run_and_the_scenes_of_the_rubric) {
             contents(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7/behind.toml"));
 }
 
-TEST_F(Package, is_the_same_bytes_each_time_and_holds_the_seed) {
+TEST_F(Package, is_reproducible_and_contains_the_seed) {
   package("again.zip");
   EXPECT_EQ(contents(grading.path("again.zip")), contents(grading.path("autograder.zip")));
   expect_parts(contents(grading.path("root/source/run_autograder")), {"--seed 77 "});

@@ -6,7 +6,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// Prints the pictures of a page as JSON: the size that it says, alt and bytes.
+/// Prints the pictures of a page as JSON: stated size, alt and bytes.
 constexpr const char* kReader = R"py(import base64, html, json, re, sys
 found = []
 for image in re.findall('<img [^>]*>', open(sys.argv[1]).read()):
@@ -32,7 +32,7 @@ std::vector<ShownPicture> pictures_of(const Grading& grading, const std::string&
   for (const json& one : json::parse(read.out)) {
     const auto bytes = one["bytes"].get<std::vector<char>>();
     shown.push_back({one["alt"], read_png({bytes.begin(), bytes.end()})});
-    // A mark has as many pixels on the page as in the file.
+    // A mark has the same number of pixels on the page and in the file.
     const ReadPicture& picture = shown.back().picture;
     EXPECT_EQ(one["size"], (json{picture.width, picture.height})) << shown.back().alt;
   }
@@ -55,7 +55,7 @@ std::vector<std::vector<std::string>> lines_of(const std::string& runs, std::siz
   return {lines.rbegin(), lines.rend()};
 }
 
-/// The item of submissions with these mistakes, called as they are, graded.
+/// Grades submissions named after these mistakes; returns the item.
 void grade_pictures(const Grading& grading, const std::vector<std::string>& folders,
                     const std::string& keys = "") {
   const std::string item = item_of(
@@ -70,7 +70,7 @@ json pictures_of_record(const Grading& grading, const std::string& name) {
 
 class Pictures : public GradingTest {};
 
-TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
+TEST_F(Pictures, show_the_drawn_and_the_exact_picture_pixel_by_pixel) {
   constexpr std::array<std::uint8_t, 3> kBlack = {}, kOrange = {0xe6, 0x9f, 0x00};
   std::set<std::array<std::uint8_t, 3>> colours;
   const std::vector<std::string> mistakes = {"mirrored", "upside_down", "first_sphere_wins",
@@ -94,7 +94,7 @@ TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
           EXPECT_EQ(colour == kOrange, (*lines)[y][x] == "0");
           colours.insert(colour);
         }
-        // A wrong pixel has a mark, a right one has none.
+        // Exactly the wrong pixels have marks.
         std::set<std::array<std::uint8_t, 3>> mark;
         for (std::size_t k = 0; k < 49; ++k) {
           mark.insert(shown[2].picture.pixels.at((7 * y + k / 7) * 7 * width + 7 * x + k % 7));
@@ -108,7 +108,7 @@ TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
         std::to_string(wrong) + " of " + std::to_string(width * height) + " pixels differ";
     EXPECT_TRUE(shown[2].alt.starts_with(counted)) << shown[2].alt;
     expect_parts(grading.file(mistake, "results.json"), {"\\n" + counted});
-    // The commands beside them are run by try_test.cpp.
+    // try_test.cpp runs the commands of the page.
     expect_parts(grading.file(mistake, "report.html"),
                  {"<pre class=\"command\">./" + mistake + ".rt seen.txt out.ppm</pre>",
                   "<pre class=\"command\">raycheck try rubric.toml .</pre>"});
@@ -116,7 +116,7 @@ TEST_F(Pictures, are_what_was_drawn_and_what_is_exact_pixel_by_pixel) {
   EXPECT_GE(colours.size(), 3u) << "black and two spheres";
 }
 
-TEST_F(Pictures, that_are_withheld_are_not_there) {
+TEST_F(Pictures, are_omitted_if_withheld) {
   const std::vector<std::pair<std::string, std::size_t>> kinds = {
       {"", 3},
       {"detail = \"actual-only\"", 1},

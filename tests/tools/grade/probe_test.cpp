@@ -1,11 +1,11 @@
-// `grade --probe`: what the dry run says, and that what it suggests does the same.
+// `grade --probe`: the report of the dry run, and that its suggestion has the same effect.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Renderers in the shell, which is started a hundred times where no form shows a sphere.
+/// Renderers as shell scripts: quick, since they are started a hundred times if no form works.
 const std::string kBlackPicture =
     "echo 'line 4: I do not know that word'\n"
     "{ echo P3 25 25 255; yes '0 0 0' | head -n 625; } > \"$2\"\n";
@@ -37,7 +37,7 @@ class Probe : public testing::Test {
     EXPECT_EQ(outcome.exit_code, is_refused ? 1 : 0) << outcome.err;
     return submissions;
   }
-  /// Driver files of one form alone.
+  /// Driver files of one form only.
   std::string one_form(const std::string& preset = "2018", const std::string& keys = "") const {
     return grading_.write("one-form.toml", keys + "[driver]\npreset = \"" + preset + "\"\n" +
                                                kAsTheyCome + kOnePicture);
@@ -49,7 +49,7 @@ class Probe : public testing::Test {
   const Grading grading_;
 };
 
-TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
+TEST_F(Probe, lists_what_each_submission_builds_reads_writes_and_shows) {
   const std::vector<std::string> folders = {
       of_class("farid"), grading_.submit("functions", "rays.py"),
       grading_.hand_in("broken", "rt.cpp", "int main() { return 0 }\n")};
@@ -58,8 +58,8 @@ TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
   EXPECT_FALSE(fs::exists(grading_.path("out"))) << "nothing is graded";
   expect_parts(
       outcome.out,
-      {"  2018   out.ppm  spheres\n    it writes out.ppm and ignores the given file name\n",
-       "\n    offers focal_ray, frame, intersect, nearest, pixel_point, pixel_ray\n",
+      {"  2018   out.ppm   spheres\n    it writes out.ppm and ignores the given file name\n",
+       "\n    implements focal_ray, frame, intersect, nearest, pixel_point, pixel_ray\n",
        "could not be judged: 'g++ -O2 -std=c++20 rt.cpp' exited with 1\n",
        "error: expected ';' before '}' token\n", "3 submissions tried, 1 could not be judged\n"});
   EXPECT_FALSE(has(outcome.out, "does not read")) << "the rubric names no form";
@@ -73,7 +73,7 @@ TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
   EXPECT_EQ(farid["program"], "renderer:./rt {scene} {image}");
 }
 
-TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
+TEST_F(Probe, suggests_a_rubric_with_the_same_result) {
   const std::vector<std::string> folders = {of_class("farid"), of_class("hanna")};
   const Outcome printed = probe(kLecture7, folders);
   const std::string suggestion =
@@ -90,7 +90,7 @@ TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
     EXPECT_EQ(now["score"], 10) << name;
     for (const char* key : {"items", "driver", "program"}) EXPECT_EQ(now[key], then[key]) << name;
   }
-  // The forms are those in words, not the one that builds as it comes; there is no more to say.
+  // All forms have explicit commands, so that there is nothing to suggest for automatic builds.
   const json again = json::parse(probe(pasted, folders, "--format json").out);
   for (const json& one : again["submissions"]) {
     EXPECT_EQ(one["build"].is_string(), one["name"] == "farid") << one["name"];
@@ -98,7 +98,7 @@ TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
   EXPECT_FALSE(has(again["suggestion"], "[[form]]"));
 }
 
-TEST_F(Probe, suggests_no_form_that_would_fit_others_too) {
+TEST_F(Probe, suggests_no_form_that_fits_other_submissions) {
   const std::vector<std::string> folders = {grading_.hand_in("one", "rt.py", renderer_in_python()),
                                             grading_.hand_in("two", "rt.py", renderer_in_python()),
                                             grading_.hand_in("three", "rt.py", "pass\n")};
@@ -108,7 +108,7 @@ TEST_F(Probe, suggests_no_form_that_would_fit_others_too) {
   expect_parts(text, {"has = \"*\"\nbuild = \"auto\""});
 }
 
-TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
+TEST_F(Probe, reports_what_is_wrong_with_a_picture_and_the_programs_output) {
   const json all = probed(
       {grading_.hand_in("missing", "rt.sh", kSilentlyMissing),
        grading_.hand_in("empty", "rt.sh", kEmptyPicture),
@@ -123,13 +123,13 @@ TEST_F(Probe, says_what_a_picture_lacks_and_repeats_the_programs_own_words) {
   expect_parts(all[3]["refused"].dump(), {"its background has more than one colour"});
   const std::string black =
       probe(one_form(), {grading_.hand_in("black", "rt.sh", kBlackPicture)}).out;
-  expect_parts(black, {"    it said:\n      line 4: I do not know that word\n",
+  expect_parts(black, {"    its output:\n      line 4: I do not know that word\n",
                        "    its picture is black in "});
   EXPECT_FALSE(has(black, "could not be judged:")) << black;
   EXPECT_FALSE(has(black, "\n[driver]\n")) << "no form is read";
 }
 
-TEST_F(Probe, lists_what_is_done_where_nobody_watches_and_tries_again_alone_what_only_waits) {
+TEST_F(Probe, logs_progress_without_a_terminal_and_retries_programs_that_only_wait) {
   const std::string waits = grading_.hand_in("waits", "rt.py", "import time\ntime.sleep(60)\n");
   const Outcome outcome =
       probe(one_form("2019", "reply_seconds = 1\n"),
@@ -141,14 +141,14 @@ TEST_F(Probe, lists_what_is_done_where_nobody_watches_and_tries_again_alone_what
             "it did not end, and used almost no CPU time for 1 s (reply_seconds)");
 }
 
-TEST_F(Probe, names_the_form_that_is_read_where_another_is_asked_for) {
-  // Its driver file says recursionlevel, which this one refuses.
+TEST_F(Probe, names_the_form_that_is_read_if_another_is_requested) {
+  // Driver files of 2019 contain recursionlevel, which this submission rejects.
   const std::string note =
       "it does not read driver files of form B, spheres of 16 numbers, recursionlevel 0, a light, "
       "but of form B, spheres of 13 numbers, a light";
   const json refuses = probed({of_class("kofi")}, one_form("2019"))[0];
   expect_values(refuses, {{"refused/why", "it exited with 1"}, {"notes", json({note})}});
-  // What only shows nothing is judged in the form that was asked for.
+  // A submission that only shows nothing is judged in the requested form.
   const std::string farid = of_class("farid");
   grading_.grade(one_form("auto"), {farid}, "asked", "--dialect C");
   const json asked = grading_.result("farid", "asked");
@@ -156,7 +156,7 @@ TEST_F(Probe, names_the_form_that_is_read_where_another_is_asked_for) {
   expect_values(asked, {{"driver/dialect", "C"}, {"score", 0}});
 }
 
-/// Draws the spheres it is given, in the colours they have, where they have one.
+/// Draws the given spheres in their colours, if they have colours.
 std::string drawing_renderer(const std::string& more) {
   return R"(import math, sys
 spheres = []
@@ -189,7 +189,7 @@ for j in range(h):
 )";
 }
 
-TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_shown) {
+TEST_F(Probe, describes_colours_only_if_spheres_are_shown) {
   const std::string note = "its colours do not identify the spheres";
   const auto drawing = [&](const std::string& name, const std::string& shown,
                            const std::string& seen) {
@@ -197,7 +197,7 @@ TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_s
         name, "rt.py",
         drawing_renderer("SHOWN = lambda c: " + shown + "\nSEEN = lambda v: " + seen + "\n"));
   };
-  // Of fewer spheres than five the third shows none.
+  // The third draws no sphere if there are fewer than five.
   const json all = probed({drawing("right", "c", "v > 0"), drawing("behind", "c", "v < 0"),
                            drawing("many", "c", "v > 0 and len(spheres) > 5"),
                            drawing("grey", "[sum(c) / 3] * 3", "v > 0"),
@@ -208,8 +208,8 @@ TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_s
   }
 }
 
-TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
-  // The light of the dry run's scene is at whole numbers.
+TEST_F(Probe, omits_a_light_if_only_the_light_makes_a_renderer_fail) {
+  // The light in the dry run's scene has integer coordinates.
   const json lit = probed({grading_.hand_in(
       "lit", "rt.py",
       drawing_renderer(
@@ -221,14 +221,14 @@ TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
                {"it fails on driver files with a light, so it is given files without"});
 }
 
-TEST_F(Probe, prefers_of_the_forms_that_are_read_the_one_that_leaves_nothing_unsaid) {
+TEST_F(Probe, prefers_the_most_complete_form_that_is_read) {
   const json drawn = probed({grading_.hand_in("any", "rt.py", renderer_in_python())})[0]["dry_run"];
   EXPECT_EQ(drawn["driver"]["extra_lines"], json({"recursionlevel 0"})) << drawn;
   EXPECT_EQ(drawn["dialect"], "2019");
 }
 
-TEST_F(Probe, says_what_draws_differently_each_time) {
-  // The first time, then black.
+TEST_F(Probe, reports_programs_that_draw_differently_each_time) {
+  // Right the first time, then black.
   const std::string once = "'" + grading_.path("once") + "'";
   const std::string black =
       "if os.path.exists(" + once + "): colour = [0, 0, 0]\nopen(" + once + ", 'w').close()\n";
@@ -238,8 +238,8 @@ TEST_F(Probe, says_what_draws_differently_each_time) {
   expect_parts(unsteady["notes"].dump(), {"differently each time", "not initialised"});
 }
 
-TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
-  // It shows the sphere of the rubric's scene, and none of the dry run's.
+TEST_F(Probe, does_not_call_pictures_black_if_the_submission_has_points) {
+  // It shows the sphere of the rubric's scene, but no sphere of the dry run's.
   const std::string odd = grading_.hand_in(
       "odd", "rt.sh",
       "while read -r word w h; do [ \"$word\" = res ] && break; done < \"$1\"\n"
@@ -253,22 +253,22 @@ TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
   EXPECT_FALSE(has(result["notes"].dump(), "its picture is black")) << result["notes"];
 }
 
-TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
+TEST_F(Probe, reports_the_time_that_a_slow_renderer_needs) {
   const json slow = probed({grading_.hand_in("slow", "rt.sh", "sleep 1.5\n" + kBlackPicture)},
                            one_form("2019", "reply_seconds = 1\n"))[0];
   ASSERT_FALSE(slow["refused"].is_null());
   expect_parts(slow["refused"]["why"], {"it needs more time"});
-  // A tenth of a second in which it waits for a processor is not its own.
+  // The tenth of a second in which it waits for a processor does not count.
   EXPECT_GT(slow["dry_run"]["needed_seconds"], 1.2);
 }
 
-TEST_F(Probe, is_the_first_step_of_grading_whose_table_has_its_notes) {
+TEST_F(Probe, is_the_first_step_of_grading_and_its_notes_are_in_the_table) {
   const std::string draws = grading_.hand_in("draws", "rt.py", renderer_in_python());
   expect_parts(grading_.grade(one_form(), {of_class("farid"), draws}).out,
                {"    it writes out.ppm and ignores the given file name\n"});
 }
 
-TEST_F(Probe, reads_what_the_dialect_says_in_place_of_the_rubrics) {
+TEST_F(Probe, uses_the_dialect_option_instead_of_the_rubrics) {
   const std::string farid = of_class("farid");
   const std::string as_2018 = one_form();
   const auto form_of = [&](const std::string& rubric, const std::string& more) {

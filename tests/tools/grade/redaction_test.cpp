@@ -1,19 +1,19 @@
-// What is withheld from students is in none of their files, in whatever words: every number there
-// is compared with every number that they are not to know.
+// Students' files contain no withheld information in any notation: every number there is compared
+// with every withheld number.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// A number as it is written somewhere, and by how much what it stands for may differ.
+/// A number in a text, and how much the number that it rounds may differ.
 struct Written {
   std::string text;
   double value = 0;
   double half_a_digit = 0;
 };
 
-/// Fewer digits than these are counts, points and places.
+/// Numbers with fewer digits are counts, points and places.
 constexpr int kFewestDigits = 3;
 constexpr int kFewestDigitsOfIntegers = 5;
 
@@ -36,7 +36,7 @@ int digits_of(const std::string& text) {
   return digits;
 }
 
-/// The numbers of a text, without their signs, that have digits enough to tell something.
+/// The numbers of a text, without signs, with enough digits to reveal something.
 std::vector<Written> numbers_in(const std::string& text) {
   static const std::regex number(
       R"(0x[0-9a-f]+(\.[0-9a-f]*)?(p[-+]?[0-9]+)?|[0-9]+\.?[0-9]*(e[-+]?[0-9]+)?)",
@@ -62,7 +62,7 @@ std::string without_percents(const std::string& text) {
   return result;
 }
 
-/// All that a student is given: every file of the submission's folder but the record.
+/// The student's files: all of the submission's folder except the record.
 std::string given_to_student(const Grading& grading, const std::string& name) {
   std::string all;
   int files = 0;
@@ -88,8 +88,7 @@ void add_numbers(const json& list, std::vector<double>& numbers) {
   }
 }
 
-/// The numbers of a record that its student is not to know, and those that tell nothing: what is
-/// asked, and what the submission answered.
+/// A record's withheld numbers, and the harmless ones: questions and the submission's answers.
 struct Numbers {
   std::vector<double> secret, open;
 };
@@ -114,7 +113,7 @@ Numbers numbers_of(const json& record, const std::vector<std::string>& parts,
   for (const double number : all) {
     const bool is_open =
         std::find(numbers.open.begin(), numbers.open.end(), number) != numbers.open.end();
-    // Numbers of a few binary digits are those of any scene.
+    // Numbers with few binary digits occur in any scene.
     if (!is_open && std::isfinite(number) && std::fmod(number * 64, 1) != 0) {
       numbers.secret.push_back(number);
     }
@@ -122,7 +121,7 @@ Numbers numbers_of(const json& record, const std::vector<std::string>& parts,
   return numbers;
 }
 
-/// The secrets that some number of the text tells, to its digits.
+/// The secrets that a number of the text reveals, to its digits.
 std::vector<std::string> told(const Numbers& numbers, const std::string& text) {
   std::vector<std::string> found;
   const std::vector<Written> all = numbers_in(text);
@@ -140,13 +139,13 @@ std::vector<std::string> told(const Numbers& numbers, const std::string& text) {
   return found;
 }
 
-/// What submissions do wrong, and what is asked of them, of which each fails some.
+/// Mistakes of submissions, and items of which each submission fails some.
 const std::vector<std::string> kMistakes = {"u_and_w_flipped", "normalize_discarded", "far_root",
                                             "float_directions", "top_from_right"};
 constexpr const char* kLaws[] = {"frame",     "direction",    "unit-direction", "parameter",
                                  "hit-point", "nearest-root", "pixel-point",    "ray-origin"};
 
-/// How items are shown: their visibility and detail.
+/// An item's visibility and detail.
 using Shown = std::vector<std::pair<std::string, std::string>>;
 
 struct Told {
@@ -179,12 +178,12 @@ Told told_to_students(const std::string& format, const Shown& shown,
 
 class EachResultsFormat : public testing::TestWithParam<const char*> {};
 
-TEST_P(EachResultsFormat, TellsNoNumberThatIsWithheld) {
+TEST_P(EachResultsFormat, ContainsNoWithheldNumber) {
   Shown shown = {
       {"visible", "actual-only"},       {"visible", "nothing"}, {"hidden", "full"},
       {"hidden", "actual-only"},        {"hidden", "nothing"},  {"after_published", "nothing"},
       {"after_due_date", "actual-only"}};
-  // Gradescope itself keeps items until they are due.
+  // Gradescope itself hides items until they are due.
   if (GetParam() != std::string("gradescope")) shown.emplace_back("after_due_date", "full");
   const Told all = told_to_students(GetParam(), shown, {"failing", "first_wrong"},
                                     {"exact", "error", "condition"});
@@ -193,7 +192,7 @@ TEST_P(EachResultsFormat, TellsNoNumberThatIsWithheld) {
                                 << " are told, the first: " << all.told.front();
 }
 
-TEST_P(EachResultsFormat, TellsWhatIsNotWithheldSoThatItWouldBeFound) {
+TEST_P(EachResultsFormat, ContainsNumbersThatAreNotWithheld) {
   const Told all = told_to_students(GetParam(), {{"visible", "full"}}, {"failing"}, {"exact"});
   EXPECT_GE(all.secrets, 5u);
   EXPECT_EQ(all.told.size(), all.secrets);
@@ -202,7 +201,7 @@ TEST_P(EachResultsFormat, TellsWhatIsNotWithheldSoThatItWouldBeFound) {
 INSTANTIATE_TEST_SUITE_P(Formats, EachResultsFormat, testing::Values("gradescope", "prairielearn"),
                          [](const auto& the_test) { return std::string(the_test.param); });
 
-TEST(Redaction, names_no_item_that_is_hidden) {
+TEST(Redaction, does_not_name_hidden_items) {
   const Grading grading;
   const std::string frame = functions("frame", "course", 4);
   const std::string items = item_of("covert", "visibility = \"hidden\"\npoints = 1", frame) +
@@ -213,7 +212,7 @@ TEST(Redaction, names_no_item_that_is_hidden) {
   EXPECT_EQ(item(grading.result("mine"), "open")["reason"]["item"], "covert");
   const std::string text = given_to_student(grading, "mine");
   EXPECT_FALSE(has(text, "covert"));
-  expect_parts(text, {"left out: it needs other items"});
+  expect_parts(text, {"left out: it needs another item to have all points"});
 }
 
 }  // namespace

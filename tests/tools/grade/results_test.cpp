@@ -1,12 +1,12 @@
-// The files that `grade` writes, as those read them that they are for.
+// The files that `grade` writes, read as their users read them.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// 34 points for functions, an item hidden and one shown late, a bonus of 10, and an item that
-/// only renderers are asked.
+/// 34 points for functions, a hidden item, an item shown late, a bonus of 10, and an item for
+/// renderers only.
 std::string rubric_of(const Grading& grading) {
   return grading.short_rubric(
       "", item_of("ray origin", "points = 10\nvisibility = \"hidden\"",
@@ -86,7 +86,7 @@ void expect_prairielearn(const Grading& grading) {
   EXPECT_FALSE(results(grading, "right").contains("format_errors"));
 }
 
-TEST(Results, of_a_class_are_what_each_system_reads) {
+TEST(Results, of_a_class_have_the_format_of_each_system) {
   const Grading grading;
   const std::string rubric = rubric_of(grading);
   const std::vector<std::string> folders = {
@@ -99,7 +99,7 @@ TEST(Results, of_a_class_are_what_each_system_reads) {
   const std::string printed = graded("gradescope");
   expect_parts(printed, {"4 submissions graded"});
   expect_gradescope(grading);
-  // The grades are those of the run before: only what is written is another.
+  // The grades are those of the previous run: only the written format differs.
   graded("prairielearn");
   expect_prairielearn(grading);
   const std::string table = graded("csv");
@@ -112,7 +112,7 @@ TEST(Results, of_a_class_are_what_each_system_reads) {
   EXPECT_EQ(report["submissions"][1], grading.result(kOdd));
 }
 
-TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
+TEST(ClassResults, show_the_points_for_submissions_that_could_not_be_judged) {
   const Grading grading;
   const std::string hits = functions("class", "course", 6, kGivenRays);
   const std::string rubric = grading.short_rubric(
@@ -128,7 +128,7 @@ TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
   expect_parts(grading.file("", "grades.csv"), {"\nbroken,25,100,,,"});
   expect_parts(grading.file("", "index.html"), {"gives them 25% of the points"});
   expect_parts(grading.file("broken", "report.html"),
-               {"could not be judged, for which there are 25 of 100"});
+               {"could not be judged; such a submission gets 25 of 100"});
   EXPECT_EQ(grading.result("broken")["score"], 25);
   EXPECT_FALSE(grading.result("broken")["refused"].is_null());
   const Outcome one = grading.grade(rubric, {broken}, "one", "--format prairielearn");
@@ -139,7 +139,7 @@ TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
   expect_parts(prairielearn["message"], {"could not be judged"});
 }
 
-/// What a page refers to: addresses and sources.
+/// The references of a page: addresses and sources.
 std::vector<std::string> references(const std::string& html) {
   static const std::regex reference(
       "(?:href|src|action|poster|data|srcset)=\"([^\"]*)\"|url\\(([^)]*)\\)|@import|<script");
@@ -150,7 +150,7 @@ std::vector<std::string> references(const std::string& html) {
   return found;
 }
 
-/// `check` fails a submission on the case that its page shows, and a right one not.
+/// `check` fails a submission on the case that its page shows, but not a right one.
 void expect_case_for_check(const Grading& grading, const std::string& library) {
   const json failing = item(grading.result("wrong"), "nearest root")["failing"];
   const std::string scene = grading.path("out/wrong/nearest-root.toml");
@@ -162,7 +162,7 @@ void expect_case_for_check(const Grading& grading, const std::string& library) {
       0);
 }
 
-TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) {
+TEST(Pages, are_self_contained_and_escape_the_submissions_text) {
   const Grading grading;
   const std::string name = "<b>x&\"";
   const std::string escaped = "&lt;b&gt;x&amp;&quot;";
@@ -200,8 +200,8 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
   expect_case_for_check(grading, grading.path("submissions/wrong/far_root.so"));
 }
 
-TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_judged) {
-  // Two make the same mistake, and one cannot be judged.
+TEST(ClassResults, rank_mistakes_by_students_and_separate_unjudged_submissions) {
+  // Two submissions make the same mistake, and one cannot be judged.
   const Grading grading;
   const Outcome outcome = grading.grade(
       grading.short_rubric("", kNearestRoot + kPixelZeroZero),

@@ -1,11 +1,11 @@
-// Rubrics and command lines that are wrong: nothing is graded, and it is said why.
+// Invalid rubrics and command lines: nothing is graded, and the reason is printed.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Right as it stands; each test replaces a part of it.
+/// A valid rubric; each test replaces a part of it.
 constexpr const char* kRubric = R"(title = "A rubric"
 [[form]]
 has = "rays.py"
@@ -21,7 +21,7 @@ cases = 4
 
 struct Wrong {
   std::string part, instead;
-  std::string said;  ///< Line, field, value and what is wrong.
+  std::string said;  ///< The expected error: line, field, value and reason.
 };
 
 constexpr const char *kTitle = "title = \"A rubric\"", *kWorth = "points = 4",
@@ -50,11 +50,11 @@ const std::vector<Wrong> kWrong = {
     {kTitle, "limits = { file_mib = 0 }", "1: limits.file_mib = 0: must be 1 to 1048576"},
     {kTitle, "limits = { file = 1 }", "1: limits.file = 1: unknown key; limits accepts seconds, "},
     {"candidate = \"command:python3 {file}\"", "candidate = \"command:{program}\"",
-     "4: form[0].candidate = \"command:{program}\": {program} is what build = \"auto\" makes"},
+     "4: form[0].candidate = \"command:{program}\": {program} requires build = \"auto\""},
     {"candidate =", "build = \"auto\"\ncandidate =",
-     "5: form[0].candidate = \"command:python3 {file}\": build = \"auto\" needs {program}"},
+     "5: form[0].candidate = \"command:python3 {file}\": build = \"auto\" requires {program}"},
     {"has =", "hass =", "3: form[0].hass = \"rays.py\": unknown key; form accepts has, "},
-    {"rays.py", "a/rays.py", "3: form[0].has = \"a/rays.py\": names a file of the submission's"},
+    {"rays.py", "a/rays.py", "3: form[0].has = \"a/rays.py\": must be a file name, without"},
     {"candidate = \"command:python3 {file}\"\n", "", "2: form[0].candidate: is missing"},
     {"command:python3", "run:python3",
      "4: form[0].candidate = \"run:python3 {file}\": unknown kind 'run'; give library:PATH.so, "},
@@ -67,15 +67,15 @@ const std::vector<Wrong> kWrong = {
      "8: item[0].credit = \"some\": must be one of all, share, steps"},
     {kWorth, "points = 4\ncredit = \"steps\"", "item[0].steps: is missing: [[share, "},
     {kWorth, "points = 4\nsteps = [[1, 1]]",
-     "8: item[0].steps = [[1, 1]]: goes with credit = \"steps\""},
+     "8: item[0].steps = [[1, 1]]: requires credit = \"steps\""},
     {kWorth, "points = 4\ncredit = \"steps\"\nsteps = [[1, 2]]",
      "9: item[0].steps[0][1] = 2: must be between 0 and 1"},
     {kWorth, "points = 4\ncredit = \"steps\"\nsteps = [[1]]",
      "9: item[0].steps[0] = [1]: must be [share, credit]"},
     {kWorth, "points = 4\nrequires = [\"two\"]",
-     "8: item[0].requires[0] = \"two\": is no item before this one"},
+     "8: item[0].requires[0] = \"two\": is not the name of an earlier item"},
     {kWorth, "points = 4\nrequires = [\"one\"]",
-     "8: item[0].requires[0] = \"one\": is no item before this one"},
+     "8: item[0].requires[0] = \"one\": is not the name of an earlier item"},
     {kWorth, "points = 4\nvisibility = \"secret\"",
      "8: item[0].visibility = \"secret\": must be one of visible, after_due_date, "},
     {kWorth, "points = 4\ndetail = \"some\"",
@@ -83,8 +83,8 @@ const std::vector<Wrong> kWrong = {
     {kWorth, "points = 4\ntolerance = { abs = 1 }",
      "8: item[0].tolerance.abs = 1: unknown key; item[0].tolerance accepts ulp, conditioning"},
     {"\"class\"", "\"clas\"",
-     "9: item[0].functions.laws[0] = \"clas\": is no law; `raycheck list`"},
-    {"\"class\"", "", "9: item[0].functions.laws = []: names no law"},
+     "9: item[0].functions.laws[0] = \"clas\": is not a law; `raycheck list`"},
+    {"\"class\"", "", "9: item[0].functions.laws = []: is empty"},
     {"laws = [\"class\"]\n", "", "item[0].functions.laws: is missing"},
     {"\"course\"", "\"courses\"",
      "10: item[0].functions.sources[0] = \"courses\": no source of cases is called 'courses'"},
@@ -92,8 +92,8 @@ const std::vector<Wrong> kWrong = {
     {kCases, "cases = 0", "11: item[0].functions.cases = 0: must be 1 to 1000000"},
     {kCases, "cases = 1.5", "11: item[0].functions.cases = 1.5: must be a whole number"},
     {"cases = 4\n", "", "item[0].functions.cases: is missing"},
-    {"sources = [\"course\"]\n", "", "10: item[0].functions.cases = 4: goes with sources"},
-    {"sources = [\"course\"]\ncases = 4\n", "", "names neither scenes nor sources"},
+    {"sources = [\"course\"]\n", "", "10: item[0].functions.cases = 4: requires sources"},
+    {"sources = [\"course\"]\ncases = 4\n", "", "needs scenes or sources"},
     {kCases, "cases = 4\nrays = \"yours\"",
      "12: item[0].functions.rays = \"yours\": must be one of own, given"},
     {kCases, "cases = 4\njudge = \"mask\"", "12: item[0].functions.judge = \"mask\": unknown"},
@@ -113,15 +113,15 @@ const std::vector<Wrong> kWrong = {
     {kAsked, "[item.pictures]\nvary = [\"size\", \"colour\"]",
      "9: item[0].pictures.vary[1] = \"colour\": must be one of scale, size, spheres, border"},
     {"[item.functions]\nlaws = [\"class\"]\nsources = [\"course\"]\ncases = 4\n", "",
-     "item[0].functions: is missing, and so is pictures: the item asks nothing"},
+     "item[0].functions: is missing, and so is pictures; give at least one of them"},
     {"cases = 4\n", "cases = 4\n[[item]]\nname = \"one\"\npoints = 1\n",
-     "13: item[1].name = \"one\": is the name of an item before it"},
+     "13: item[1].name = \"one\": is already the name of an earlier item"},
     {"[[item]]\nname = \"one\"\npoints = 4\n[item.functions]\nlaws = [\"class\"]\n"
      "sources = [\"course\"]\ncases = 4\n",
      "", "item: is missing"},
 };
 
-TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
+TEST(Rubric, with_an_error_is_refused_with_file_line_field_and_value) {
   const Grading grading;
   const std::string folder = grading.submit("mine", "rays.py");
   for (const auto& [part, instead, said] : kWrong) {
@@ -137,7 +137,7 @@ TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
   EXPECT_EQ(grading.result("mine")["score"], 4);
 }
 
-TEST(Rubric, whose_scene_is_wrong_fails_with_the_line_of_both) {
+TEST(Rubric, with_an_error_in_a_scene_is_refused_with_the_line_of_both) {
   const Grading grading;
   grading.write("scene.toml", sphere_text("0, 0, 0", "-1"));
   std::string text = kRubric;
@@ -163,14 +163,14 @@ TEST_F(GradeCommand, fails_with_2_and_grades_nothing) {
   EXPECT_EQ(contents(taken), "a file");
 }
 
-TEST_F(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
+TEST_F(GradeCommand, grades_other_submissions_if_one_fits_no_form) {
   const std::string other = grading.write("submissions/other/main.rb", "puts 1\n");
   const std::string nothing = grading.path("submissions/nothing");
   fs::create_directories(nothing);
   grading.grade(grading.short_rubric("", kNearestRoot),
                 {grading.path("submissions/other"), nothing, grading.submit("mine", "rays.py")});
-  for (const auto& [name, why] : {std::pair("other", "there is nothing in it to build or run"),
-                                  std::pair("nothing", "there is no file in it")}) {
+  for (const auto& [name, why] : {std::pair("other", "there is nothing to build or run"),
+                                  std::pair("nothing", "it contains no files")}) {
     const auto result = grading.result(name);
     EXPECT_EQ(result["score"], 0);
     expect_parts(result["refused"]["why"], {why});
@@ -178,7 +178,7 @@ TEST_F(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
   EXPECT_EQ(grading.result("mine")["score"], 10);
 }
 
-TEST_F(GradeCommand, grades_the_others_when_names_are_no_text) {
+TEST_F(GradeCommand, grades_other_submissions_if_names_are_not_text) {
   const std::string text = contents(grading.submit("mine", "rays.py") + "/rays.py");
   const std::string odd =
       "o\xff"

@@ -1,12 +1,11 @@
-// What a rubric's keys do to the points, and to what students see; the rubrics that come with
-// raycheck.
+// The effect of a rubric's keys on points and students' pages; and the shipped rubrics.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// The submission with this mistake, graded by a rubric of these items.
+/// Grades the submission with this mistake by a rubric of these items.
 json graded(const Grading& grading, const std::string& items, const std::string& file,
             const std::string& mistake, const std::string& more = "",
             const std::string& keys = "") {
@@ -20,11 +19,11 @@ json graded(const Grading& grading, const std::string& items, const std::string&
 
 class RubricKeys : public GradingTest {};
 
-TEST_F(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
+TEST_F(RubricKeys, credit_turns_the_share_of_holding_cases_into_points) {
   const std::string nearest = functions("nearest-sphere", "course", 40, kGivenRays);
   const std::string share = "points = 8\ncredit = \"share\"";
   const std::string steps = "points = 8\ncredit = \"steps\"\nsteps = ";
-  // Each alone: several would have one mistake cost the first of them only.
+  // One at a time: together, the mistake would cost only the first item.
   const auto wrong = [&](const std::string& keys) {
     const json result =
         graded(grading, item_of("one", keys, nearest), "rays.cpp", "first_sphere_wins");
@@ -50,7 +49,7 @@ TEST_F(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
   EXPECT_EQ(right["score"], 20) << "the last step gives but half";
 }
 
-TEST_F(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
+TEST_F(RubricKeys, a_mistake_costs_one_item_and_other_items_follow) {
   const std::string nearest = functions("nearest-sphere", "course", 40, kGivenRays);
   const json result =
       graded(grading,
@@ -68,7 +67,7 @@ TEST_F(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
   EXPECT_EQ(result["score"], 6);
 }
 
-TEST_F(RubricKeys, requires_leaves_out_what_cannot_be_right) {
+TEST_F(RubricKeys, requires_leaves_out_dependent_items) {
   const std::string hits = functions("class", "course", 40, kGivenRays);
   const json result = graded(
       grading,
@@ -80,7 +79,8 @@ TEST_F(RubricKeys, requires_leaves_out_what_cannot_be_right) {
       "rays.cpp", "u_flipped");
   EXPECT_EQ(item(result, "frame")["state"], "fails");
   expect_values(item(result, "seen"), {{"state", "not asked"}, {"points", 0}});
-  EXPECT_EQ(item(result, "hit")["state"], "holds") << "what is not asked holds nobody up";
+  EXPECT_EQ(item(result, "hit")["state"], "holds")
+      << "an item that is not asked does not count as a prerequisite";
   expect_values(item(result, "after"),
                 {{"state", "left out"},
                  {"reason", json({{"kind", "needs"}, {"item", "frame"}, {"state", "fails"}})}});
@@ -92,7 +92,7 @@ TEST_F(RubricKeys, requires_leaves_out_what_cannot_be_right) {
   expect_values(result, {{"score", 4}, {"points", 29}});
 }
 
-TEST_F(RubricKeys, tolerance_of_the_item_or_else_of_the_rubric_decides_what_floats_are_worth) {
+TEST_F(RubricKeys, tolerance_of_the_item_overrides_that_of_the_rubric) {
   const auto judged = [&](const std::string& tolerance, const std::string& mistake,
                           const std::string& of_rubric = "") {
     const json result = graded(
@@ -115,7 +115,7 @@ TEST_F(RubricKeys, tolerance_of_the_item_or_else_of_the_rubric_decides_what_floa
   EXPECT_EQ(judged("tolerance = { conditioning = 1 }", "none"), 1);
 }
 
-TEST_F(RubricKeys, judge_mask_counts_whether_a_sphere_is_seen_and_not_which) {
+TEST_F(RubricKeys, judge_mask_ignores_which_sphere_is_shown) {
   const std::string scenes = "\nscenes = [\"lecture7/overlap.toml\"]";
   const auto items =
       item_of("mask", "points = 1", "[item.pictures]\njudge = \"mask\"" + scenes) +
@@ -132,9 +132,8 @@ TEST_F(RubricKeys, judge_mask_counts_whether_a_sphere_is_seen_and_not_which) {
   EXPECT_EQ(right["points"], 1) << "a bonus comes on top";
 }
 
-/// What students read of an item that is withheld so, in report.html and results.json; numbers are
-/// those of redaction_test.cpp.
-TEST_F(RubricKeys, detail_and_visibility_withhold_what_they_say) {
+/// Texts about withheld items in report.html and results.json; redaction_test.cpp checks numbers.
+TEST_F(RubricKeys, detail_and_visibility_withhold_information) {
   for (const char* format : {"gradescope", "prairielearn"}) {
     const auto read = [&](const std::string& keys) {
       graded(grading,
@@ -152,7 +151,7 @@ TEST_F(RubricKeys, detail_and_visibility_withhold_what_they_say) {
     expect_parts(nothing, {"fails 37 of 37 cases"});
     read("visibility = \"hidden\"");
     const std::string hidden = grading.file("far_root", "report.html");
-    expect_parts(hidden, {"1 item is in the score and not shown.", ">0 of 3<"});
+    expect_parts(hidden, {"not shown, but in the score: 1 item.", ">0 of 3<"});
     for (const auto& [text, parts] :
          {std::pair(actual, std::vector{"<dt>exact</dt>", "  exact "}),
           {nothing, {sentence.c_str(), "root, ray ", "[[sphere]]", "%5B%5Bsphere%5D%5D", "data:"}},
@@ -162,7 +161,7 @@ TEST_F(RubricKeys, detail_and_visibility_withhold_what_they_say) {
   }
 }
 
-TEST(RubricCommand, prints_one_that_works_without_its_scenes_beside_it) {
+TEST(RubricCommand, prints_a_rubric_that_works_without_its_scenes) {
   const Grading grading;
   const Outcome printed = run("rubric lecture7", 0);
   EXPECT_EQ(printed.out, contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + kLecture7));
@@ -176,7 +175,7 @@ TEST(RubricCommand, prints_one_that_works_without_its_scenes_beside_it) {
   EXPECT_TRUE(has(names.out, "rubric/lecture7/frame.toml ")) << "scenes are packed";
 }
 
-TEST(RubricCommand, copies_one_with_its_scenes_and_writes_over_nothing) {
+TEST(RubricCommand, copies_a_rubric_with_its_scenes_and_overwrites_nothing) {
   const Grading grading;
   const std::string out = grading.path("copy/of/it");
   const Outcome copied = run("rubric lecture7 --out '" + out + "'", 0);
@@ -193,11 +192,11 @@ TEST(RubricCommand, copies_one_with_its_scenes_and_writes_over_nothing) {
             "wrote " + out + "/lecture7.toml and " + std::to_string(scenes) + " scenes\n");
   grading.write("copy/of/it/lecture7.toml", "mine");
   const Outcome again = run("rubric lecture7.toml --out '" + out + "'", 2);
-  expect_parts(again.err, {"out " + out + ": lecture7", " is there already"});
+  expect_parts(again.err, {"out " + out + ": lecture7", " exists already"});
   EXPECT_EQ(contents(out + "/lecture7.toml"), "mine");
 }
 
-TEST(RubricScenes, lie_beside_the_rubric_before_they_are_those_that_come_with_raycheck) {
+TEST(RubricScenes, beside_the_rubric_are_preferred_to_shipped_scenes) {
   const Grading grading;
   const std::string rubric = grading.short_rubric("", kPixelZeroZero);
   const std::string right = grading.submit_built("right", "rt.cpp", "none");
@@ -207,7 +206,7 @@ TEST(RubricScenes, lie_beside_the_rubric_before_they_are_those_that_come_with_ra
   expect_parts(grading.grade(rubric, {right}, "out", "", 2).err, {beside});
 }
 
-TEST_F(RubricKeys, why_is_said_beside_what_is_asked) {
+TEST_F(RubricKeys, why_is_printed_with_the_question) {
   const std::string asked = "points = 4\nasks = \"U & V\"\nwhy = \"A <b> left hand\"";
   grading.grade(grading.short_rubric("", item_of("frame", asked, functions("frame", "course", 6))),
                 {grading.submit_built("wrong", "rays.cpp", "u_flipped"),

@@ -1,21 +1,21 @@
-// What is kept between runs: nothing is built or asked twice, and nothing else is believed.
+// The store between runs: nothing is built or asked twice, and changed files are ignored.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// Builds and programs may say, in files of the test, that they were started.
+/// Builds and programs may record their starts in files of the test.
 const std::string kUnkept = std::string(kLimitsOnly) + "--format json ";
 
-/// A function that is right about spheres; what is done when it starts comes first.
+/// A right `intersect`; commands to run at the start come before it.
 const std::string kHits =
     replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.py"),
              "frame=frame, pixel_point=pixel_point, pixel_ray=pixel_ray,\n"
              "           focal_ray=focal_ray, intersect=intersect, nearest=nearest",
              "intersect=intersect");
 
-/// The same, where intersect does something first.
+/// The same with a command at the beginning of intersect.
 std::string hits_but_first(const std::string& line) {
   const std::string start = "    (origin, d), (centre, r) =";
   return replaced(kHits, start, "    " + line + "\n" + start);
@@ -23,7 +23,7 @@ std::string hits_but_first(const std::string& line) {
 
 class Store : public testing::Test {
  protected:
-  /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.py`.
+  /// A rubric of one item for programs `rays.py` and renderers `rt.py`.
   std::string rubric(int points, const std::string& more = "") const {
     return grading.write("rubric.toml", "reply_seconds = 1\n" + more + R"(
 [driver]
@@ -42,7 +42,7 @@ candidate = "renderer:python3 {file} {scene} {image}"
                                                         pictures("full.toml")));
   }
 
-  /// A submission that says that it is started.
+  /// A submission that records its starts.
   std::string submit(const std::string& name, const std::string& file, const std::string& text) {
     const std::string starts = "'" + grading.path("starts") + "'";
     return grading.hand_in(name, file, "open(" + starts + ", 'a').write('x\\n')\n" + text);
@@ -58,7 +58,7 @@ candidate = "renderer:python3 {file} {scene} {image}"
     return json::parse(grading.grade(by, folders, out, kUnkept).out);
   }
 
-  /// What a grade says, times aside.
+  /// A grade without times.
   static json said(json result) {
     for (const char* key : {"build_seconds", "judge_seconds", "build_is_stored"}) {
       result.erase(key);
@@ -73,7 +73,7 @@ candidate = "renderer:python3 {file} {scene} {image}"
   Grading grading;
 };
 
-TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
+TEST_F(Store, reuses_builds_and_answers_after_a_change_of_an_item) {
   const std::vector<std::string> folders = {
       submit("functions", "rays.py", kHits), submit("pictures", "rt.py", renderer_in_python()),
       submit("wrong", "rt.py",
@@ -100,8 +100,8 @@ TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
   for (const std::size_t right : {0, 1}) EXPECT_EQ(again["submissions"][right]["score"], 12);
 }
 
-TEST_F(Store, gives_the_same_reason_for_a_program_that_makes_no_picture) {
-  // It exits with 3 in the first form, and comes farther in the others.
+TEST_F(Store, gives_the_same_reason_again_for_a_program_without_a_picture) {
+  // It exits with 3 in the first form, and gets farther in the others.
   const std::string program = submit("mine", "rt.py", "first = '" + grading.path("first") + R"py('
 import os, sys
 asked = open(sys.argv[1]).read()
@@ -122,7 +122,7 @@ sys.exit(3 if asked == open(first).read() else 0)
   EXPECT_EQ(lines("starts"), starts);
 }
 
-TEST_F(Store, builds_equal_submissions_once_and_asks_what_has_changed_or_was_not_asked) {
+TEST_F(Store, builds_equal_submissions_once_and_asks_only_new_or_changed_questions) {
   const std::string folder = submit("mine", "rays.py", kHits);
   const json report = graded(
       rubric(10), {folder, submit("two", "rays.py", kHits), submit("three", "rays.py", kHits)});
@@ -142,7 +142,7 @@ TEST_F(Store, builds_equal_submissions_once_and_asks_what_has_changed_or_was_not
   EXPECT_EQ(asked_again("", "--seed 2")["seed"], 2);
 }
 
-TEST_F(Store, refuses_what_is_not_as_it_was_kept) {
+TEST_F(Store, ignores_stored_files_that_were_changed) {
   const std::string folder = submit("mine", "rays.py", kHits);
   graded(rubric(10), {folder});
   const std::size_t starts = lines("starts");
@@ -169,7 +169,7 @@ TEST_F(Store, refuses_what_is_not_as_it_was_kept) {
   EXPECT_EQ(lines("builds"), 2u);
 }
 
-TEST_F(Store, keeps_no_failure_that_time_may_mend) {
+TEST_F(Store, does_not_store_failures_that_may_be_temporary) {
   const std::string there = grading.path("there");
   const std::string folder =
       submit("slow", "rays.py",
@@ -180,7 +180,7 @@ TEST_F(Store, keeps_no_failure_that_time_may_mend) {
   EXPECT_EQ(graded(rubric(11), {folder})["submissions"][0]["score"], 11);
 }
 
-TEST_F(Store, keeps_that_replies_took_too_long) {
+TEST_F(Store, stores_time_outs_of_replies) {
   const std::string folder =
       submit("hangs", "rays.py", hits_but_first("import time; time.sleep(60)"));
   const json first = graded(rubric(10), {folder});
@@ -191,8 +191,8 @@ TEST_F(Store, keeps_that_replies_took_too_long) {
   EXPECT_EQ(lines("starts"), starts);
 }
 
-/// The shards of a class: whoever is graded is not graded again, and the class is what one run
-/// makes.
+/// The shards of a class: a graded submission is not graded again, and the result equals that of
+/// one run.
 TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
   std::vector<std::string> folders;
   for (const char* name : {"ada", "ben", "cleo"}) folders.push_back(submit(name, "rays.py", kHits));
@@ -218,7 +218,7 @@ TEST_F(Store, grades_a_class_in_shards_into_one_folder) {
   EXPECT_TRUE(fs::exists(grading.path("out/index.html")));
 }
 
-TEST_F(Store, is_its_owners_and_no_submission_is_called_so) {
+TEST_F(Store, is_accessible_to_its_owner_only_and_its_name_is_reserved) {
   const std::string folder = submit("mine", "rays.py", kHits);
   graded(rubric(10), {folder});
   struct stat status {};

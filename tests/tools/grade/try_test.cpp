@@ -1,12 +1,11 @@
-// What students do at home: `try` says what `grade` says, and the commands that their pages name
-// are run in a copy of the hand-in.
+// `try` reports the same as `grade`, and a page's commands work in a copy of the submission.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// The files of a folder that students are given.
+/// The files of a folder that students get.
 std::map<std::string, std::string> files_of(const std::string& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -29,7 +28,7 @@ std::vector<std::string> item_lines(const std::string& text) {
   std::string line;
   std::getline(stream, line);
   while (std::getline(stream, line) && !line.empty() && !line.starts_with("see ") &&
-         !line.starts_with("written: ") && !has(line, " in the score and not shown")) {
+         !line.starts_with("written: ") && !has(line, "not shown, but in the score")) {
     const bool is_of_items = !line.starts_with("isolated by: ") && !has(line, " submission graded");
     if (is_of_items) lines.push_back(line);
   }
@@ -60,7 +59,7 @@ TEST(TryCommand, agrees_with_grade_in_every_file_and_line) {
   }
 }
 
-TEST(TryCommand, shows_what_students_may_see_and_counts_all) {
+TEST(TryCommand, shows_visible_items_and_counts_all) {
   const Grading grading;
   const std::string root = kNearestRoot;
   const std::string rubric = grading.short_rubric(
@@ -71,7 +70,7 @@ TEST(TryCommand, shows_what_students_may_see_and_counts_all) {
   const Outcome graded = grading.grade(rubric, {submission});
   const Outcome tried = try_it(grading, rubric, submission);
   EXPECT_FALSE(has(tried.out, "camera frame")) << tried.out;
-  expect_parts(tried.out, {"\n  1 item is in the score and not shown\n"});
+  expect_parts(tried.out, {"\n  not shown, but in the score: 1 item\n"});
   const std::size_t at = tried.out.find("\nnearest root\n");
   ASSERT_NE(at, std::string::npos) << tried.out;
   const std::string told = tried.out.substr(at, tried.out.find("\n\n", at) - at);
@@ -83,22 +82,23 @@ TEST(TryCommand, shows_what_students_may_see_and_counts_all) {
   EXPECT_EQ(files_of(grading.path("tried/mine")), files_of(grading.path("out/mine")));
 }
 
-/// Enough to fail by what is wrong with the camera.
+/// Enough cases to fail by a wrong camera.
 const std::string kFewPictures =
     item_of("a few pictures", "points = 10",
             "[item.pictures]\njudge = \"mask\"\n"
             "scenes = [\"lecture7/wide.toml\", \"lecture7/orientation.toml\"]");
 
-/// Tries a hand-in with a mistake, and does in a copy of its folder what the report says of the
-/// first item that fails.
+/// Tries a submission with a mistake, and runs in a copy of its folder the report's commands for
+/// the first failing item.
 void expect_the_commands_to_work(const Grading& grading, const std::string& hand_in,
                                  const std::string& head = "") {
   const std::string rubric = grading.write("few.toml", head + kAsTheyCome + kFewPictures);
   const Outcome tried =
       run("try '" + rubric + "' '" + hand_in + "' --out '" + grading.path("out") + "'", 1);
-  const std::string build = behind("\n  Build it as here, in a copy of your folder: ", tried.out);
-  const std::string draw = behind("\n  Draw it: ", tried.out);
-  const std::string check = behind("\n  Judge every pixel of it: ", tried.out);
+  const std::string build =
+      behind("\n  Build it as the grader did, in a copy of your folder: ", tried.out);
+  const std::string draw = behind("\n  Draw the case: ", tried.out);
+  const std::string check = behind("\n  Check every pixel: ", tried.out);
   ASSERT_FALSE(build.empty()) << tried.out;
   ASSERT_FALSE(draw.empty()) << tried.out;
   ASSERT_FALSE(check.empty()) << tried.out;
@@ -115,7 +115,7 @@ void expect_the_commands_to_work(const Grading& grading, const std::string& hand
   expect_parts(at_home.out, {"image"});
 }
 
-TEST(Home, BuildsAsItWasBuilt) {
+TEST(Home, CommandsBuildAndRepeatAsGraded) {
   const std::vector<std::map<std::string, std::string>> hand_ins = {
       {{"rt.cpp", renderer_in_c()}},
       // By a Makefile in a folder below, without leaving the folder.
@@ -134,7 +134,7 @@ TEST(Home, BuildsAsItWasBuilt) {
     for (const auto& [name, text] : files) grading.write("mine/" + name, text);
     expect_the_commands_to_work(grading, grading.path("mine"), "[driver]\npreset = \"B\"\n");
   }
-  // Of a form of driver files that has to be said.
+  // With a form of driver files that the command must name.
   expect_the_commands_to_work(Grading(), RAYCHECK_SOURCE_DIR "/tests/submissions/class/kofi");
 }
 

@@ -1,13 +1,13 @@
-// Cases that a wrapper's form of scene files cannot express: they leave the total, by the word of
-// the instructor's wrapper alone.
+// Cases that a wrapper's scene format cannot express leave the total; only the instructor's wrapper
+// can declare them.
 
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// wrap.sh PROGRAM... SCENE IMAGE, whose form has no bounds that are not symmetric. It passes on
-/// with what its program ends.
+/// wrap.sh PROGRAM... SCENE IMAGE, whose format has only symmetric bounds. It passes on its
+/// program's exit code.
 constexpr const char* kWrapper = R"(while [ $# -gt 2 ]; do program="$program $1"; shift; done
 awk '$1 == "bounds" && $2 != -$3 { exit 1 }' "$1" || exit 77
 exec $program "$1" "$2"
@@ -19,12 +19,12 @@ class Unsaid : public GradingTest {
     grading.write("uneven.toml",
                   replaced(contents(grading.path("full.toml")), "right = 1", "right = 2"));
     grading.write("submissions/right/main.py", renderer_in_python());
-    // It draws what the dry run asks, and says of all else that it cannot be said.
+    // It draws the dry run's scene and declares all other cases inexpressible.
     grading.write("submissions/degenerate/rt.py", renderer_in_python("if h != 25: sys.exit(77)\n"));
     wrapper_ = grading.write("wrapper/wrap.sh", kWrapper);
   }
 
-  /// One of them, graded by a rubric with these words before {scene}.
+  /// Grades a submission by a rubric with these words before {scene}.
   void grade(const std::string& name, const std::string& words, const std::string& more = "") {
     const auto item = [](const std::string& called, const std::string& scenes) {
       return item_of(called, "points = 10\ncredit = \"share\"",
@@ -47,8 +47,8 @@ class Unsaid : public GradingTest {
   Outcome outcome_;
 };
 
-TEST_F(Unsaid, cases_leave_the_total_and_every_page_says_how_many) {
-  fs::permissions(grading.path("wrapper"), fs::perms::owner_all);  // of which others get a copy
+TEST_F(Unsaid, cases_leave_the_total_and_every_page_shows_their_number) {
+  fs::permissions(grading.path("wrapper"), fs::perms::owner_all);  // others get a copy
   grade("right", "sh " + wrapper_ + " {program}");
   EXPECT_EQ(points("right"), (std::vector<double>{10, 10}));
   const json result = grading.result("right");
@@ -57,17 +57,17 @@ TEST_F(Unsaid, cases_leave_the_total_and_every_page_says_how_many) {
   EXPECT_EQ(item(result, "none")["unsaid"], 1);
   EXPECT_EQ(item(result, "none")["state"], "not asked");
   EXPECT_EQ(item(result, "none")["reason"]["kind"], "cannot be said");
-  const std::string kAll = "2 of 3 cases cannot be said in its form";
+  const std::string kAll = "2 of 3 cases cannot be written in its input format";
   expect_parts(grading.file("right", "report.html"),
-               {kAll, "; 1 further case cannot be said in its form"});
+               {kAll, "; 1 further case cannot be written in its input format"});
   expect_parts(contents(grading.path("out/index.html")), {kAll});
   expect_parts(outcome_.out, {kAll});
 }
 
-TEST_F(Unsaid, cases_are_never_so_by_the_word_of_whom_is_judged) {
+TEST_F(Unsaid, cases_cannot_be_claimed_by_the_submission) {
   grade("degenerate", "sh " + wrapper_ + " {program}", kLimitsOnly);
   EXPECT_EQ(points("degenerate"), (std::vector<double>{0, 10})) << "the wrapper passes its code on";
-  // And where it lies where the command runs.
+  // Also if it lies in the folder where the command runs.
   const std::string last_two = "while [ $# -gt 2 ]; do shift; done; exec python3 rt.py $1 $2";
   for (const std::string& words :
        {std::string("{program}"), "sh -c '" + last_two + "' sh {program}"}) {

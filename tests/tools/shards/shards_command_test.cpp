@@ -1,4 +1,4 @@
-// Campaigns in shards: whatever did which units, merge reports what one run does.
+// Campaigns in shards: however the units are distributed, merge gives the report of one run.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// A folder that is not there yet, and goes with the test.
+/// The path of a folder that does not exist yet and is removed with the test.
 std::string fresh_folder(const std::string& name) {
   static const std::string all = temporary_folder("shards");
   return all + "/" + name;
@@ -48,14 +48,14 @@ const std::vector<Sharded> kSharded = {
 
 class ShardsOf : public testing::TestWithParam<Sharded> {
  protected:
-  /// The command line, with a scene of some units in place of FAR, and a library in that of FLOATS.
+  /// The command line, with FAR replaced by a scene of several units, and FLOATS by a library.
   static std::string asked() {
     const std::string line = GetParam().asked;
     if (has(line, "FAR")) return replaced(line, "FAR", resized_example("far-sphere.toml", 160));
     if (!has(line, "FLOATS")) return line;
     return replaced(line, "FLOATS", compiled("tests/candidates/float_quadratic.cpp"));
   }
-  /// What one run of it reports.
+  /// The report of one run without shards.
   static const std::string& whole() {
     static std::map<std::string, std::string> known;
     std::string& its = known[GetParam().name];
@@ -64,12 +64,12 @@ class ShardsOf : public testing::TestWithParam<Sharded> {
   }
 };
 
-/// By any number of workers, in any order, some units twice.
+/// With any number of workers, in any order, some units twice.
 TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
   const auto& [name, line, exit_code] = GetParam();
   const std::string twice = fresh_folder(name + "_twice");
   run(asked() + " --shard 1/2 --out " + twice, 0);
-  // What is done in units is one thing for all commands.
+  // The progress of units is the same for all commands.
   const std::vector<int> workers =
       name == "properties" ? std::vector<int>{1, 2, 7, 23} : std::vector<int>{3};
   for (const int of : workers) {
@@ -89,8 +89,8 @@ TEST_P(ShardsOf, merge_to_the_report_of_one_run) {
   }
 }
 
-/// Killed again and again, it goes on with what is missing.
-TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_double_nothing) {
+/// If it is killed repeatedly, it resumes with the missing units.
+TEST_P(ShardsOf, Hostile_that_are_killed_lose_and_repeat_no_unit) {
   const auto& [name, line, exit_code] = GetParam();
   const std::string folder = fresh_folder(name + "_killed");
   std::mt19937 random(7);
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, ShardsOf, testing::ValuesIn(kSharded),
 const std::string kAsked =
     "properties --filter class --source rays --source distance --intersect cross --cases 90";
 
-/// Each test has a copy of what two shards did.
+/// Each test has a copy of the folder of two shards.
 class Merge : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -136,21 +136,22 @@ class Merge : public testing::Test {
                                     testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
-TEST_F(Merge, names_a_unit_that_is_missing_and_how_it_is_done) {
+TEST_F(Merge, names_a_missing_unit_and_the_command_that_computes_it) {
   const std::size_t all = units_in(folder).size();
   fs::remove(units_in(folder)[3]);
   fs::remove(units_in(folder)[3]);
-  expect_refused("merge " + folder,
-                 fmt::format("{}: unit 4 of {} is missing, and 1 more; what is missing is done by "
-                             "raycheck {}, kept there",
-                             folder, all,
-                             "properties --filter class --cases 90 --intersect cross --source rays "
-                             "--source distance"));
+  expect_refused(
+      "merge " + folder,
+      fmt::format("{}: unit 4 of {} is missing, and 1 more; to add the missing units, run "
+                  "raycheck {} with this folder as --out",
+                  folder, all,
+                  "properties --filter class --cases 90 --intersect cross --source rays "
+                  "--source distance"));
   run(kAsked + " --out " + folder, 0);
   EXPECT_EQ(run("merge " + folder, 0).out, run(kAsked, 0).out);
 }
 
-TEST_F(Merge, names_a_unit_that_is_truncated_or_changed) {
+TEST_F(Merge, names_a_truncated_or_changed_unit) {
   const fs::path unit = units_in(folder)[2];
   const std::string whole = contents(unit);
   std::string tampered = whole;
@@ -160,18 +161,18 @@ TEST_F(Merge, names_a_unit_that_is_truncated_or_changed) {
   expect_refused("merge " + folder,
                  unit.string() + ": is larger than the 256 MiB that one may have");
   std::string longer = whole;
-  longer.insert(longer.find('\n'), "0");  // the size that it states
+  longer.insert(longer.find('\n'), "0");  // the stated size
   for (const std::string& bytes :
        {whole.substr(0, whole.size() / 2), std::string(), tampered, longer}) {
     std::ofstream(unit, std::ios::binary) << bytes;
     expect_refused("merge " + folder, unit.string() + ": is truncated or was changed");
-    // Who does units does such a one again.
+    // A shard computes such a unit again.
     run(kAsked + " --shard 1/1 --out " + folder, 0);
     EXPECT_EQ(contents(unit), whole);
   }
 }
 
-TEST_F(Merge, writes_nothing_over_what_it_merges) {
+TEST_F(Merge, does_not_overwrite_its_input) {
   const std::string file = folder + "/campaign.json", whole = contents(file);
   for (const std::string& written :
        {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml",
@@ -183,7 +184,7 @@ TEST_F(Merge, writes_nothing_over_what_it_merges) {
   run("merge " + folder, 0);
 }
 
-TEST_F(Merge, names_what_belongs_to_another_campaign) {
+TEST_F(Merge, names_files_of_another_campaign) {
   const std::string other = fresh_folder("another");
   run(kAsked + " --seed 2 --out " + other, 0);
   expect_refused("merge " + folder + " " + other,
@@ -192,18 +193,19 @@ TEST_F(Merge, names_what_belongs_to_another_campaign) {
                      "--intersect cross");
   expect_refused(kAsked + " --seed 3 --out " + folder, folder + ": holds units of");
   fs::copy_file(units_in(other)[0], fs::path(folder) / units_in(other)[0].filename());
-  expect_refused("merge " + folder, units_in(other)[0].filename().string() + ": is no unit of");
-  // Under the name of this one's.
+  expect_refused("merge " + folder,
+                 units_in(other)[0].filename().string() + ": does not belong to the campaign");
+  // Under the name of a unit of this campaign.
   fs::remove(fs::path(folder) / units_in(other)[0].filename());
   fs::copy_file(units_in(other)[0], units_in(folder)[0], fs::copy_options::overwrite_existing);
   expect_refused("merge " + folder, "is truncated or was changed");
   expect_refused("merge " + fresh_folder("nowhere"), "there is no such folder");
-  expect_refused("merge tests", "tests: holds no campaign");
-  // Named like an option, which it is not.
+  expect_refused("merge tests", "tests: has no units of a campaign");
+  // A folder named like an option.
   expect_refused("merge format", "raycheck: format: there is no such folder");
 }
 
-TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
+TEST_F(Merge, identifies_candidates_by_content) {
   const std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/candidates/float_quadratic.cpp");
   const std::string source = temporary_file("judged.cpp", text);
   const std::string asked =
@@ -211,13 +213,12 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
   const std::string its = fresh_folder("judged");
   run(asked + source + " --shard 1/1 --out " + its, 0);
   std::ofstream(source, std::ios::app) << "// another\n";
-  expect_refused("merge --run-candidates " + its,
-                 "holds units of another " + source + ", which has changed since");
-  // In a folder, with a header, all of it.
+  expect_refused("merge --run-candidates " + its, "holds units of another version of " + source);
+  // A header in a folder counts, too.
   const std::string sources = fresh_folder("sources"), units = fresh_folder("of_sources");
   fs::create_directories(sources + "/deeper");
   std::ofstream(sources + "/deeper/mine.h") << "// mine\n";
-  // However it is included: the compiler says what it read.
+  // However it is included: the compiler lists the files that it read.
   std::ofstream(sources + "/mine.cpp") << "#define MINE \"deeper/mine.h\"\n"
                                        << text << "%:/**/include MINE\n";
   for (const std::string& named : {sources, sources + "/mine.cpp"}) {
@@ -225,12 +226,12 @@ TEST_F(Merge, knows_who_is_judged_by_what_is_in_its_file) {
     const std::string line = asked + named + " --shard 1/1 --out " + units;
     for (int times = 0; times < 2; ++times) run(line, 0);
     std::ofstream(sources + "/deeper/mine.h", std::ios::app) << "// more\n";
-    expect_refused(line, "deeper/mine.h, which has changed since");
+    expect_refused(line, "deeper/mine.h");
   }
 }
 
-/// What somebody else put into it is not done.
-TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
+/// Arguments added to a folder by someone else are not executed.
+TEST_F(Merge, refuses_options_that_shards_never_write) {
   const std::string file = folder + "/campaign.json", victim = temporary_file("victim", "mine");
   const nlohmann::json whole = nlohmann::json::parse(contents(file));
   const auto forge = [&](const std::string& command, const std::vector<std::string>& arguments,
@@ -238,7 +239,7 @@ TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
     nlohmann::json campaign = whole;
     campaign["command"] = command;
     for (const std::string& one : arguments) campaign["arguments"].push_back(one);
-    // With the digest that goes with it.
+    // With the matching digest.
     const tools::CampaignIdentity forged = {command, campaign["arguments"], campaign["version"],
                                             campaign["files"]};
     if (has_digest) campaign["digest"] = forged.digest();
@@ -258,16 +259,16 @@ TEST_F(Merge, takes_nothing_from_a_folder_that_no_shard_writes) {
                                              {"--filter"}}) {
     forge(added[0] == "--package" ? "grade" : "properties", added);
     expect_refused("merge " + folder, "its campaign has " + added[0] +
-                                          ", which no shard writes: the folder was changed");
+                                          ", which raycheck never writes: the folder was changed");
   }
-  // The value of an option is no option.
+  // The value of an option is not read as an option.
   forge("properties", {"--level", "--view=" + victim});
   expect_refused("merge " + folder, "--level");
   EXPECT_EQ(contents(victim), "mine");
 }
 
-/// A candidate that the folder names, and whoever merges it does not know.
-TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
+/// A candidate that only the folder names.
+TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
   const std::string folder = fresh_folder("runs"), ran = fresh_folder("ran");
   const std::string candidate =
       "command:python3 " +
@@ -284,7 +285,8 @@ TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
   const std::string told =
       folder + ": its campaign runs candidates: raycheck properties --filter class --cases 20";
   const Outcome refused = run("merge --sandbox none --i-know " + folder, 2);
-  expect_parts(refused.err, {told, "'" + candidate + "'", "merge it with --run-candidates"});
+  expect_parts(refused.err,
+               {told, "'" + candidate + "'", "add --run-candidates if you trust them"});
   EXPECT_FALSE(fs::exists(ran));
   const Outcome merged = run("merge --run-candidates --sandbox none --i-know " + folder, 0);
   EXPECT_EQ(lines_of(merged.err).front().find("raycheck: " + told), 0u) << merged.err;
@@ -292,8 +294,8 @@ TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
   EXPECT_TRUE(fs::exists(ran));
 }
 
-/// A candidate that hangs on some cases: whatever was asked before, and by however many threads.
-TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
+/// A candidate that hangs on some cases, whatever the earlier questions and the number of threads.
+TEST(Shards, with_time_outs_merge_to_the_report_of_one_run) {
   const std::string asked =
       "properties --candidate 'command:python3 tests/candidates/sometimes_silent.py' "
       "--timeout 0.5 --filter class --source rays --source distance --cases 100 --format json";
@@ -304,9 +306,9 @@ TEST(Shards, of_who_is_silent_now_and_then_are_those_of_one_run) {
   EXPECT_EQ(run("merge --run-candidates --format json " + folder, 1).out, whole);
 }
 
-/// Each request without a reply takes all of its time: laws in tens, sources in tens, and a few
-/// requests.
-TEST(Shards, ask_who_never_replies_a_few_times) {
+/// Each request without a reply takes the whole time limit, so only a few are made, although there
+/// are tens of laws and sources.
+TEST(Shards, drop_a_candidate_that_never_replies) {
   const std::string starts = fresh_folder("starts");
   const std::string hangs = temporary_file(
       "hangs.py", "import raycheck_candidate as rc\nopen('" + starts +
@@ -320,7 +322,7 @@ TEST(Shards, ask_who_never_replies_a_few_times) {
   EXPECT_EQ(run(asked + "2", 1).out, by_one);
 }
 
-TEST(Shards, are_told_by_schedulers) {
+TEST(Shards, are_set_by_schedulers) {
   struct Told {
     std::vector<std::pair<const char*, std::string>> variables;
     std::string shard, said;
@@ -356,22 +358,23 @@ TEST(Shards, are_told_by_schedulers) {
   }
   expect_parts(run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("told"), 0).err,
                {"--format is for merge: a shard reports nothing"});
-  // Without --out nothing of this is meant.
+  // Without --out the variables are ignored.
   const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
   EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));
 }
 
-TEST(Shards, refuse_what_is_no_shard) {
+TEST(Shards, refuse_invalid_numbers) {
   const std::string out = " --out " + fresh_folder("refused");
   expect_refused(kAsked + " --shard 0/3" + out, "there is no shard 0 of 3");
   expect_refused(kAsked + " --shard 4/3" + out, "there is no shard 4 of 3");
   expect_refused(kAsked + " --shard 2" + out, "--shard 2: give K/N");
   expect_refused(kAsked + " --shard two/3" + out, "'two' is not a whole number");
-  expect_refused(kAsked + " --shard auto/3" + out, "no scheduler says the number");
+  expect_refused(kAsked + " --shard auto/3" + out, "auto needs a scheduler");
   expect_refused(kAsked + " --shard 1/3", "--shard requires --out");
   {
     const Variable index("JOB_COMPLETION_INDEX", "0");
-    expect_refused(kAsked + out, "JOB_COMPLETION_INDEX=0: nothing says of how many; give auto/N");
+    expect_refused(kAsked + out,
+                   "JOB_COMPLETION_INDEX=0: the number of shards is unknown; give --shard auto/N");
   }
   {
     const Variable index("SLURM_ARRAY_TASK_ID", "9223372036854775807"),
@@ -381,7 +384,7 @@ TEST(Shards, refuse_what_is_no_shard) {
                    "SLURM_ARRAY_TASK_ID: '9223372036854775807' is not a whole number");
     const Variable between("SLURM_ARRAY_TASK_ID", "3"), first("SLURM_ARRAY_TASK_MIN", "0");
     expect_refused(kAsked + out,
-                   "SLURM_ARRAY_TASK_ID=3: is not 0 and some steps of SLURM_ARRAY_TASK_STEP=2");
+                   "SLURM_ARRAY_TASK_ID=3: is not 0 plus a multiple of SLURM_ARRAY_TASK_STEP=2");
   }
   const Variable index("CI_NODE_INDEX", "0"), count("CI_NODE_TOTAL", "2");
   expect_refused(kAsked + out, "CI_NODE_INDEX=0: there is no shard 0 of 2");
@@ -398,7 +401,7 @@ TEST(Units, are_each_done_by_one_shard) {
   EXPECT_EQ(done, std::vector<int>(100, 1));
 }
 
-TEST(Units, remove_what_a_worker_left_that_was_killed) {
+TEST(Units, remove_temporary_files_of_killed_workers) {
   const std::string folder = fresh_folder("left");
   tools::Units(kCampaign, folder, {}).open(1);
   for (const char* name :
@@ -428,8 +431,8 @@ TEST(Units, that_contradict_each_other_are_named) {
   expect_parts(thrown_by([&] { both.read(0); }), {"contradict each other", a, b});
 }
 
-/// An option that neither table has would end every shard that is given it.
-TEST(Units, depend_on_options_that_are_known) {
+/// A shard given an option that is in neither table would fail.
+TEST(Units, depend_on_listed_options_only) {
   std::set<std::string> known = {"--help",   "--out",     "--shard", "--replay",
                                  "--target", "--package", "--probe", "--for"};
   for (const tools::NamedOption& one : tools::kReportOptions) known.insert(one.name);
@@ -459,8 +462,8 @@ TEST(Units, keep_every_bit_of_a_sketch) {
   EXPECT_EQ(again.quantile(0.999), sketch.quantile(0.999));
 }
 
-/// Results with every kind of part, of which any bytes may be others: nothing worse than a refusal.
-TEST(Units, refuse_bytes_that_are_no_result) {
+/// Results with every kind of part and arbitrary changed bytes: at worst they are refused.
+TEST(Units, refuse_bytes_that_are_not_a_result) {
   using Result = std::vector<properties::CampaignPart>;
   properties::CampaignOptions some;
   some.cases = 20;
@@ -482,7 +485,7 @@ TEST(Units, refuse_bytes_that_are_no_result) {
     EXPECT_THROW(tools::from_bytes<properties::DefectKind>(tools::to_bytes(kind)),
                  std::invalid_argument);
   }
-  // A number of parts that no memory holds.
+  // A length beyond any memory.
   EXPECT_TRUE(is_refused(std::string(8, '\xff') + whole.substr(8)));
   std::mt19937_64 random(1);
   std::size_t refused = 0;

@@ -1,4 +1,4 @@
-// Which ways there are to build what was handed in; those of C and C++ are in plan_c_family.cpp.
+// The ways to build a submission; those of C and C++ are in plan_c_family.cpp.
 
 #include <elf.h>
 #include <fmt/core.h>
@@ -29,7 +29,7 @@ std::vector<std::string> with_ending(const HandedInFiles& files,
   });
 }
 
-/// The files that can be started, judging by their text, likeliest first; a single file always can.
+/// The files that look like a program's start, likeliest first; a single file always counts.
 std::vector<std::string> starting(const HandedInFiles& files, std::vector<std::string> names,
                                   const std::vector<std::string>& signs) {
   if (names.size() == 1) return names;
@@ -46,7 +46,7 @@ std::vector<std::string> starting(const HandedInFiles& files, std::vector<std::s
 
 std::vector<std::string> several_note(const std::vector<std::string>& names) {
   if (names.size() == 1) return {};
-  return {fmt::format("{} of its files could be started; this is {}", names.size(), names.front())};
+  return {fmt::format("{} of its files could be started; {} is used", names.size(), names.front())};
 }
 
 /// Whether there is a `public static void main(`.
@@ -81,7 +81,7 @@ std::string main_class(const std::string& path, const std::vector<std::string_vi
   return first_class.empty() ? "" : package + first_class;
 }
 
-/// The files of Java with a main, likeliest first.
+/// The Java files with a main(), likeliest first.
 std::vector<std::string> java_mains(const HandedInFiles& files) {
   std::vector<std::string> mains = with_ending(files, {".java"});
   std::erase_if(mains, [&](const std::string& name) {
@@ -92,7 +92,7 @@ std::vector<std::string> java_mains(const HandedInFiles& files) {
   return mains;
 }
 
-/// The script that package.json starts, if it was submitted.
+/// The submitted script that package.json names; or empty.
 std::string of_package_json(const HandedInFiles& files) try {
   const auto package = files.find("package.json");
   if (package == files.end()) return "";
@@ -124,7 +124,7 @@ void plan_script(const std::string& interpreter, const std::vector<std::string>&
 
 std::string java_words(const std::string& folder, const std::vector<std::string>& jars,
                        const std::string& main_class) {
-  // What it uses may lie unpacked beside it.
+  // Its dependencies may lie unpacked beside it.
   std::string path = folder + ":.";
   for (const std::string& jar : jars) path += ":" + jar;
   return fmt::format("java -cp {} {}", candidate_word(path), main_class);
@@ -144,7 +144,7 @@ constexpr Elf64_Half kMachine = EM_X86_64;
 #elif defined(__aarch64__)
 constexpr Elf64_Half kMachine = EM_AARCH64;
 #else
-#error "which machine is this?"
+#error "raycheck supports x86-64 and AArch64"
 #endif
 
 /// Whether a file could be the source of a program.
@@ -153,15 +153,15 @@ bool is_source(const std::string& name) {
   return is_c_or_cpp(name) || is_one_of(kEndings, ending_of(name));
 }
 
-/// Programs for other machines in the submission, as a reason why nothing runs.
+/// A program for another system in the submission, as the reason why it cannot be run; or empty.
 std::string foreign_program(const HandedInFiles& files) {
   for (const auto& [name, file] : files) {
-    if (file.text.starts_with("MZ")) return name + " is a program of Windows";
+    if (file.text.starts_with("MZ")) return name + " is a Windows program";
     const bool is_mach =
         file.text.starts_with("\xCF\xFA\xED\xFE") || file.text.starts_with("\xCA\xFE\xBA\xBE");
-    if (is_mach && ending_of(name) != ".class") return name + " is a program of macOS";
+    if (is_mach && ending_of(name) != ".class") return name + " is a macOS program";
     if (is_elf(file.text) && !is_program_here(file.text)) {
-      return name + " is no program of this kind of machine";
+      return name + " was built for another architecture";
     }
   }
   return "";
@@ -268,13 +268,13 @@ BuildPlan build_plan(const HandedInFiles& files) {
   if (!plan.attempts.empty()) return plan;
   const std::string foreign = foreign_program(files);
   if (!foreign.empty()) {
-    plan.why_none = foreign + ", and there is nothing to build it of";
+    plan.why_none = foreign + ", and there are no sources to build it from";
   } else if (std::ranges::any_of(files, [](const auto& file) { return is_source(file.first); })) {
-    plan.why_none = "none of its sources is a program's main one";
+    plan.why_none = "none of its sources starts a program (there is no main function)";
   } else {
     plan.why_none =
-        "there is nothing in it to build or run: no Makefile, no CMakeLists.txt, no sources of C, "
-        "C++, Java, JavaScript or Python, no program";
+        "there is nothing to build or run: no Makefile, no CMakeLists.txt, no sources in C, C++, "
+        "Java, JavaScript or Python, no program";
   }
   return plan;
 }

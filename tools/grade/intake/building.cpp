@@ -21,13 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// If a build makes more programs, the others are not tried.
+/// At most this many programs of a build are tried.
 constexpr std::size_t kMostPrograms = 8;
 
-/// How often missing headers are added to one way to build.
+/// The most rounds in which missing headers are added.
 constexpr int kMostRepairs = 3;
 
-/// The first bytes of a file, enough to tell what kind of program it is.
+/// The first bytes of a file, enough to recognise its format.
 std::string head_of(const fs::path& path) {
   constexpr std::size_t kFirstBytes = 64;
   return file_bytes(path, kFirstBytes);
@@ -60,7 +60,7 @@ std::vector<std::string> made_programs(const fs::path& folder,
   return programs;
 }
 
-/// What starts the class of a build that made classes or jars; none where it made neither.
+/// The command line of the main class, if the build made classes or jars; else empty.
 std::vector<std::string> made_classes(const fs::path& folder, const std::string& main_class,
                                       const HandedInFiles& handed_in) {
   if (main_class.empty()) return {};
@@ -79,7 +79,7 @@ std::vector<std::string> made_classes(const fs::path& folder, const std::string&
   return {java_words(root.empty() ? "." : root, {jars.begin(), jars.end()}, main_class)};
 }
 
-/// The words that start what one way made, likelier ones first.
+/// Builds in one way; the command lines of the programs, likelier ones first.
 std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& submission,
                                  const fs::path& to, const RunOptions& options) {
   if (attempt.words.empty()) {
@@ -89,7 +89,7 @@ std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& sub
   const bool makes_program = attempt.program == kMade;
   BuildWords words{attempt.repairs + attempt.words, attempt.shown};
   if (makes_program) {
-    // Programs and their libraries; not the intermediate files of compilers.
+    // Programs and libraries, without intermediate files of compilers.
     words.keeps = [is_java = !attempt.main_class.empty()](const fs::path& file) {
       const std::string ending = file.extension().string();
       return (is_java && (ending == ".class" || ending == ".jar")) ||
@@ -101,11 +101,11 @@ std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& sub
   if (!makes_program) return {attempt.program};
   std::vector<std::string> made = made_programs(to, attempt.made);
   if (made.empty()) made = made_classes(to, attempt.main_class, submission.files);
-  if (made.empty()) throw CandidateError(fmt::format("'{}' makes no program", attempt.shown));
+  if (made.empty()) throw CandidateError(fmt::format("'{}' did not make a program", attempt.shown));
   return made;
 }
 
-/// The first package that javac misses in what it said; empty: none.
+/// The first package that javac reports as missing; or empty.
 std::string missing_package(const std::string& said) {
   constexpr std::string_view kBefore = "error: package ", kAfter = " does not exist";
   const std::size_t before = said.find(kBefore);
@@ -115,7 +115,7 @@ std::string missing_package(const std::string& said) {
                                                                   : said.substr(begin, end - begin);
 }
 
-/// One way, again where the compiler names headers that are missing.
+/// Builds in one way; if the compiler names missing headers, adds them and tries again.
 Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& to,
                const RunOptions& options) {
   for (int repairs = 0;; ++repairs) {
@@ -130,8 +130,7 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
         const std::string package = missing_package(error.said());
         if (package.empty()) throw;
         throw CandidateError(
-            fmt::format("{}: there is no package {} in it, so put the jar that has it beside its "
-                        "sources",
+            fmt::format("{}: the package {} is missing: put its jar beside the sources",
                         error.why(), package),
             error.said());
       }
@@ -141,15 +140,15 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
   }
 }
 
-/// The way after one that works; 0: there is none.
+/// The way to try after one that works; 0: none is left.
 std::size_t next_way(const BuildPlan& plan, std::size_t way) {
   do ++way;
   while (way < plan.attempts.size() && plan.attempts[way].only_after_failure);
   return way < plan.attempts.size() ? way : 0;
 }
 
-/// In the first way that works. Each has all of the time, so that what is said of one does not
-/// depend on how long others took.
+/// Builds in the first way that works. Each way gets the full time limit, so that its outcome does
+/// not depend on the time that others took.
 Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
   const BuildPlan plan = build_plan(submission.files);
   if (plan.attempts.empty()) throw CandidateError(plan.why_none);

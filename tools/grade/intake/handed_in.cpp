@@ -140,7 +140,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
   std::map<std::string, std::string> known;
   for (const std::string& given : paths) {
     std::error_code error;
-    // A link is not followed: it may lead to another's submission.
+    // A link is not followed: it may lead to another submission.
     fs::path path = fs::absolute(given).lexically_normal();
     if (!path.has_filename()) path = path.parent_path();
     if (!fs::exists(fs::symlink_status(path, error))) {
@@ -150,7 +150,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
     const std::string name = is_file ? path.stem().string() : path.filename().string();
     if (is_one_of(reserved, name)) {
       throw std::invalid_argument(
-          fmt::format("{}: rename it; the results of the class are called so", given));
+          fmt::format("{}: rename it; raycheck writes its own results under this name", given));
     }
     const auto [other, is_new] = known.try_emplace(name, given);
     if (!is_new) {
@@ -175,14 +175,14 @@ void require_disjoint(const std::string& out, const std::vector<Submission>& sub
       if (where == nullptr) continue;
       throw scene::InvalidInput(
           "out", out,
-          fmt::format("{} {} {}, which is handed in; results take another folder", folder.string(),
-                      where, submissions[k].path.string()));
+          fmt::format("{} {} {}, which is a submission; give another folder for the results",
+                      folder.string(), where, submissions[k].path.string()));
     }
   };
   require(out);
   std::error_code ignored;
   for (const Submission& each : submissions) {
-    // Others lie in `out` as it was looked at.
+    // A folder that is not a link lies in `out`, which is checked above.
     const fs::path folder = fs::path(out) / each.name;
     if (fs::is_symlink(fs::symlink_status(folder, ignored))) require(folder);
   }
@@ -190,7 +190,7 @@ void require_disjoint(const std::string& out, const std::vector<Submission>& sub
 
 namespace {
 
-/// A text, or a list of its lines.
+/// A cell's source is a string or a list of lines.
 std::string joined(const Json& source) {
   if (source.is_string()) return source.get<std::string>();
   std::string text;
@@ -207,7 +207,7 @@ bool is_python_cell(const std::string& cell) {
          first == "%%capture" || first == "%%prun";
 }
 
-/// `%matplotlib inline`, `!pip install`, `?help`; not the rest of a formula.
+/// `%matplotlib inline`, `!pip install`, `?help`; not the continuation of a formula.
 bool is_magic(std::string_view line) {
   const char next = line.size() > 1 ? line[1] : ' ';
   return (line[0] == '%' && (next == '%' || std::isalpha(static_cast<unsigned char>(next)) != 0)) ||
@@ -245,20 +245,19 @@ namespace {
 constexpr std::array<std::string_view, 9> kPictureEndings = {
     ".ppm", ".pnm", ".pgm", ".pbm", ".png", ".jpg", ".jpeg", ".gif", ".bmp"};
 
-/// At most this many folders and files of a submission lie in the folder of each run, those nearer
-/// to the top first.
+/// The most folders and files of a submission in a run's folder, those nearer to the top first.
 constexpr std::size_t kMostInRunFolder = 100;
-/// Files up to this size are copied there until the copies reach the total; others are linked.
+/// Files up to the first size are copied there while the copies fit the second; others are linked.
 constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;
 constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
 
-/// Whether a run uses that name for another file.
+/// Whether a run needs this name for its own files.
 bool is_taken(const std::string& path) {
   const std::string top = path.substr(0, path.find('/'));
   return top == kSceneFile || top == kImageFile;
 }
 
-/// Nearer to the top first, so that a folder comes before what lies in it.
+/// Orders paths nearer to the top first, so that a folder comes before its contents.
 bool is_nearer(const std::string& a, const std::string& b) {
   const auto key = [](const std::string& path) {
     return std::tuple<std::ptrdiff_t, const std::string&>(std::ranges::count(path, '/'), path);
@@ -268,7 +267,7 @@ bool is_nearer(const std::string& a, const std::string& b) {
 
 /// Files other than pictures, programs and archives are listed from this size on.
 constexpr std::uintmax_t kLargeFile = std::uintmax_t{256} << 10;
-/// No one writes longer lines by hand.
+/// Longer lines are not written by hand.
 constexpr std::size_t kLongLine = 4000;
 
 struct Beginning {
@@ -311,7 +310,7 @@ bool has_long_line(std::string_view text) {
   return false;
 }
 
-/// Empty for files that are not opaque.
+/// The kind of an opaque file; empty for others.
 std::string kind_of(std::string_view text, std::uintmax_t bytes) {
   for (const Beginning& one : kBeginnings) {
     if (text.starts_with(one.bytes)) return std::string(one.kind);
@@ -325,7 +324,7 @@ std::string kind_of(std::string_view text, std::uintmax_t bytes) {
   return bytes >= kLargeFile ? "large file" : "";
 }
 
-/// Whether a file begins as a picture does.
+/// Whether a file begins like a picture.
 bool is_picture(std::string_view text) {
   return is_portable_picture(text) || std::ranges::any_of(kBeginnings, [&](const Beginning& one) {
            return one.kind == kPicture && text.starts_with(one.bytes);

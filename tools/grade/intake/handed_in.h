@@ -21,14 +21,14 @@ struct Submission {
   std::filesystem::path path;
 };
 
-/// The submissions by their names, which are those of the files or folders.
+/// The submissions, named like their files or folders.
 /// Errors: std::invalid_argument if a path does not exist, two names are equal, or a name is
 /// reserved.
 std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
                                          const std::vector<std::string_view>& reserved);
 
 /// Throws std::invalid_argument if the folder of results, or a submission's folder in it, is,
-/// contains or lies in a submission, also through links. It need not exist.
+/// contains or lies in a submission, also through links. The folder need not exist.
 void require_disjoint(const std::string& out, const std::vector<Submission>& submissions);
 
 /// A submitted file.
@@ -40,20 +40,20 @@ struct HandedInFile {
 /// By path in the submission: "src/rt.cpp".
 using HandedInFiles = std::map<std::string, HandedInFile>;
 
-/// The parts of a submission that are used.
+/// The files and folders of a submission that are used.
 struct HandedInPaths {
   std::map<std::string, std::filesystem::path> files;  ///< By path in the submission.
-  std::vector<std::string> folders;                    ///< Their paths in it; they may be empty.
+  std::vector<std::string> folders;  ///< Paths in the submission, including empty folders.
 };
 
 /// The regular files of a submission, and its folders, without what archives, editors and compilers
 /// leave behind: __MACOSX, .git, virtual environments, objects, precompiled headers. Links are not
 /// followed: they may lead outside the submission.
-/// Errors: std::invalid_argument with what is wrong: no file or folder, or too large.
+/// Errors: std::invalid_argument if it is neither a file nor a folder, or too large.
 HandedInPaths paths_of(const std::filesystem::path& path, const SubmissionLimits& limits);
 
-/// Where a folder has nothing but another, as unpacked archives do, that, unless a name `is_meant`;
-/// what is left behind aside.
+/// Descends while a folder contains only one other folder, as unpacked archives do; ignores what
+/// tools leave behind, and stops before a folder whose name `is_meant`.
 std::filesystem::path innermost(std::filesystem::path path,
                                 const std::function<bool(const std::string& name)>& is_meant);
 
@@ -67,15 +67,15 @@ HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& pat
 /// `pass`, cells of other languages (%%bash) are left out. Empty if the text is not a notebook.
 std::optional<std::string> notebook_module(std::string_view text);
 
-/// Files that cannot be understood by reading them, and may contain answers computed elsewhere:
-/// programs, libraries, archives, pictures, large files, and texts with lines that no one wrote.
-/// None is forbidden. `paths`: where the files lie.
+/// Files whose content a reader cannot judge and that may contain answers computed elsewhere:
+/// programs, libraries, archives, pictures, large files, and texts with very long lines. They are
+/// allowed. `paths`: the locations of the files.
 std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
                                      const std::map<std::string, std::filesystem::path>& paths);
 
-/// The folder in which a submission's renderer runs: it has the submission's folders and files, but
-/// no picture, which could be taken for its output, no file named like the driver file or the
-/// picture, and no headers of Eigen and glm. `copy`: where the files lie.
+/// The folder in which a submission's renderer runs: the submission's folders and files, without
+/// pictures, which could be taken for its output, files named like the driver file or the picture,
+/// and headers of Eigen and glm. `copy`: the folder with the files.
 std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
                                                  const std::vector<std::string>& folders,
                                                  std::shared_ptr<const PrivateFolder> copy);

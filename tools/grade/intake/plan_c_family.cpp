@@ -16,7 +16,7 @@ namespace raycheck::tools {
 namespace {
 
 constexpr const char* kSystemEigen = "/usr/include/eigen3";
-/// How many files with a main are tried.
+/// The most files with a main that are tried.
 constexpr std::size_t kMostMains = 3;
 
 /// The folders with headers: the submission's own, and those of libraries in it.
@@ -48,7 +48,7 @@ struct CSources {
     for (const IncludeRepair& repair : repairs) notes.insert(repair.note());
     return {notes.begin(), notes.end()};
   }
-  /// For compilers called by a Makefile: searched after the folders that it names.
+  /// For compilers called by a Makefile: these folders are searched after those that it names.
   std::string search_path() const {
     std::string path = "export CPATH=";
     for (const std::string& folder : include) path += "\"$PWD\"/" + single_quoted(folder) + ":";
@@ -65,8 +65,8 @@ struct CSources {
   std::vector<IncludeRepair> repairs;
 };
 
-/// Removes programs that were handed in, which could be mistaken for what is built, and lists of
-/// dependencies, which name files of another machine.
+/// Removes submitted programs, which could be mistaken for the build's result, and dependency
+/// files, which name files of another machine.
 std::string removal_words(const HandedInFiles& files) {
   std::vector<std::string> stale;
   for (const auto& [name, file] : files) {
@@ -77,7 +77,8 @@ std::string removal_words(const HandedInFiles& files) {
   return stale.empty() ? "" : "rm -f -- " + shell_words(stale) + "; ";
 }
 
-/// The file with one of these names that is nearest to the top; empty if there is none, or a tie.
+/// The file with one of these names that is nearest to the top; empty if there is no such file, or
+/// a tie.
 std::string top_file(const HandedInFiles& files, const std::vector<std::string>& names,
                      const Vendored& vendored) {
   std::vector<std::string> found;
@@ -102,7 +103,7 @@ std::string top_file(const HandedInFiles& files, const std::vector<std::string>&
   return found.front();
 }
 
-/// What a Makefile is likely to make: the values of its variables, and its targets, in order.
+/// Likely names of a Makefile's program: the values of its variables, and its targets, in order.
 std::vector<std::string> made_by(const std::string& makefile) {
   std::vector<std::string> names;
   std::istringstream lines(makefile);
@@ -118,7 +119,7 @@ std::vector<std::string> made_by(const std::string& makefile) {
   return names;
 }
 
-/// The libraries that some sources must be linked with.
+/// The linker options that the sources need.
 std::string libraries_of(const HandedInFiles& files, const std::vector<std::string>& sources) {
   std::string libraries = "-pthread -lm";
   std::set<std::string> headers;
@@ -166,7 +167,7 @@ BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
           c.notes()};
 }
 
-/// A source and the sources that its headers lead to: "vec.cpp" for "vec.h".
+/// A source and the sources that belong to its headers: "vec.cpp" for "vec.h".
 std::vector<std::string> reached_from(const std::string& main, const HandedInFiles& files,
                                       const std::vector<std::string>& others) {
   const auto stem = [](const std::string& name) {
@@ -257,7 +258,7 @@ void plan_c_family(const HandedInFiles& files, BuildPlan& plan) {
     if (count == 1) continue;
     for (std::size_t k = first; k < plan.attempts.size(); ++k) {
       plan.attempts[k].notes.push_back(
-          fmt::format("{} of its files have a main; this is that of {}", count, main));
+          fmt::format("{} of its files have a main; the one in {} is used", count, main));
     }
   }
 }

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where what is built shows no spheres, at most this many other ways to build it are tried.
+/// If a build shows no spheres, at most this many other ways to build it are tried.
 constexpr int kMostFurtherBuilds = 2;
 
 [[noreturn]] void refuse(const std::string& why) { throw SubmissionError({why, ""}, {}); }
@@ -32,7 +32,7 @@ bool fits(const Form& form, const std::string& name) {
   return fnmatch(form.has.c_str(), name.c_str(), 0) == 0;
 }
 
-/// Whether a form means a folder of that name, which is not unwrapped then.
+/// Whether a form refers to a folder of this name, which must therefore not be unwrapped.
 bool means_folder(const Form& form, const std::string& name) {
   if (form.has != "*" && fits(form, name)) return true;
   const auto is_of_name = [](char c) {
@@ -49,7 +49,7 @@ bool means_folder(const Form& form, const std::string& name) {
 struct CopiedFiles {
   HandedInFiles files;
   std::vector<std::string> folders;
-  std::string digest;  ///< Of the files that were handed in.
+  std::string digest;  ///< The digest of the submitted files.
   std::vector<OpaqueFile> opaque;
 };
 
@@ -91,20 +91,20 @@ std::vector<std::string> top_files(const HandedInFiles& files) {
   return names;
 }
 
-/// The form that fits, and the file by which it does.
+/// The form that fits, and the file by which it fits.
 std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric& rubric) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {
     names.insert(entry.path().filename().string());
   }
-  if (names.empty()) refuse("there is no file in it");
+  if (names.empty()) refuse("it contains no files");
   for (const Form& form : rubric.forms) {
     for (const std::string& name : names) {
       if (fits(form, name)) return {&form, name};
     }
   }
   const std::string asked = scene::joined(rubric.forms, ", ", &Form::has);
-  refuse(asked.empty() ? "the rubric has no [[form]] of submissions"
+  refuse(asked.empty() ? "the rubric has no [[form]]"
                        : fmt::format("it has none of the required files: {}", asked));
 }
 
@@ -122,7 +122,7 @@ RunOptions run_options(const Rubric& rubric, const Confinement& confinement) {
   return options;
 }
 
-/// A digest of all that a program's answers depend on, except for the requests.
+/// A digest of everything that a program's answers depend on, except the requests.
 std::string answers_key(const std::string& build, const CandidateSpec& program,
                         const Limits& limits) {
   return digest({build, program.text(),
@@ -130,7 +130,7 @@ std::string answers_key(const std::string& build, const CandidateSpec& program,
                              limits.file, limits.files, limits.processes)});
 }
 
-/// A submission on its way from a copy of its files to the program that is asked.
+/// Turns a copy of a submission's files into a program that can be judged.
 class Preparing {
  public:
   Preparing(const Submission& submission, const Rubric& rubric, const Confinement& confinement,
@@ -152,7 +152,7 @@ class Preparing {
     start_ = run_folder(copied_.files, copied_.folders, copy_);
   }
 
-  /// One search over how it is built and, of each program, which form it reads.
+  /// Searches the ways to build the submission and, for each program, the form that it reads.
   RunnableSubmission best_program(const properties::RunControl& control) {
     for (int builds = 0; builds <= kMostFurtherBuilds; ++builds) {
       try {
@@ -168,7 +168,7 @@ class Preparing {
   }
 
  private:
-  /// In the next way.
+  /// Builds in the next way.
   void build() {
     const fs::path copy = copy_->path();
     const Unbuilt unbuilt{*form_,        file_,          program_,      copy,
@@ -187,12 +187,12 @@ class Preparing {
     found_.build_words = made_.words;
     found_.notes = made_.notes;
     for (const std::string& other : draws_nothing_) {
-      found_.notes.push_back(
-          fmt::format("nothing that draws comes from {}; built from {}", other, made_.what));
+      found_.notes.push_back(fmt::format(
+          "what was built from {} shows no spheres; built from {} instead", other, made_.what));
     }
   }
 
-  /// Whether one of the programs that are built does, which is taken then.
+  /// Whether one of the built programs works; it becomes `best_`.
   bool one_works(const properties::RunControl& control) {
     for (const std::string& by : made_.programs) {
       try {
@@ -214,7 +214,7 @@ class Preparing {
 
   const std::shared_ptr<const PrivateFolder>& folder() const { return made_in_ ? made_in_ : copy_; }
 
-  /// One of its programs, by its command line. Errors: SubmissionError.
+  /// Starts one of the programs, given its command line. Errors: SubmissionError.
   RunnableSubmission started(const std::string& by, const properties::RunControl& control) const {
     Preparation found = found_;
     CandidateSpec program = program_;
@@ -234,10 +234,10 @@ class Preparing {
                               ? compiled_external(program, options.folder / by, options)
                               : find_external(program, options);
       found.build_seconds = build_seconds_;
-      // The rubric sets the format it is judged in, whatever it declares.
+      // The rubric sets the precision, whatever the submission declares.
       external.precision = scene::Precision::kDouble;
       RunnableSubmission runnable{std::move(external), std::move(found), is_stored_};
-      // The program's folder must live as long as it; a library has its own.
+      // The program's folder must outlive it; a library keeps its folder itself.
       if (!runnable.external.folder) runnable.external.folder = folder();
       if (runnable.external.renderer) ask_in_its_form(runnable, control);
       return runnable;
@@ -246,8 +246,8 @@ class Preparing {
     }
   }
 
-  /// The same command without anything that was handed in, which only an instructor's wrapper
-  /// answers as before: who is judged cannot say what it is asked.
+  /// The same command without any submitted file, which only an instructor's wrapper answers as
+  /// before: a submission must not choose its questions.
   Confined without_hand_in(Confined program) const {
     const std::string path = folder()->path();
     const auto is_handed_in = [&](const std::string& word) {
@@ -259,7 +259,7 @@ class Preparing {
     return program;
   }
 
-  /// Asks a renderer as the dry run found it to read and show.
+  /// Sets up a renderer with the driver form and colours found by the dry run.
   void ask_in_its_form(RunnableSubmission& runnable, const properties::RunControl& control) const {
     Renderer renderer = *runnable.external.renderer;
     renderer.program.start = start_;
@@ -270,7 +270,7 @@ class Preparing {
     if (found.refusal) throw SubmissionError(*found.refusal, runnable.found);
     renderer.driver = found.driver;
     renderer.colours = found.colours;
-    // All its requests together end by the rubric's `seconds`.
+    // The rubric's `seconds` limit all requests together.
     renderer.most_silences = std::numeric_limits<int>::max();
     External asked = rendering(runnable.external.name, std::move(renderer));
     asked.folder = runnable.external.folder;
@@ -280,7 +280,7 @@ class Preparing {
   }
 
   const Rubric& rubric_;
-  Store* store_;  ///< Null: nothing is kept.
+  Store* store_;  ///< Null: nothing is stored.
   RunOptions options_;
   std::shared_ptr<const PrivateFolder> copy_, made_in_;
   CopiedFiles copied_;
@@ -288,12 +288,12 @@ class Preparing {
   std::string file_;
   CandidateSpec program_;  ///< As in the form, with {file}.
   Preparation found_;
-  std::string key_;  ///< Of what is built, in the store.
+  std::string key_;  ///< The build's key in the store.
   Built made_;
-  std::shared_ptr<const StartingFolder> start_;  ///< Where a renderer runs.
+  std::shared_ptr<const StartingFolder> start_;  ///< The folder in which a renderer runs.
   bool is_stored_ = false;
   double build_seconds_ = 0;
-  std::vector<std::string> draws_nothing_;  ///< What was built from, and shows no spheres.
+  std::vector<std::string> draws_nothing_;  ///< The sources of builds that show no spheres.
   std::optional<RunnableSubmission> best_;
   std::optional<SubmissionError> farthest_;
 };
@@ -318,7 +318,7 @@ properties::RunControl until_blamed(const properties::RunControl& control,
 }
 
 Refusal outside_refusal(const std::string& cause) {
-  return {"the cause lies outside it: " + cause, ""};
+  return {"for a reason outside the submission: " + cause, ""};
 }
 
 Limits program_limits(const Rubric& rubric) {

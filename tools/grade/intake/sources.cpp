@@ -81,7 +81,7 @@ std::string without_comments(std::string_view text) {
                   '\n');
       at = std::min(end + 2, text.size());
     } else if (rest[0] == '"') {
-      // What looks like a comment inside a string is not one.
+      // Comment signs inside a string are not comments.
       std::size_t end = at + 1;
       while (end < text.size() && text[end] != '"' && text[end] != '\n') {
         end += text[end] == '\\' ? 2 : 1;
@@ -231,7 +231,7 @@ class Headers {
     return any_place(from, name, [&](const std::string& at) { return files_.contains(at); });
   }
 
-  /// The file meant by a name that matches none.
+  /// The file that a name which matches no file probably means.
   std::optional<std::string> meant(const std::string& from, const std::string& name) const {
     std::optional<std::string> found;
     any_place(from, name, [&](const std::string& at) {
@@ -268,7 +268,7 @@ std::string library_header(const std::string& name) {
   return "";
 }
 
-/// The submission's file that a compiler calls so, from the folder where it was started or from /.
+/// The submission's file that a compiler names by a relative or absolute path.
 std::optional<std::string> file_called(const HandedInFiles& files, const std::string& said) {
   const std::string path = "/" + normal(said);
   for (const auto& [name, file] : files) {
@@ -281,8 +281,8 @@ std::optional<std::string> file_called(const HandedInFiles& files, const std::st
 }  // namespace
 
 std::string IncludeRepair::note() const {
-  return line == 0 ? fmt::format("#include {} is added to {}, where it is missing", instead, file)
-                   : fmt::format("{} is taken for {}", name, instead);
+  return line == 0 ? fmt::format("the missing #include {} is added to {}", instead, file)
+                   : fmt::format("#include of {} is replaced by {}", name, instead);
 }
 
 std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said) {

@@ -13,7 +13,7 @@ namespace raycheck::tools {
 /// File names quoted for a shell.
 std::string shell_words(const std::vector<std::string>& names);
 
-/// A file name as one of a candidate's words, which are split outside quotes.
+/// A file name as a word of a candidate's command line, quoted if needed.
 std::string candidate_word(const std::string& name);
 
 template <class Names>
@@ -35,7 +35,7 @@ bool is_c_family(const std::string& path);
 /// A text without comments of C, C++, Java and JavaScript; keeps the line numbers.
 std::string without_comments(std::string_view text);
 
-/// The words of C, C++ or Java: names with their dots, and every other character except spaces.
+/// The tokens of C, C++ or Java: names with their dots, and every other character except spaces.
 std::vector<std::string_view> words_of_code(std::string_view text);
 
 /// Whether C or C++ source contains `int main(`.
@@ -57,11 +57,11 @@ struct Vendored {
 };
 Vendored vendored_in(const HandedInFiles& files);
 
-/// Whether it lies in a folder of builds, tests or examples.
+/// Whether a path lies in a folder of builds, tests or examples.
 bool is_aside(const std::string& path);
 
-/// The submission's own sources for which `holds`; those of tests, examples and builds only if
-/// there are no others.
+/// The submission's sources for which `holds`, without library headers; those of tests, examples
+/// and builds only if there are no others.
 template <class Holds>
 std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored& vendored,
                                      const Holds& holds) {
@@ -73,20 +73,19 @@ std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored&
   return own.empty() ? aside : own;
 }
 
-/// How likely a file of this name starts a renderer, 0 for rt and raytracer; lower is likelier.
-/// kHardlyARenderer for what is called test, backup, example and the like.
+/// How likely a file of this name starts a renderer: 0 for rt and raytracer, lower is likelier;
+/// kHardlyARenderer for names like test, backup, example.
 inline constexpr int kHardlyARenderer = 4;
 int likelihood_rank(const std::string& path);
 
-/// Sorts names by how likely they are a renderer's: main, rt, raytracer first, tests last, then
-/// those closer to the top.
+/// Sorts names by likelihood_rank(), then those closer to the top first.
 void sort_by_likelihood(std::vector<std::string>& names);
 
-/// An #include that names no file of the submission, with what it means, or one that is missing.
+/// A repair: an #include of a file that does not exist is replaced, or a missing one is added.
 struct IncludeRepair {
   std::string file;
-  int line = 0;         ///< From 1; 0: there is none.
-  std::string name;     ///< As it stands: "../eigen/Eigen/Dense".
+  int line = 0;         ///< From 1; 0: the #include is missing.
+  std::string name;     ///< The name as written: "../eigen/Eigen/Dense".
   std::string instead;  ///< "<Eigen/Dense>", "\"../vec.h\""
   std::string note() const;
 };
@@ -97,10 +96,10 @@ struct IncludeRepair {
 std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Vendored& vendored,
                                            const std::vector<std::string>& include);
 
-/// Those that GCC names in what it said: "did you forget to '#include <tuple>'?"
+/// The missing includes that GCC suggests: "did you forget to '#include <tuple>'?"
 std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said);
 
-/// A shell command that makes them in a copy of the submission; empty if there are none.
+/// A shell command that applies repairs in a copy of the submission; empty without repairs.
 std::string repair_words(const std::vector<IncludeRepair>& repairs);
 
 }  // namespace raycheck::tools

@@ -18,8 +18,7 @@ using properties::Case;
 using properties::Explanation;
 using properties::Trial;
 
-/// Groups of steps whose mistakes show in each other's answers: the camera's, the hits, the choice
-/// among them.
+/// Groups of steps whose mistakes affect each other's answers: camera, hits, nearest hit.
 int part_of(properties::Step step) {
   return step < properties::Step::kIntersect ? 0 : step == properties::Step::kIntersect ? 1 : 2;
 }
@@ -30,7 +29,7 @@ std::vector<Case> cases_of(const ItemTrial& trial) {
   return cases;
 }
 
-/// None if the candidate fails; the verdict says so.
+/// Empty if the candidate fails, which the verdict reports.
 std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candidate& candidate) {
   try {
     return properties::answer_causes(cases, candidate);
@@ -39,7 +38,7 @@ std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candida
   }
 }
 
-/// Whether one of a cause's alternatives is one of some causes', too.
+/// Whether an alternative of a cause is also an alternative of one of `causes`.
 bool is_among(const Explanation& alternative, const AnswerCause& cause,
               const std::vector<AnswerCause>& causes) {
   return std::any_of(causes.begin(), causes.end(), [&](const AnswerCause& other) {
@@ -51,7 +50,7 @@ bool is_among(const Explanation& alternative, const AnswerCause& cause,
   });
 }
 
-/// The cause that is roundings, if any, for all items together: it is reported once.
+/// The cause "roundings" among the causes of all items, or null: it is reported once.
 const AnswerCause* roundings_of(const std::vector<AnswerCause>& causes) {
   const auto found = std::find_if(causes.begin(), causes.end(),
                                   [](const AnswerCause& one) { return one.roundings.has_value(); });
@@ -62,7 +61,7 @@ double apart(double a, double b) {
   return a == b || (std::isnan(a) && std::isnan(b)) ? 0 : std::abs(a - b);
 }
 
-/// Whether a vector has no direction: it is NaN, or zero if the division was guarded.
+/// Whether a direction is degenerate: NaN, or zero if the code guards the division.
 bool is_none(const scene::Vector3& direction) {
   const auto& [x, y, z] = direction;
   return std::isnan(x + y + z) || (x == 0 && y == 0 && z == 0);
@@ -87,8 +86,8 @@ std::optional<std::vector<scene::Ray>> rays_of(Trial& trial) {
   }
 }
 
-/// Whether a candidate's rays are those that a mistake makes, so that nothing else is wrong with
-/// them. If those have no directions, it may fail, too.
+/// Whether a candidate's rays equal those of a mistake, so that nothing else is wrong with them. If
+/// the mistake's directions are degenerate, the candidate may also fail.
 bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& cases,
                    const Candidate& candidate) {
   Candidate mistaken = mistake.candidate;
@@ -111,7 +110,7 @@ bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& 
 
 std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate& candidate,
                                            std::vector<ItemTrial>& trials) {
-  // Bonus items ask for more than right formulas: their errors do not count against what explains
+  // Bonus items require more than right formulas: their errors do not rule out an explanation of
   // the other items.
   std::vector<Case> all, ordinary;
   for (std::size_t k = 0; k < trials.size(); ++k) {

@@ -25,10 +25,10 @@ bool shows_something(const ImageAnswer& image) {
 /// Whether the picture has the right size.
 bool is_picture(const FailedCase& one) { return one.shown && !one.shown->sides_exchanged; }
 
-/// How much of an item's wrong pictures a fault does not explain.
+/// The wrong pixels of an item, and those left unexplained by a fault.
 struct Agreement {
   std::uint64_t wrong = 0, left = 0;
-  bool shows = false;  ///< Some failing case shows a sphere and a background.
+  bool shows = false;  ///< Under the fault, a failing case shows a sphere and background.
   bool explains(std::size_t pictures) const {
     return static_cast<double>(left) <=
            static_cast<double>(wrong) * properties::kMostLeftOfAll + static_cast<double>(pictures);
@@ -53,8 +53,8 @@ Agreement agreement(const Fault& fault, const ItemTrial& trial, bool masks_only)
   return found;
 }
 
-/// A fault that shows something in at least this many failing pictures also explains the black
-/// ones; one that makes nearly all pictures black explains too little to cost others' points.
+/// A fault under which at least this many failing pictures show something also explains the black
+/// ones; a fault that makes nearly all pictures black explains too little to charge it elsewhere.
 constexpr int kFewestShown = 3;
 
 bool shows_enough(const Fault& fault, const std::vector<ItemTrial>& trials) {
@@ -79,8 +79,8 @@ ItemCause cause_of(const Fault& fault, const ItemTrial& trial, bool masks_only) 
   return {};
 }
 
-/// What explains all pictures or, failing that, all except those of bonus items, which ask for more
-/// than right formulas.
+/// The causes that explain all pictures or, failing that, all except those of bonus items, which
+/// require more than right formulas.
 Causes causes_of(const Rubric& rubric, const std::vector<ItemTrial>& trials) {
   const auto of = [&](bool with_bonus) {
     std::vector<ShownPicture> pictures;
@@ -93,15 +93,15 @@ Causes causes_of(const Rubric& rubric, const std::vector<ItemTrial>& trials) {
   const Causes all = of(true);
   if (all.kind == CauseKind::kUnknown) return of(false);
   if (!all.imprecision || all.alternatives.empty()) return all;
-  // Roundings may explain the bonus on top of the mistakes known from the other items; together
-  // with another mistake, seen only there, they would explain nearly anything.
+  // Roundings may explain the bonus on top of the mistakes known from the other items; combined
+  // with a further mistake that only bonus items show, they would explain nearly anything.
   const Causes ordinary = of(false);
   const bool is_more = !ordinary.alternatives.empty() &&
                        all.alternatives.front().size() > ordinary.alternatives.front().size();
   return is_more ? ordinary : all;
 }
 
-/// A camera whose numbers all differ, to see how a mistake reads them.
+/// A camera whose numbers all differ, to find out how a mistake reads them.
 scene::Camera numbered_camera() {
   scene::Camera camera;
   camera.near = -3;
@@ -116,8 +116,8 @@ scene::Camera numbered_camera() {
 
 /// How a mistake reads near and the bounds.
 struct Reading {
-  bool turns_near = false;     ///< near has another sign.
-  bool orders_bounds = false;  ///< The bounds are those given, in another order.
+  bool turns_near = false;     ///< near has the opposite sign.
+  bool orders_bounds = false;  ///< The given bounds are read in another order.
 };
 
 Reading reading_of(const Mistake& mistake) {
@@ -131,7 +131,7 @@ Reading reading_of(const Mistake& mistake) {
   return {false, std::is_permutation(taken.begin(), taken.end(), bounds.begin())};
 }
 
-/// Whether correct code for another form of driver files might show the same: dialects differ in
+/// Whether correct code for another form of driver files might draw the same: dialects differ in
 /// the sign of d and in the order of the bounds.
 bool is_of_driver_files(const Causes& causes) {
   return std::any_of(causes.alternatives.begin(), causes.alternatives.end(),
@@ -143,8 +143,8 @@ bool is_of_driver_files(const Causes& causes) {
                      });
 }
 
-/// A near with the wrong sign in one dialect is right in the other, whose bounds have another
-/// order: if the dialect was found by trial, the mistake is worded as both.
+/// A near with the wrong sign in one dialect is right in the other, which orders the bounds
+/// differently: if the dialect was found by trial, the sentence names both possibilities.
 const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
   if (!reading_of(*mistake).turns_near) return mistake;
   const auto worded = [&](const char* sentence) {
@@ -163,7 +163,7 @@ const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
 
 /// How an item fails.
 struct FailedHow {
-  bool wrong = false, exchanged = false, failed = false;  ///< Some pictures, or all.
+  bool wrong = false, exchanged = false, failed = false;  ///< For at least one picture.
 };
 
 FailedHow failed_how(const ItemTrial& trial) {
@@ -174,7 +174,7 @@ FailedHow failed_how(const ItemTrial& trial) {
   return how;
 }
 
-/// The sentence for pictures that are alike whatever the scene; empty if they are not.
+/// The sentence for pictures that do not depend on the scene; empty if they do.
 std::string sentence_of_kind(Causes causes) {
   causes.exchanged = 0;
   const std::vector<properties::Explanation> said = properties::explanations(causes);
@@ -222,7 +222,7 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
   if (cause.fault.empty()) return name_imprecision(causes, masks_only, trial);
   cause.is_all = cause.is_all || is_shown;
   const Agreement found = agreement(cause.fault, trial, masks_only);
-  // A part of a fault is named by its own sentence, the whole by all alternatives.
+  // A part of a fault has its own sentence; the whole fault is named by all alternatives.
   std::vector<Fault> alternatives = causes.alternatives;
   if (cause.fault.size() < fault.size()) {
     alternatives.clear();
@@ -278,7 +278,7 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
       if (causes.exchanged > 0) add(OtherCause::kSidesExchanged, properties::kSidesExchanged);
     }
     if (how.failed || wrong_by_shape) {
-      // And on all scenes that it was not asked about any more.
+      // The shape must also hold for all scenes that were skipped.
       const auto& others = trial.not_asked;
       cause.is_all =
           cause.is_all && shape.cause && std::all_of(others.begin(), others.end(), shape.cause->is);

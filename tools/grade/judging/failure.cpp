@@ -21,13 +21,13 @@ using properties::Trial;
 using properties::Verdict;
 using properties::Wrong;
 
-/// How many simpler cases are tried in place of a failing one: for functions, for programs that
-/// fail entirely, and for pictures, each of which starts a program.
+/// The most cases tried while shrinking a failing case: for functions, for programs that fail
+/// entirely, and for pictures, each of which starts a program.
 constexpr int kTries = 400;
 constexpr int kTriesOfFailures = 40;
 constexpr int kTriesOfPictures = 60;
 
-/// The step of the computation that a wrong quantity shows to be wrong.
+/// The step of the computation that a wrong quantity points to.
 std::string step_that_gives(properties::Quantity quantity) {
   using properties::Quantity;
   switch (quantity) {
@@ -42,8 +42,8 @@ std::string step_that_gives(properties::Quantity quantity) {
   }
 }
 
-/// Whether a camera still looks in the same direction as another, with its bounds in the same
-/// order, which programs may rely on.
+/// Whether two cameras have the same sign of near and the same order of bounds, which programs may
+/// rely on.
 bool is_alike(const scene::Scene& now, const scene::Scene& before) {
   if (!before.camera) return true;
   const scene::Camera& a = *now.camera;
@@ -52,7 +52,7 @@ bool is_alike(const scene::Scene& now, const scene::Scene& before) {
          (a.bottom < a.top) == (b.bottom < b.top);
 }
 
-/// Whether a picture is what a fault makes, up to one pixel.
+/// Whether the candidate's picture equals the fault's picture, up to one pixel.
 bool is_made_by(const properties::Fault& fault, const Case& the_case, const Candidate& candidate) {
   scene::Scene scene = the_case.scene;
   scene.conventions = candidate.declared.over(scene.conventions);
@@ -64,7 +64,7 @@ bool is_made_by(const properties::Fault& fault, const Case& the_case, const Cand
   }
 }
 
-/// The question of a place alone: its ray, or pixel, and its sphere.
+/// The case reduced to one place: its ray or pixel, and its sphere.
 Case only_at(const properties::Place& place, Case the_case) {
   scene::Scene& scene = the_case.scene;
   if (place.pixel) the_case.pixels = {*place.pixel};
@@ -114,8 +114,8 @@ RayAnswers ray_answers(Trial& trial, std::size_t ray, const Law& broken) {
   return answers;
 }
 
-/// The same about the ray of a place, or the first; a law may look at other pixels than those of
-/// its case.
+/// The answers about the ray of a place, or about the first ray. A law may use pixels that are not
+/// in its case.
 RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& broken) {
   if (!trial.scene().camera) return ray_answers(trial, place.ray, broken);
   if (!place.pixel) return ray_answers(trial, std::size_t{0}, broken);
@@ -129,8 +129,8 @@ RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& 
   return ray_answers(of_place, std::size_t{0}, broken);
 }
 
-/// Both pictures of a case; empty if the candidate draws none. A renderer whose last picture it is
-/// does not run again.
+/// Both pictures of a case; empty if the candidate draws no picture. A renderer does not run again
+/// if this was its last picture.
 std::optional<ComparedPictures> compared_pictures(const Case& the_case,
                                                   const GradedCandidate& graded) {
   const scene::Conventions& conventions = the_case.scene.conventions;
@@ -207,7 +207,7 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
   if (first.failure != FailureKind::kTimeUp) {
     const Verdict verdict = apply(*first.broken, trial);
     if (verdict.holds()) return {};
-    // A program that failed may not be asked again at all.
+    // A program that failed may have been dropped, so the first discrepancy stays.
     if (d.wrong != Wrong::kFailed) d = verdict.worst(1).front();
   }
   FailingCase failing{

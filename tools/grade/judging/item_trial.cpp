@@ -53,7 +53,7 @@ ItemCase ItemCases::of_scene(std::size_t k) const {
   return {cases.from(0, cases.rays_judged()), {.scene = scene.name}};
 }
 
-/// A submission that ignores conventions is right under the defaults.
+/// With default conventions, so that a submission that ignores conventions can be right.
 std::optional<ItemCase> ItemCases::of_source(std::size_t k) const {
   const properties::ChosenSource& source = properties::chosen_by(task_.sources, seeds_[k]);
   ItemCase found{source.make(seeds_[k]), {.source = std::string(source.name()), .number = k + 1}};
@@ -61,7 +61,7 @@ std::optional<ItemCase> ItemCases::of_source(std::size_t k) const {
   if (!pictures_) return found;
   const auto& camera = found.the_case.scene.camera;
   if (!camera || camera->width > kMostGradedPixels / camera->height) return {};
-  // With more spheres not all renderers' colours tell which is seen.
+  // With more spheres not every renderer's colours identify the spheres.
   auto& spheres = found.the_case.scene.spheres;
   if (spheres.size() > kMostSaturated) spheres.resize(kMostSaturated);
   found.the_case.pixels = properties::all_pixels(*camera);
@@ -80,20 +80,20 @@ using properties::Wrong;
 
 /// The outcome of a case.
 struct CaseOutcome {
-  bool answers = false;    ///< There was something to ask.
+  bool answers = false;    ///< The case has something to ask.
   bool is_unsaid = false;  ///< The candidate's form of input cannot express the case.
   std::uint64_t compared = 0;
   properties::Verdict verdict;  ///< By all laws.
   ItemReason unanswered;        ///< Why some questions were not answered.
   const properties::Law* broken = nullptr;
   std::optional<properties::Discrepancy> discrepancy;
-  std::optional<FailureKind> failure;  ///< The candidate's, if that is what breaks the law.
+  std::optional<FailureKind> failure;  ///< The candidate's failure, if it breaks the law.
   bool is_answered() const { return unanswered.kind == ItemReason::Kind::kNone; }
   bool holds() const { return broken == nullptr && is_answered(); }
 };
 
-/// Whether the candidate misses hits, or has them at the other root, so that laws about hits have
-/// less to compare; what is excused does not count.
+/// Whether the candidate misses hits or returns the other root without an excuse, so that laws
+/// about hits have less to compare.
 bool misses_hits(Trial& trial) {
   for (const Law& law : properties::laws()) {
     if (!judges_decisions(law) || !needs_any(law.needs, Needs::kIntersect)) continue;
@@ -119,11 +119,11 @@ bool has_hits(Trial& trial) {
   return false;
 }
 
-/// Whether the candidate gives a law less to compare than the scene has.
+/// Whether the candidate's answers give a law less to compare than the scene offers.
 bool is_unanswered(const Law& law, Trial& trial) {
   if (law.per == properties::Per::kImage || !scene_suits(law.needs, trial)) return false;
   const bool lacks_functions = !what_is_missing(law.needs, trial).empty();
-  // The law of the class compares misses, too; those of no stage look at hits where there are some.
+  // The law "class" also compares misses; laws without a stage compare hits if there are any.
   const bool is_of_class = judges_decisions(law) && law.quantity == properties::Quantity::kClass;
   const bool compares_hits =
       needs_any(law.needs, Needs::kIntersect) || (needs_any(law.needs, Needs::kRays) && !law.stage);
@@ -139,11 +139,11 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
   if (graded.last_failure) graded.last_failure->reset();
   for (const Law* law : laws) {
     Verdict verdict = apply(*law, trial);
-    // Of pictures every pixel is compared.
+    // In pictures every pixel is compared.
     const bool unanswered = !graded.pictures && verdict.holds() && is_unanswered(*law, trial);
     outcome.compared += verdict.compared();
     outcome.answers = outcome.answers || verdict.compared() > 0 || unanswered;
-    // A renderer with colours of its own does not tell which sphere it sees.
+    // A renderer with its own colours does not identify the spheres.
     const bool is_untold =
         graded.pictures && !graded.masks_only && the_case.scene.spheres.size() > 1;
     if (!verdict.holds()) {
@@ -166,7 +166,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
   return outcome;
 }
 
-/// How many failing cases of an item of functions are kept to find the mistake behind them.
+/// The most failing cases kept of an item of functions, to find the mistake behind them.
 constexpr std::size_t kKeptCases = 8;
 
 /// After this many cases of an item on which a program fails entirely, or does not end in time, the
@@ -174,7 +174,7 @@ constexpr std::size_t kKeptCases = 8;
 constexpr int kMostFailures = 8;
 constexpr int kMostSilentCases = 3;
 
-/// A quantity whose answers are all excused and never right: excuses alone earn nothing.
+/// A quantity whose answers are all excused and never right: they earn nothing.
 std::optional<properties::Quantity> never_right(const Verdict& verdict) {
   for (const auto& [quantity, tally] : verdict.tallies()) {
     properties::Answered all;
@@ -187,14 +187,14 @@ std::optional<properties::Quantity> never_right(const Verdict& verdict) {
   return std::nullopt;
 }
 
-/// Whether no hit is found where there are some, as where whatever is asked is answered by a miss.
+/// Whether the candidate finds none of the hits, for example because it always answers "miss".
 bool never_hits(const Verdict& verdict) {
   const auto& hits = verdict.tally(properties::Quantity::kClass)
                          .answered[static_cast<std::size_t>(properties::Expected::kHit)];
   return hits.asked > 0 && hits.right == 0;
 }
 
-/// Whether most pixels that show a sphere tell which one.
+/// Whether most pixels that show a sphere identify it.
 bool tells_spheres(const ShownPicture& picture) {
   const auto& image = picture.image;
   const auto spheres =
@@ -204,10 +204,10 @@ bool tells_spheres(const ShownPicture& picture) {
   return 2 * untold <= spheres;
 }
 
-/// What follows from all cases together. `is_untold`: of some its colours do not tell the answer.
+/// The outcome of all cases. `is_untold`: in some cases the colours do not identify the spheres.
 void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
   if (grade.cases == 0 && (is_untold || grade.unsaid > 0)) {
-    // It cannot be called wrong, or right.
+    // The item can be neither right nor wrong.
     grade.points = 0;
     grade.state = ItemState::kNotAsked;
     grade.reason.kind =
@@ -220,7 +220,7 @@ void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
     grade.reason = {.kind = ItemReason::Kind::kNeverRight,
                     .quantity = std::string(info(*quantity).name)};
   }
-  // What is given besides is not earned by misses alone.
+  // A bonus is not earned by misses.
   if (grade.bonus && never_hits(all)) grade.held = 0;
   grade.state =
       grade.cases > 0 && grade.held == grade.cases ? ItemState::kHolds : ItemState::kFails;
@@ -249,7 +249,7 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
     if (outcome.is_unsaid) ++grade.unsaid;
     if (!outcome.answers) continue;
     std::optional<ShownPicture> picture;
-    // It was just drawn and is reused; a timeout is not waited for twice.
+    // The picture was just drawn and is reused; a time-out is not repeated.
     const bool timed_out = outcome.failure == FailureKind::kTimeUp;
     if (graded.pictures && !timed_out)
       picture = properties::shown_picture(item_case->the_case.scene, graded.unmasked);

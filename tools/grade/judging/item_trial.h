@@ -25,8 +25,8 @@ struct ItemCase {
   CaseOrigin origin;
 };
 
-/// The cases of an item, by their numbers: its scenes (for pictures varied as the item says), then
-/// random ones. All follow from a seed.
+/// The numbered cases of an item: its scenes (for pictures varied as the item says), then random
+/// cases. All follow from a seed.
 class ItemCases {
  public:
   /// `declared`: the conventions under which the submission is judged, in a format that every case
@@ -36,7 +36,7 @@ class ItemCases {
             scene::Precision precision = scene::Precision::kDouble);
 
   std::size_t size() const { return task_.scenes.size() + seeds_.size(); }
-  /// Empty if there is nothing to ask: the format cannot hold the case, for example.
+  /// Empty if there is nothing to ask, for example because the format cannot represent the case.
   std::optional<ItemCase> operator[](std::size_t k) const;
 
  private:
@@ -53,12 +53,12 @@ class ItemCases {
 
 /// The candidate for an item, in the item's own units, and how strictly it is judged.
 struct GradedCandidate {
-  properties::Candidate candidate;  ///< Of its pictures only what the item asks for counts.
-  properties::Candidate unmasked;   ///< The same, with its pictures as they are.
+  properties::Candidate candidate;  ///< Its pictures are reduced to what the item judges.
+  properties::Candidate unmasked;   ///< The same with unreduced pictures.
   Tolerance tolerance;
   bool pictures = false;
   bool masks_only = false;             ///< Whether a pixel shows a sphere, not which.
-  LastFailure last_failure = nullptr;  ///< For other people's candidates.
+  LastFailure last_failure = nullptr;  ///< Null for raycheck's own methods.
 
   properties::TrialOptions options() const { return {.max_error = tolerance.ulp}; }
 };
@@ -76,19 +76,19 @@ struct FailedCase {
   ItemCase item_case;
   const properties::Law* broken = nullptr;
   properties::Discrepancy discrepancy;
-  /// How the candidate failed, if it did.
+  /// The kind of failure, if the candidate failed.
   std::optional<FailureKind> failure = {};
-  /// A renderer's picture of it; empty if there is none. Its sides may be exchanged.
+  /// A renderer's picture of the case, if there is one. Its sides may be exchanged.
   std::optional<properties::ShownPicture> shown = {};
 };
 
 /// The outcome of an item's cases.
 struct ItemTrial {
-  ItemGrade grade;                 ///< Without a score, and what depends on all items.
-  std::vector<FailedCase> failed;  ///< In order; for functions only the first.
+  ItemGrade grade;                 ///< Without its score and whatever depends on all items.
+  std::vector<FailedCase> failed;  ///< In order; for functions only the first few.
   /// A renderer's pictures of all its cases.
   std::vector<properties::ShownPicture> pictures;
-  /// The scenes that were not asked about any more.
+  /// The scenes that were skipped.
   std::vector<scene::Scene> not_asked;
 };
 
@@ -101,49 +101,48 @@ WrongAnswer wrong_answer(const properties::Discrepancy& discrepancy);
 
 /// The simplest case found that fails as `first` does: by the same law, in the same quantity and
 /// way, with the same message if the candidate failed entirely, and, for a renderer whose mistakes
-/// are known (`fault`), with a picture that they make. Timeouts are not shrunk, since every case
+/// are known (`fault`), with a picture that they make. Time-outs are not shrunk, since every case
 /// tried might take as long.
 properties::Case simplest(const FailedCase& first, const GradedCandidate& graded,
                           const properties::Fault& fault, const std::function<bool()>& is_late);
 
-/// Whether the candidate answers wrongly about the place where it broke a law, as it runs, and
-/// rightly as a fresh process. False where it gave no answer, and of renderers, which start for
+/// Whether the running candidate answers wrongly at the place where it broke a law, but a fresh
+/// process answers rightly. False if it gave no answer, and for renderers, which start anew for
 /// each scene.
 bool keeps_state(const FailedCase& failed, const GradedCandidate& graded);
 
-/// The report on a case, `first` being how it first failed; empty if it does not break the law any
-/// more.
+/// The report on a case; `first`: the original failure. Empty if the case no longer breaks the law.
 std::optional<FailingCase> failing_case(const properties::Case& the_case, const FailedCase& first,
                                         const GradedCandidate& graded);
 
-/// What items fail by that is no mistake in a formula; of each kind a submission has one.
+/// Causes other than mistakes in formulas; a submission has at most one of each kind.
 enum class OtherCause { kRoundings, kSidesExchanged, kShapeOfScenes };
 
 /// Why an item fails.
 struct ItemCause {
-  properties::Fault fault = {};         ///< Of its wrong answers. Empty: unknown.
-  std::vector<OtherCause> others = {};  ///< What else it fails by.
-  /// Nothing else is wrong with it, and enough is seen to say so.
+  properties::Fault fault = {};         ///< The mistakes behind its wrong answers. Empty: unknown.
+  std::vector<OtherCause> others = {};  ///< Its other causes.
+  /// These explain the item's failure completely, with enough evidence.
   bool is_all = false;
 };
 
-/// The step that an item is about, which its laws judge first; empty if it is about several.
+/// The step that an item's first law judges; empty for pictures.
 std::optional<properties::Step> step_of(const Item& item);
 
-/// The shape of the scenes on which a renderer fails, if all items together tell: where it makes no
-/// picture or, `of_wrong_ones`, no right one.
+/// The shape of the scenes on which a renderer fails, if the items together determine it: scenes
+/// without a picture or, with `of_wrong_ones`, without a right picture.
 struct ShapeOfFailures {
   std::optional<properties::ShapeCause> cause = {};
   bool of_wrong_ones = false;
 };
-/// Wrong pictures that nothing explains count where they are not square.
+/// If `are_unexplained`, wrong pictures that are not square count as failures, too.
 ShapeOfFailures shape_of_failures(const Rubric& rubric, const std::vector<ItemTrial>& trials,
                                   bool are_unexplained);
 
-/// Finds the causes of a renderer's wrong pictures, over all items together, and names them in
-/// each. If it is unknown which form of driver files is read, nothing is named that another form
-/// explains; if it was found by trial, a mistake that is another one in another form is worded as
-/// both. Domain: a trial for each item of the rubric.
+/// Finds the causes of a renderer's wrong pictures, over all items together, and names them in each
+/// item. If the form of driver files is unknown, no mistake is named that another form would
+/// explain; if the form was found by trial, a mistake that would be a different one in another form
+/// is worded as both. Domain: a trial for each item of the rubric.
 std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
                                           scene::Dialect dialect, std::vector<ItemTrial>& trials);
 
@@ -152,9 +151,9 @@ std::vector<ItemCause> causes_of_functions(const Rubric& rubric,
                                            const properties::Candidate& candidate,
                                            std::vector<ItemTrial>& trials);
 
-/// Lets each mistake, and all else that is known, cost one item alone: of those that
-/// fail by it the first that asks about the step where it is made, or else the first. The others
-/// that have nothing else wrong follow.
+/// Charges each known cause to one item only: of the items that fail by it, the first that asks
+/// about the step of the mistake, or else the first. Items that fail only by causes charged
+/// elsewhere follow.
 void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
                  std::vector<ItemTrial>& trials);
 

@@ -20,7 +20,7 @@ using properties::Quantity;
 
 namespace {
 
-/// The reason why one item loses its points.
+/// A cause that costs one item its points.
 using Charge = std::variant<const Mistake*, OtherCause>;
 
 std::vector<Charge> charges(const ItemCause& cause) {
@@ -85,7 +85,7 @@ namespace {
 using properties::Candidate;
 using properties::Fault;
 
-/// The candidate, with only the masks of its pictures counting.
+/// The candidate with its pictures reduced to masks.
 Candidate masked(Candidate candidate) {
   candidate.image = [image = candidate.image](const scene::Scene& scene,
                                               const scene::Conventions& conventions) {
@@ -107,7 +107,7 @@ double score_of(const Item& item, std::uint64_t held, std::uint64_t cases) {
   return credit * item.points;
 }
 
-/// Asks a submission everything, item by item.
+/// Asks a submission all items in order.
 class Judge {
  public:
   Judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
@@ -119,8 +119,7 @@ class Judge {
         before_(judged_.spent ? judged_.spent->so_far() : SpentTime::Time{}) {
     Candidate& candidate = judged_.candidate;
     candidate.declared = rubric.conventions.over(candidate.declared);
-    // Valid roots, or a domain, that a submission declares itself would excuse it from what the
-    // rubric asks.
+    // Valid roots or a domain that a submission declares would exclude cases of the rubric.
     candidate.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
     candidate.smallest_length = candidate.smallest_camera_length =
         std::min(candidate.smallest_length, properties::kSmallestJudgedLength);
@@ -134,14 +133,14 @@ class Judge {
     for (std::size_t k = 0; k < rubric_.items.size(); ++k) trials.push_back(try_item_at(k));
     std::vector<ItemCause> causes(trials.size());
     try {
-      // What depends on earlier questions tells no formula.
+      // Answers that depend on earlier questions say nothing about formulas.
       if (!name_kept_state(trials)) {
         causes = judged_.pictures
                      ? causes_of_pictures(rubric_, judged_.form_known, judged_.dialect, trials)
                      : causes_of_functions(rubric_, judged_.candidate, trials);
       }
     } catch (const scene::Interrupted&) {
-      // Then they are unknown.
+      // The causes stay unknown.
     }
     charge_once(rubric_, causes, trials);
     std::vector<ItemGrade> grades;
@@ -224,8 +223,8 @@ class Judge {
     }
   }
 
-  /// Names it in each item whose first failure is right when a fresh process is asked about it
-  /// first.
+  /// Names kept state as the mistake of each item whose first failure is answered rightly by a
+  /// fresh process.
   bool name_kept_state(std::vector<ItemTrial>& trials) const {
     bool is_kept = false;
     for (std::size_t k = 0; k < trials.size(); ++k) {

@@ -11,17 +11,17 @@
 
 namespace raycheck::tools {
 
-/// What is known of a renderer's form of driver files.
+/// How a renderer's form of driver files is known.
 enum class FormKnown {
   kGiven,  ///< The rubric requires it: reading another one is a mistake.
-  kFound,  ///< Of several, the one whose picture shows the scene.
-  kNot     ///< None that it reads was found.
+  kFound,  ///< By trial: the picture shows the scene.
+  kNot     ///< Unknown: no form was found that it reads.
 };
 
-/// What is judged.
+/// A submission ready to be judged.
 struct JudgedSubmission {
   properties::Candidate candidate;
-  bool pictures = false;  ///< It is asked for pictures, not for functions.
+  bool pictures = false;  ///< It is judged by pictures, not by functions.
   FormKnown form_known = FormKnown::kGiven;
   scene::Dialect dialect = scene::Dialect::kB;  ///< Of its driver files.
   LastFailure last_failure = nullptr;           ///< Set when the candidate fails.
@@ -29,10 +29,10 @@ struct JudgedSubmission {
   std::shared_ptr<const SpentTime> spent = nullptr;
 };
 
-/// Asks a candidate all items of a rubric, and judges the answers together: a mistake costs the
-/// points of one item, whatever else fails by it. The cases follow from the seed; the rubric's
-/// conventions override those that the candidate declares. A case holds if the laws hold and the
-/// candidate answers all that raycheck's own methods answer.
+/// Asks a candidate all items of a rubric and judges the answers together: a mistake costs the
+/// points of one item, even if other items fail by it, too. The cases follow from the seed; the
+/// rubric's conventions override those that the candidate declares. A case holds if the laws hold
+/// and the candidate answers everything that raycheck's own methods answer.
 std::vector<ItemGrade> judge(const Rubric& rubric, JudgedSubmission judged, std::uint64_t seed,
                              const properties::RunControl& control);
 

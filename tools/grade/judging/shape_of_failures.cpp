@@ -8,7 +8,7 @@ namespace {
 
 using Tried = std::vector<properties::TriedScene>;
 
-/// Which scenes a renderer makes no picture of, if all items together tell.
+/// The shape of the scenes without a picture, if the items together determine it.
 std::optional<properties::ShapeCause> without_picture(const std::vector<ItemTrial>& trials) {
   Tried tried;
   for (const ItemTrial& trial : trials) {
@@ -20,8 +20,8 @@ std::optional<properties::ShapeCause> without_picture(const std::vector<ItemTria
   return properties::shape_cause(tried);
 }
 
-/// Whether its pictures are wrong, or missing, only where they are not square, and there for the
-/// most part: what is right by luck is left out.
+/// The shape of the failing scenes if only non-square pictures are wrong or missing, and most of
+/// them are; pictures that are right by luck do not count.
 std::optional<properties::ShapeCause> oblong_failures(const Rubric& rubric,
                                                       const std::vector<ItemTrial>& trials,
                                                       bool with_bonus) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kBins = 10;
 
-/// 0 for what has no points.
+/// 0 if the submission has no points to earn.
 double share_of(const SubmissionGrade& grade) {
   return grade.points > 0 ? (grade.score - grade.bonus) / grade.points : 0;
 }
@@ -100,12 +100,12 @@ std::string links(const Submissions& members) {
   return "<p>" + scene::joined(members, ", ", link_of) + "</p>\n";
 }
 
-/// The smallest case of a mistake, to look at and to download.
+/// The smallest failing case of a mistake, shown and offered for download.
 std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
   const FailingCase& failing = *item.failing;
   const std::string name = file_name(item.name);
   const std::string driver = driver_file_text(failing, form);
-  std::string html = "<p>The smallest case, of item " + escaped(item.name) + ": ";
+  std::string html = "<p>The smallest failing case, from item " + escaped(item.name) + ": ";
   if (!driver.empty()) html += download(name + ".txt", driver) + ", ";
   html += download(name + ".toml", scene_text(failing)) + "</p>\n";
   return html + pictures_html(failing, "theirs") + "<p>" + escaped(answer_text(failing.answer)) +
@@ -115,10 +115,10 @@ std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
 std::string mistakes(const ClassGrade& graded) {
   const std::size_t judged = submissions_that(graded, true).size();
   std::string html =
-      "<h2>Mistakes</h2>\n<p>By the number of students whose wrong answers they explain; where "
+      "<h2>Mistakes</h2>\n<p>Sorted by the number of students whose wrong answers they explain; if "
       "several explain the same answers, each is counted.</p>\n";
   const std::vector<MistakeStatistics> all = mistake_statistics(graded.submissions);
-  if (all.empty()) return html + "<p>None is known.</p>\n";
+  if (all.empty()) return html + "<p>No mistake was identified.</p>\n";
   for (const MistakeStatistics& one : all) {
     html += fmt::format(
         "<details><summary><span class=\"name\">{}</span><span>{} of {}</span></summary>\n",
@@ -134,8 +134,8 @@ std::string not_judged(const ClassGrade& graded) {
   const Submissions all = submissions_that(graded, false);
   if (all.empty()) return "";
   std::string html =
-      "<h2>Could not be judged</h2>\n<p>Nothing of these could be run, so that no points are "
-      "known: they are in no number above.";
+      "<h2>Could not be judged</h2>\n<p>These submissions could not be run: the numbers above do "
+      "not include them.";
   if (graded.rubric.unjudged > 0) {
     html +=
         fmt::format(" The rubric gives them {:g}% of the points.", 100 * graded.rubric.unjudged);
@@ -151,7 +151,7 @@ std::string not_judged(const ClassGrade& graded) {
   return html;
 }
 
-/// Whose total lacks cases.
+/// The submissions whose total lacks cases.
 std::string unsaid(const ClassGrade& graded) {
   std::string html;
   for (const SubmissionGrade& grade : graded.submissions) {
@@ -190,7 +190,7 @@ std::string everyone(const ClassGrade& graded) {
   return html + "</table></div>\n";
 }
 
-/// Files that reading does not explain.
+/// Files whose content a reader cannot judge: binaries, pictures, large files.
 std::string opaque(const ClassGrade& graded) {
   constexpr std::size_t kMostListed = 8;
   std::string rows;
@@ -207,9 +207,8 @@ std::string opaque(const ClassGrade& graded) {
   }
   if (rows.empty()) return "";
   return "<h2>Files to look at</h2>\n<p>Programs, archives, pictures and large files that were "
-         "handed in. None is forbidden, and most are harmless; what was computed elsewhere, "
-         "raycheck "
-         "itself too, can be brought along in such a file, and no test can tell.</p>\n"
+         "handed in. They are allowed, and most are harmless; but such a file can contain raycheck "
+         "itself, or results computed elsewhere, and no test can detect that.</p>\n"
          "<div class=\"wide\"><table>\n" +
          rows + "</table></div>\n";
 }
@@ -231,7 +230,7 @@ std::string summary(const ClassGrade& graded) {
     html += "<p class=\"quiet\">" + escaped(isolation_text(*graded.isolation)) + "</p>\n";
   }
   if (graded.interrupted) {
-    html += "<p><strong>Interrupted: these are the submissions that were reached.</strong></p>\n";
+    html += "<p><strong>Interrupted: these are the results so far.</strong></p>\n";
   }
   return html;
 }

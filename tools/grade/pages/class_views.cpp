@@ -61,14 +61,15 @@ std::string class_text(const ClassGrade& graded) {
         fmt::format("see {}/{}/report.html\n", graded.out, line_text(graded.submissions[0].name));
   }
   if (graded.interrupted) {
-    text += "INTERRUPTED: the same command goes on where it was cut.\n";
+    text += "INTERRUPTED: run the same command again to continue.\n";
   }
   text += count_text(graded.submissions.size(), "submission") + " graded";
   const std::size_t not_judged = submissions_that(graded, false).size();
   if (not_judged > 0) text += fmt::format(", {} could not be judged", not_judged);
   if (graded.not_graded > 0) {
-    text += fmt::format(", {} of them for causes outside: the same command tries again",
-                        graded.not_graded);
+    text += fmt::format(
+        ", {} of them for reasons outside the submission: run the same command to retry",
+        graded.not_graded);
   }
   if (graded.times) text += fmt::format(" ({})", times_text(*graded.times));
   return text + "\n";
@@ -86,8 +87,8 @@ std::string csv_note(const SubmissionGrade& grade) {
 
 }  // namespace
 
-/// A row per submission, a column per item; without points if it could not be judged, except those
-/// that the rubric gives for that.
+/// A row per submission, a column per item. A submission that could not be judged has no points
+/// except those that the rubric gives such submissions.
 std::string class_csv(const ClassGrade& graded) {
   std::string text = "submission,score,points";
   for (const Item& item : graded.rubric.items) text += "," + csv_cell(item.name);

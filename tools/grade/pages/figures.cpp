@@ -22,7 +22,7 @@ constexpr const char* kYours = "yours";
 
 using properties::Candidate;
 
-/// Thrown for questions that were not asked then.
+/// Thrown for a question that was not asked when the submission was judged.
 struct NotAsked : std::runtime_error {
   NotAsked() : std::runtime_error("it was not asked") {}
 };
@@ -71,8 +71,9 @@ Candidate candidate_that_answered(const FailingCase& failing, const Tolerance& t
   return candidate;
 }
 
-/// A submission's answers about a failing case, as a method that repeats them: nothing is run. The
-/// item's tolerance applies; null if no answers are kept, or they are withheld.
+/// A submission's stored answers about a failing case, as a method that repeats them without
+/// running the submission. The item's tolerance applies; null if there are no stored answers or
+/// they are withheld.
 std::shared_ptr<const Implementation> answered(const FailingCase& failing,
                                                const Tolerance& tolerance,
                                                const Layers& isolation) {
@@ -84,13 +85,13 @@ std::shared_ptr<const Implementation> answered(const FailingCase& failing,
       .make = [candidate = candidate_that_answered(failing, tolerance)] { return candidate; }});
 }
 
-/// How many spheres of a ray have panels: the one in question, then the others in order.
+/// The most spheres of a ray that get a panel: the failing one, then the others in order.
 constexpr std::size_t kMostSpheresShown = 8;
 
 /// What was judged, and the other spheres that the ray may meet.
 std::vector<Selection> wanted_of(const FailingCase& failing) {
   std::vector<Selection> wanted = selections_of(failing.the_case, failing.answer.place);
-  // The submission's answers are stored for this ray only.
+  // Only this ray's answers are stored.
   wanted.resize(std::min<std::size_t>(wanted.size(), 1));
   if (wanted.empty() || !failing.answers || !failing.answers->hits) return wanted;
   Selection other = wanted.front();
@@ -112,7 +113,7 @@ std::string sentence_of(const Item& item, const WrongAnswer& answer) {
   return text;
 }
 
-/// Whether a step of the first selection is wrong; relations of several answers show in no step.
+/// Whether a step of the first selection is wrong; relations between answers belong to no step.
 bool goes_wrong(const SceneView& shown) {
   if (shown.panels.empty()) return false;
   const std::vector<std::string>& wrong = shown.panels.front().wrong;
@@ -156,7 +157,7 @@ bool has_figures(const StudentGrade& grade) {
 }
 
 std::string figures_page(const StudentGrade& grade) {
-  // A page once begun is finished despite interrupts: it does not take long.
+  // A page that is begun is finished despite interrupts: this is quick.
   const std::function<bool()> never = [] { return false; };
   const scene::Interruptible until_done(never);
   ViewDocument document;

@@ -89,8 +89,8 @@ constexpr Colour kQuiet = {60, 60, 60};
 /// The largest height of a picture on a page, in rem.
 constexpr double kTallest = 20;
 
-/// A pixel in the picture of differences is a mark this many pixels across and down, so that marks
-/// differ by their shapes, too.
+/// The width and height of a mark, which stands for one pixel in the picture of differences; marks
+/// also differ in shape.
 constexpr int kMark = 7;
 struct Mark {
   Colour colour;
@@ -107,12 +107,12 @@ constexpr Mark kSurplus = {
     {86, 180, 233},
     {".......", ".#...#.", "..#.#..", "...#...", "..#.#..", ".#...#.", "......."},
     "&#10005;",
-    "a sphere is shown where none is"};
+    "a sphere is shown instead of the background"};
 constexpr Mark kOther = {
     {240, 228, 66},
     {".......", ".......", ".#####.", ".......", ".#####.", ".......", "......."},
     "=",
-    "another sphere is shown"};
+    "the wrong sphere is shown"};
 
 /// Null if the pixel is right.
 const Mark* mark_of(const Sphere& got, const Sphere& exact) {
@@ -204,7 +204,7 @@ std::string difference_html(const FailingCase& failing, std::string_view whose) 
                     difference_text(failing, whose), caption);
 }
 
-/// Which colour is which sphere; empty if pictures do not tell.
+/// The legend of the spheres' colours; empty if the pictures do not identify spheres.
 std::string legend_html(const ComparedPictures& pictures) {
   std::set<std::size_t> shown = spheres_of(pictures.got);
   if (pictures.exact) shown.merge(spheres_of(*pictures.exact));

@@ -39,7 +39,7 @@ std::string command_html(const HomeCommand& command) {
   return escaped(command.purpose) + ":<pre class=\"command\">" + escaped(command.words) + "</pre>";
 }
 
-/// The mistake, the hint, the case to try, and how.
+/// The mistake, the hint, the failing case and the commands that repeat it.
 std::string next_steps(const StudentGrade& grade, std::size_t k) {
   const Item& item = *grade.items[k];
   const ItemGrade& told = grade.submission.items[k];
@@ -54,7 +54,7 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
     const std::string name = file_name(item.name);
     const std::string scene = scene_text(*told.failing);
     const std::string driver = driver_file_text(*told.failing, grade.submission.driver);
-    std::string links = "The case to try, beside your program: ";
+    std::string links = "Save the case beside your program: ";
     if (!driver.empty()) {
       links += download(name + ".txt", driver) + " (driver file), ";
       files += file_html(name + ".txt", driver);
@@ -67,7 +67,7 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
 }
 
-/// `figure` is where the page of figures has the item's failing case; empty: nowhere.
+/// `figure`: the address of the item's figure; or empty.
 std::string item_html(const StudentGrade& all, std::size_t k, const std::string& figure) {
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];
@@ -103,13 +103,13 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
   const bool is_renderer = program->kind == CandidateKind::kRenderer;
   std::vector<HomeCommand> commands;
   if (!grade.submission.build_words.empty()) {
-    commands.push_back(
-        {"Build it as here, in a copy of your folder", "(" + grade.submission.build_words + ")"});
+    commands.push_back({"Build it as the grader did, in a copy of your folder",
+                        "(" + grade.submission.build_words + ")"});
   }
   if (is_renderer) {
     std::string words = boost::replace_all_copy(program->what, "{scene}", name + ".txt");
     boost::replace_all(words, "{image}", "out.ppm");
-    commands.push_back({"Draw it", std::move(words)});
+    commands.push_back({"Draw the case", std::move(words)});
   }
   std::string check =
       fmt::format("raycheck check {}.toml --candidate {}", name, shell_word(program->text()));
@@ -124,13 +124,12 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
   if (is_renderer && pictures && pictures->image_change) {
     check += " --image-change " + scene::shortest(*pictures->image_change);
   }
-  commands.push_back(
-      {is_renderer ? "Judge every pixel of it" : "Judge every ray of it", std::move(check)});
+  commands.push_back({is_renderer ? "Check every pixel" : "Check every ray", std::move(check)});
   return commands;
 }
 
 HomeCommand command_for_all(const StudentGrade& grade) {
-  return {"To grade it again, as here, in your folder",
+  return {"To grade your submission again, run in its folder",
           fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
                       grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
 }
@@ -139,24 +138,24 @@ std::string report_page(const StudentGrade& grade) {
   const SubmissionGrade& submission = grade.submission;
   std::string html =
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(grade.title), escaped(submission.name));
-  // Faults first: a bonus hides none.
+  // Mistakes first, so that a bonus does not hide them.
   const std::string mistake = mistake_text(submission);
   if (!mistake.empty()) html += "<p><strong>" + escaped(mistake) + "</strong></p>\n";
   const std::string total = score_text(submission) + of_points_text(submission);
   html += "<p class=\"total\">" +
           (could_be_judged(submission) ? total
-           : submission.score > 0      ? "could not be judged, for which there are " + total
+           : submission.score > 0      ? "could not be judged; such a submission gets " + total
                                        : "could not be judged") +
           "</p>\n";
   if (!submission.finished) {
-    html += "<p><strong>Grading was cut short: this is what was judged.</strong></p>\n";
+    html += "<p><strong>Grading was interrupted: these are the results so far.</strong></p>\n";
   }
   for (const std::string& note : submission.notes) {
     html += "<p>Your program: " + escaped(note) + "</p>\n";
   }
   if (submission.refused) {
-    html += "<h2>Nothing could be run</h2>\n<pre>" + escaped(refusal_text(*submission.refused)) +
-            "</pre>\n";
+    html += "<h2>Your submission could not be run</h2>\n<pre>" +
+            escaped(refusal_text(*submission.refused)) + "</pre>\n";
   } else {
     std::size_t shown = 0;
     std::string failing, others;

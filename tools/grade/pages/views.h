@@ -22,7 +22,7 @@ std::string class_csv(const ClassGrade& graded);
 std::string class_json(const ClassGrade& graded);
 std::string class_page(const ClassGrade& graded);
 
-/// What the command can print; the first by default.
+/// The formats that the command prints; the first is the default.
 inline constexpr ClassView kPrintedViews[] = {
     {"text", class_text}, {"json", class_json}, {"csv", class_csv}};
 inline constexpr ClassView kClassFiles[] = {{"grades.csv", class_csv}, {"index.html", class_page}};
@@ -56,17 +56,17 @@ std::string origin_text(const CaseOrigin& origin);
 
 /// "class, pixel (3, 4), sphere 0: missed"
 std::string answer_text(const WrongAnswer& answer);
-/// The numbers, or "miss"; empty: none, or withheld.
+/// The numbers, or "miss"; empty if there are no numbers or they are withheld.
 std::string got_text(const WrongAnswer& answer);
 std::string exact_text(const WrongAnswer& answer);
 
-/// Empty where there is none.
+/// Empty without a reason.
 std::string reason_text(const ItemReason& reason);
 
 /// "the far root is taken for the near one: 12 of 12 wrong answers are right that way"
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake);
 
-/// The mistake that explains most items; empty where none is known.
+/// The mistake that explains most items; empty if no mistake is known.
 std::string mistake_text(const SubmissionGrade& grade);
 
 /// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
@@ -75,19 +75,18 @@ std::string state_text(const ItemGrade& grade);
 /// "time is up after 60 s: robustness not judged"; empty if everything was asked.
 std::string time_up_text(const SubmissionGrade& grade);
 
-/// What a submission has, its bonus aside; "-" of one that could not be judged and for which the
-/// rubric gives no points.
+/// The score without bonus; "-" for a submission that could not be judged and gets no points.
 std::string score_text(const SubmissionGrade& grade);
 /// " of 100, bonus 7.5"
 std::string of_points_text(const SubmissionGrade& grade);
 
-/// "could not be judged: 'make' exited with 2". Domain: a submission that could not.
+/// "could not be judged: 'make' exited with 2". Domain: such a submission.
 std::string not_judged_text(const SubmissionGrade& grade);
 
 /// Why nothing could be run, with the compiler's output.
 std::string refusal_text(const Refusal& refused);
 
-/// "2 items are in the score and not shown"; empty if all are shown.
+/// "not shown, but in the score: 2 items"; empty if all are shown.
 std::string unlisted_text(const StudentGrade& grade);
 
 /// The sentence of a failing case's law.
@@ -99,8 +98,8 @@ std::string driver_file_text(const FailingCase& failing, const DriverForm& form)
 /// "built in 3.2 s, 4 from the store, judged in 0.5 s"
 std::string times_text(const GradingTimes& times);
 
-/// What isolated submissions: "isolated by: seccomp, bubblewrap", with what did not work here, and
-/// why.
+/// The isolation of submissions: "isolated by: seccomp, bubblewrap", and why other layers are
+/// missing here.
 std::string isolation_text(const LayersHere& isolation);
 
 /// A name without terminal control sequences.
@@ -109,7 +108,7 @@ std::string line_text(const std::string& name);
 /// A line per item, and the mistake, for reading one submission; `items` are its items.
 std::string submission_text(const std::vector<const Item*>& items, const SubmissionGrade& grade);
 
-/// What item k asked, and its outcome, in lines.
+/// Item k's question and outcome, in lines.
 std::string item_text(const StudentGrade& all, std::size_t k);
 
 /// A command line, and what it is for.
@@ -118,18 +117,18 @@ struct HomeCommand {
   std::string words;
 };
 
-/// Commands that build the submission as it was built here, and repeat item k's failing case, with
-/// its files beside the submission's; empty if it has none.
+/// Commands that build the submission as raycheck did and repeat item k's failing case, whose files
+/// are to lie beside the submission's; empty without a failing case.
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);
 
 /// Grades the submission again, as far as students may see, in its folder.
 HomeCommand command_for_all(const StudentGrade& grade);
 
-/// Whether item k has a figure: it asks for functions, and fails on a case whose exact answer the
-/// student is told.
+/// Whether item k has a figure: it asks for functions and fails on a case whose exact answer the
+/// student may see.
 bool has_figure(const StudentGrade& grade, std::size_t k);
 bool has_figures(const StudentGrade& grade);
-/// The page of all figures, with the submission's answers: nothing is run. Domain: there are some.
+/// The page of all figures, made from stored answers: nothing is run. Domain: has_figures().
 std::string figures_page(const StudentGrade& grade);
 /// The link to an item's figure, by its index among those with figures.
 std::string figure_address(std::size_t finding);
@@ -145,8 +144,8 @@ std::string download(std::string_view file, std::string_view text);
 std::string difference_text(const FailingCase& failing, std::string_view whose = "yours");
 
 /// The submission's picture, the expected one and their differences, side by side: spheres in
-/// colours that colour-blind readers can distinguish, differences as marks. Withheld ones are left
-/// out; empty if there are no pictures.
+/// colours that colour-blind readers can distinguish, differences as marks. Withheld pictures are
+/// omitted; empty if there are no pictures.
 std::string pictures_html(const FailingCase& failing, std::string_view whose = "yours");
 
 }  // namespace raycheck::tools

@@ -41,7 +41,7 @@ std::string answer_text(const WrongAnswer& answer) {
 
 std::string got_text(const WrongAnswer& answer) {
   if (answer.quantity == Quantity::kRefusal) return "";
-  // Some sphere; the picture does not tell which.
+  // The picture shows a sphere, but its colour does not identify which.
   const bool is_untold = answer.quantity == Quantity::kNearestSphere &&
                          answer.wrong == Wrong::kFalseHit && answer.got.empty();
   return is_untold ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
@@ -58,18 +58,18 @@ std::string reason_text(const ItemReason& reason) {
     case Kind::kNone:
       return "";
     case Kind::kNotInPictures:
-      return "a picture does not show it";
+      return "cannot be judged from a picture";
     case Kind::kOfRenderers:
-      return "only renderers are asked this";
+      return "only for submissions that draw pictures";
     case Kind::kNeeds:
-      if (reason.item.empty()) return "it needs other items";
+      if (reason.item.empty()) return "it needs another item to have all points";
       return fmt::format("it needs '{}', which {}{}", reason.item,
                          reason.state == ItemState::kFails ? "" : "is ", name(reason.state));
     case Kind::kFollows:
-      return reason.item.empty() ? "from the mistake of another item"
-                                 : fmt::format("from the mistake of '{}'", reason.item);
+      return reason.item.empty() ? "because of the mistake in another item"
+                                 : fmt::format("because of the mistake in '{}'", reason.item);
     case Kind::kTimeUp:
-      return fmt::format("time is up: a submission has {} s for all of its questions",
+      return fmt::format("time is up: the limit for all questions together is {} s",
                          reason.seconds);
     case Kind::kInterrupted:
       return "interrupted";
@@ -81,13 +81,13 @@ std::string reason_text(const ItemReason& reason) {
     case Kind::kNothingToCompare:
       return "there was nothing to compare";
     case Kind::kNeverRight:
-      return fmt::format("{}: no answer is right, all are excused", reason.quantity);
+      return fmt::format("{}: all answers are excused and none is right", reason.quantity);
     case Kind::kCannotBeSaid:
-      return "its cases cannot be said in the program's form";
+      return "its cases cannot be written in the program's input format";
     case Kind::kNothingRuns:
       break;
   }
-  return "nothing could be asked";
+  return "the submission could not be run";
 }
 
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake) {
@@ -99,7 +99,7 @@ std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistak
 std::string mistake_text(const SubmissionGrade& grade) {
   std::vector<MistakeStatistics> all = mistake_statistics({&grade, 1});
   std::ranges::stable_sort(all, std::greater{}, &MistakeStatistics::items);
-  // The most frequent one is named, and all others that cost points.
+  // The most frequent mistake, then every other one that costs points.
   std::string text;
   for (const MistakeStatistics& one : all) {
     if (text.empty() || one.costs) text += (text.empty() ? "" : "; and ") + one.sentence;
@@ -111,7 +111,7 @@ std::string state_text(const ItemGrade& grade) {
   if (grade.unsaid > 0 && grade.cases > 0) {
     ItemGrade said = grade;
     said.unsaid = 0;
-    return fmt::format("{}; {} cannot be said in its form", state_text(said),
+    return fmt::format("{}; {} cannot be written in its input format", state_text(said),
                        count_text(grade.unsaid, "further case"));
   }
   if (grade.state == ItemState::kHolds) {
@@ -120,7 +120,7 @@ std::string state_text(const ItemGrade& grade) {
   }
   const std::string reason = reason_text(grade.reason);
   if (grade.state == ItemState::kFollows) {
-    return fmt::format("fails {} of {}, which follows {}", grade.cases - grade.held,
+    return fmt::format("fails {} of {} {}; it costs no points here", grade.cases - grade.held,
                        count_text(grade.cases, "case"), reason);
   }
   if (grade.state != ItemState::kFails) return fmt::format("{}: {}", name(grade.state), reason);
@@ -160,8 +160,7 @@ std::string refusal_text(const Refusal& refused) {
 
 std::string unlisted_text(const StudentGrade& grade) {
   if (grade.unlisted == 0) return "";
-  return (grade.unlisted == 1 ? "1 item is" : fmt::format("{} items are", grade.unlisted)) +
-         " in the score and not shown";
+  return "not shown, but in the score: " + count_text(grade.unlisted, "item");
 }
 
 std::string law_text(const FailingCase& failing) {
@@ -200,11 +199,12 @@ std::string item_text(const StudentGrade& all, std::size_t k) {
   if (grade.state == ItemState::kFails) line("hint: ", item.hint);
   if (grade.failing) {
     const std::string name = file_name(item.name);
-    text += fmt::format("the smallest failing case (from {}), a scene, {}.toml:\n",
+    text += fmt::format("the smallest failing case found (from {}), scene file {}.toml:\n",
                         origin_text(grade.failing->origin), name);
     text += scene_text(*grade.failing);
     const std::string driver = driver_file_text(*grade.failing, all.submission.driver);
-    if (!driver.empty()) text += fmt::format("the same as a driver file, {}.txt:\n", name) + driver;
+    if (!driver.empty())
+      text += fmt::format("the same case as a driver file, {}.txt:\n", name) + driver;
     for (const HomeCommand& one : commands_for_case(all, k)) {
       text += fmt::format("{}: {}\n", one.purpose, one.words);
     }

@@ -5,8 +5,7 @@
 
 namespace raycheck::tools {
 
-/// All that is known of a submission's grade, as JSON: for instructors, as it includes what is
-/// withheld from students.
+/// A submission's complete grade as JSON, including what is withheld from students.
 Json record_json(const SubmissionGrade& grade);
 
 /// A form of driver files, by the keys of a rubric's [driver].

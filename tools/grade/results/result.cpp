@@ -55,8 +55,8 @@ std::string unsaid_text(const SubmissionGrade& grade) {
     cases += item.cases + item.unsaid;
   }
   if (unsaid == 0) return "";
-  return fmt::format("{} of {} cases cannot be said in its form, and are in no total", unsaid,
-                     cases);
+  return fmt::format("{} of {} cases cannot be written in its input format and do not count",
+                     unsaid, cases);
 }
 
 namespace {
@@ -67,7 +67,7 @@ std::pair<std::size_t, std::int64_t> size_of(const FailingCase& failing) {
   return {scene.spheres.size(), scene.camera ? scene.camera->width * scene.camera->height : 0};
 }
 
-/// Counts a student's item that a mistake explains.
+/// Counts an item of a submission that a mistake explains.
 void add(const std::string& sentence, const ItemGrade& item, const SubmissionGrade& grade,
          std::vector<MistakeStatistics>& all) {
   auto known = std::ranges::find(all, sentence, &MistakeStatistics::sentence);
@@ -141,7 +141,7 @@ bool is_visible(const Rubric& rubric, const std::string& item) {
   });
 }
 
-/// The size of the error would tell the right answer.
+/// Also the error and the condition number, which would reveal the right answer.
 void withhold_exact(WrongAnswer& answer) {
   answer.exact.reset();
   answer.error.reset();

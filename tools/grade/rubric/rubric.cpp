@@ -112,7 +112,7 @@ class RubricReader {
       if (!given) continue;
       *value = number_between(*given, 0, kLargest, "must be 0 or more, and finite");
       if (**value * unit_ >= 1) {
-        fields_.fail(*given, "allows every answer: it counts in units of the rubric's precision");
+        fields_.fail(*given, "allows every answer; the unit is an ulp of the rubric's precision");
       }
     }
     if (result.ulp && result.conditioning) {
@@ -127,15 +127,14 @@ class RubricReader {
     Form result{fields_.text(fields_.required(from, "has")), given_text(from, "build", ""),
                 program(candidate)};
     if (result.has.find('/') != std::string::npos) {
-      fields_.fail(fields_.required(from, "has"), "names a file of the submission's own folder");
+      fields_.fail(fields_.required(from, "has"), "must be a file name, without a folder");
     }
     const bool has_program = result.program.what.find("{program}") != std::string::npos;
     if (has_program && !result.is_built_automatically()) {
-      fields_.fail(candidate, "{program} is what build = \"auto\" makes");
+      fields_.fail(candidate, "{program} requires build = \"auto\"");
     }
     if (result.is_built_automatically() && !(has_program && result.program.is_words())) {
-      fields_.fail(candidate,
-                   "build = \"auto\" needs {program} in the words of a renderer: or command:");
+      fields_.fail(candidate, "build = \"auto\" requires {program} in a renderer: or command:");
     }
     return result;
   }
@@ -176,7 +175,7 @@ class RubricReader {
                              "is missing: [[share, credit], ...]");
     }
     if (!field) return;
-    if (item.credit != Credit::kSteps) fields_.fail(*field, "goes with credit = \"steps\"");
+    if (item.credit != Credit::kSteps) fields_.fail(*field, "requires credit = \"steps\"");
     for (const Field& step : fields_.list(*field)) {
       const auto pair = fields_.list(step);
       if (pair.size() != 2) fields_.fail(step, "must be [share, credit]");
@@ -194,7 +193,7 @@ class RubricReader {
     const Field name = fields_.required(from, "name");
     result.name = fields_.text(name);
     if (result.name.empty()) fields_.fail(name, "is empty");
-    if (names_.contains(result.name)) fields_.fail(name, "is the name of an item before it");
+    if (names_.contains(result.name)) fields_.fail(name, "is already the name of an earlier item");
     result.asks = given_text(from, "asks", "");
     result.why = given_text(from, "why", "");
     result.hint = given_text(from, "hint", "");
@@ -206,12 +205,12 @@ class RubricReader {
       for (const Field& needed : fields_.list(*field)) {
         result.needs.push_back(fields_.text(needed));
         if (!names_.contains(result.needs.back())) {
-          fields_.fail(needed, "is no item before this one");
+          fields_.fail(needed, "is not the name of an earlier item");
         }
       }
     }
     if (!file_names_.insert(file_name(result.name)).second) {
-      fields_.fail(name, "has the letters and digits of an item before it, and so its files");
+      fields_.fail(name, "has the letters and digits of an earlier item, and so its file names");
     }
     names_.insert(result.name);
     const auto tolerance_given = fields_.optional(from, "tolerance");
@@ -226,7 +225,7 @@ class RubricReader {
     }
     if (!result.functions && !result.pictures) {
       fields_.located().fail(from.line, from.prefix + "functions",
-                             "is missing, and so is pictures: the item asks nothing");
+                             "is missing, and so is pictures; give at least one of them");
     }
     return result;
   }
@@ -252,10 +251,10 @@ class RubricReader {
       for (const Field& name : fields_.list(laws)) {
         result.laws.push_back(properties::find_law(fields_.text(name)));
         if (result.laws.back() == nullptr) {
-          fields_.fail(name, "is no law; `raycheck list` shows the laws");
+          fields_.fail(name, "is not a law; `raycheck list` shows the laws");
         }
       }
-      if (result.laws.empty()) fields_.fail(laws, "names no law");
+      if (result.laws.empty()) fields_.fail(laws, "is empty; give at least one law");
       bool given = false;
       fields_.choose(from, "rays", kRaysNames, given);
       result.given_rays = given;
@@ -266,7 +265,7 @@ class RubricReader {
     }
     read_sources(from, pictures, result);
     if (result.scenes.empty() && result.sources.empty()) {
-      fields_.fail(field, "names neither scenes nor sources");
+      fields_.fail(field, "needs scenes or sources");
     }
     return result;
   }
@@ -294,7 +293,7 @@ class RubricReader {
           fields_.fail(name, std::string(error.what()) + "; `raycheck list` shows the sources");
         }
         if (pictures && !result.sources.back().source->has_camera) {
-          fields_.fail(name, "has no cameras to make pictures with");
+          fields_.fail(name, "has no cameras, which pictures need");
         }
       }
     }
@@ -303,7 +302,7 @@ class RubricReader {
     if (!cases) return;
     const std::int64_t count = fields_.integer(*cases, "a whole number of cases");
     if (count < 1 || count > kMostCases) fields_.fail(*cases, "must be 1 to 1000000");
-    if (result.sources.empty()) fields_.fail(*cases, "goes with sources");
+    if (result.sources.empty()) fields_.fail(*cases, "requires sources");
     result.cases = static_cast<int>(count);
   }
 
@@ -320,7 +319,7 @@ class RubricReader {
         fields_.fail(field, error.what());
       }
     }();
-    if (pictures && !scene.camera) fields_.fail(field, "has no camera to make a picture with");
+    if (pictures && !scene.camera) fields_.fail(field, "has no camera, which a picture needs");
     if (pictures && scene.camera->width > kMostGradedPixels / scene.camera->height) {
       fields_.fail(field, "has more than 65536 pixels");
     }
@@ -328,7 +327,7 @@ class RubricReader {
     return {name, scene};
   }
 
-  /// Beside the rubric, or among the scenes that come with raycheck.
+  /// The scene beside the rubric, or of that name among those that come with raycheck.
   fs::path path_of_scene(const Field& field, const std::string& name) const {
     fs::path beside = path_.parent_path() / name;
     if (fs::exists(beside)) return beside;
@@ -339,7 +338,7 @@ class RubricReader {
   fs::path path_;
   TomlFields fields_;
   Tolerance tolerance_;
-  double unit_ = properties::kDoubleRoundoff;  ///< Of every tolerance.
+  double unit_ = properties::kDoubleRoundoff;  ///< The unit of every tolerance.
   std::set<std::string> names_;
   std::set<std::string> file_names_;
   std::map<std::string, fs::path> scene_files_;

@@ -53,7 +53,7 @@ std::uint64_t secret_seed(std::string_view secret, std::string_view name) {
   const auto* const text = reinterpret_cast<const unsigned char*>(name.data());
   if (HMAC(EVP_sha256(), secret.data(), static_cast<int>(secret.size()), text, name.size(),
            bytes.data(), &size) == nullptr) {
-    throw std::runtime_error("HMAC is not to be had");
+    throw std::runtime_error("HMAC-SHA-256 is not available");
   }
   std::uint64_t seed = 0;
   for (int k = 0; k < 8; ++k) seed = seed << 8 | bytes[static_cast<std::size_t>(k)];

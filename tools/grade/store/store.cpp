@@ -23,10 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFiles = "files";       ///< The folder of what was built.
-constexpr const char* kRecord = "made.json";  ///< What is known of it.
+constexpr const char* kFiles = "files";       ///< The folder with the files of a build.
+constexpr const char* kRecord = "made.json";  ///< The description of a build.
 
-/// Copies the regular files of a folder, with their times, no links; their digests by name.
+/// Copies a folder's regular files with their times, without links; returns digests by name.
 std::map<std::string, std::string> copy_files(const fs::path& from, const fs::path& to) {
   std::map<std::string, std::string> digests;
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
@@ -39,7 +39,7 @@ std::map<std::string, std::string> copy_files(const fs::path& from, const fs::pa
 }
 
 constexpr std::string_view kFirstLine = "raycheck answers 4";
-/// The most bytes of one program's answers, and with their headers.
+/// The most bytes of one program's answers, without and with their headers.
 constexpr std::size_t kMostKept = std::size_t{64} << 20;
 constexpr std::size_t kMostUnpacked = 2 * kMostKept;
 
@@ -76,7 +76,7 @@ class AnswerFile : public AnswerStore {
       OutputFile("out", path_)
           .write(fmt::format("{}\n{}\n", kFirstLine, text.size()) + packed(text));
     } catch (const std::exception&) {
-      // What is not stored is asked again.
+      // Answers that are not stored are asked again.
     }
   }
 
@@ -147,7 +147,7 @@ Built Store::built(const std::string& key, const fs::path& to, const std::functi
   try {
     keep(key, to, made);
   } catch (const std::exception&) {
-    // What is not stored is built again.
+    // A build that is not stored is built again.
   }
   return made;
 }
@@ -166,7 +166,7 @@ std::optional<Built> Store::find(const std::string& key, const fs::path& to) con
                    made.at("next_way")};
     }
   } catch (const std::exception&) {
-    // It has changed since it was stored.
+    // The stored build was changed.
   }
   empty_folder(to);
   return {};
@@ -208,7 +208,7 @@ constexpr const char* kPrograms[] = {"g++",   "gcc",  "c++",  "cc",     "clang++
 constexpr const char* kVersionHeaders[] = {"/usr/include/eigen3/Eigen/src/Core/util/Macros.h",
                                            "/usr/include/glm/detail/setup.hpp"};
 
-/// Empty if there is no such file.
+/// A file's path, target, size and time; empty if it does not exist.
 std::vector<std::string> identity(const fs::path& path) {
   std::error_code error;
   const fs::path file = fs::canonical(path, error);
@@ -275,10 +275,10 @@ bool OwnFiles::is_own(const fs::path& name) const {
 
 void OwnFiles::require_own(const fs::path& name) const {
   if (!is_there(out_ / name) || is_own(name)) return;
-  throw scene::InvalidInput(
-      "out", out_.string(),
-      (out_ / name).string() +
-          " is not as raycheck wrote it, and stays; move it away, or give another folder");
+  throw scene::InvalidInput("out", out_.string(),
+                            (out_ / name).string() +
+                                " was not written by raycheck, or has changed since; move it away, "
+                                "or give another folder");
 }
 
 void OwnFiles::list(const std::string& digest) {
@@ -296,7 +296,7 @@ void OwnFiles::list(const std::string& digest) {
 
 void OwnFiles::write(const fs::path& name, const std::string& text) {
   require_own(name);
-  // Listed first: after an interruption between the two no file is unknown.
+  // Listed first, so that an interruption never leaves an unlisted file.
   list(digest_of(name, text));
   OutputFile("out", out_ / name).write(text);
 }

@@ -17,18 +17,17 @@ namespace raycheck::tools {
 
 /// The result of building a submission.
 struct Built {
-  /// Its command lines, or the library's name, relative to its folder; likelier programs first.
+  /// Its programs' command lines, likelier ones first, or its library's name, in its folder.
   std::vector<std::string> programs = {""};
   std::string words = {};  ///< The shell command that built it; empty: nothing to build.
   /// Remarks for readers of the grade: "its Makefile failed; built from its sources".
   std::vector<std::string> notes = {};
-  std::string what = {};     ///< What it was built from: "its Makefile"; empty: as the form says.
-  std::size_t next_way = 0;  ///< Of the ways to build it, the next; 0: there is none.
+  std::string what = {};  ///< What it was built from: "its Makefile"; empty: by the form's command.
+  std::size_t next_way = 0;  ///< The next way to build it; 0: there is no other way.
 };
 
-/// A digest of raycheck's version and of the compilers and interpreters of this machine that builds
-/// and programs use, and of Eigen and glm: their files, sizes and times. Another version is another
-/// file.
+/// A digest of raycheck's version, and of the compilers, interpreters, Eigen and glm of this
+/// machine: their paths, sizes and times, which differ between versions.
 std::string toolchain();
 
 bool is_executable(const std::filesystem::path& path);
@@ -38,15 +37,15 @@ std::string file_digest(const std::filesystem::path& path);
 /// A store's folder, below the results; no submission may have this name.
 inline constexpr std::string_view kStoreFolder = ".raycheck";
 
-/// Submissions' builds and their programs' answers, kept from run to run, by digests of all that
-/// they depend on. Thread-safe.
+/// Stores submissions' builds and their programs' answers from run to run, by digests of everything
+/// that they depend on. Thread-safe.
 class Store {
  public:
   /// Makes the folder, accessible to its owner only. Errors: std::invalid_argument.
   explicit Store(const std::filesystem::path& out);
 
-  /// A build, its files copied to the empty folder `to`; if it is missing or damaged, `make` builds
-  /// it there. Equal builds run only once at a time. Sets `is_stored`.
+  /// Copies a stored build to the empty folder `to`; if it is missing or damaged, `make` builds it
+  /// there. Equal builds never run at the same time. Sets `is_stored`.
   Built built(const std::string& key, const std::filesystem::path& to,
               const std::function<Built()>& make, bool& is_stored);
 
@@ -65,24 +64,24 @@ class Store {
 
 /// The file of a submission's results that records its grade, for instructors.
 inline constexpr const char* kRecordFile = "result.json";
-/// The list of what raycheck wrote into a folder of results; no submission may have this name.
+/// The list of the files that raycheck wrote to the results; no submission may have this name.
 inline constexpr std::string_view kOwnFilesList = ".raycheck-files";
 
 /// The files that raycheck wrote below a folder of results, in this and earlier runs, recognised by
-/// name and contents: it never replaces or removes any other, be it a user's, or raycheck's but
-/// edited since. Names are relative to the folder. Thread-safe.
+/// name and contents. Other files, including raycheck's files that were edited, are never replaced
+/// or removed. Names are relative to the folder. Thread-safe.
 class OwnFiles {
  public:
   /// Reads the list; the folder need not exist yet. Errors: std::invalid_argument if something else
   /// is in the list's place.
   explicit OwnFiles(std::filesystem::path out);
 
-  /// Throws std::invalid_argument naming the file if one of that name is not raycheck's own.
+  /// Throws std::invalid_argument naming the file if it exists and raycheck did not write it.
   void require_own(const std::filesystem::path& name) const;
-  /// Makes a folder that is not there yet. Errors: std::invalid_argument.
+  /// Makes a folder if it does not exist. Errors: std::invalid_argument.
   void make_folder(const std::filesystem::path& name) const;
-  /// Writes a file; replaces only raycheck's own. Errors: as require_own(); std::runtime_error if
-  /// it could not be written.
+  /// Writes a file; replaces only a file that raycheck wrote. Errors: as require_own();
+  /// std::runtime_error if it could not be written.
   void write(const std::filesystem::path& name, const std::string& text);
   /// Makes a folder, writes these files into it, and removes all other files of raycheck directly
   /// in it, except kRecordFile. Errors: as write().
@@ -95,7 +94,7 @@ class OwnFiles {
 
   std::filesystem::path out_;
   mutable std::mutex mutex_;
-  std::set<std::string> digests_;  ///< Of names and contents.
+  std::set<std::string> digests_;  ///< Digests of names and contents.
 };
 
 }  // namespace raycheck::tools

@@ -1,5 +1,5 @@
-// Submissions that compute nothing: they have a table of right answers, to the cases as the
-// lecture's rubric has them and as a thousand seeds vary them, and answer by it.
+// Submissions that compute nothing: they look up answers in a table of right answers to the lecture
+// rubric's cases and to a thousand seeds' variations of them.
 
 #include "properties/cases/random.h"
 #include "properties/mistakes/shown_picture.h"
@@ -18,7 +18,7 @@ using tools::Rubric;
 
 constexpr std::uint64_t kStoredSeeds = 1000;
 constexpr std::uint64_t kFreshSeed = 271828;
-/// Of the rubric's 100.
+/// The most points, of the rubric's 100.
 constexpr double kMostEarned = 10;
 
 const Rubric& lecture7() {
@@ -27,8 +27,7 @@ const Rubric& lecture7() {
   return rubric;
 }
 
-/// Visits every case that a seed makes of an item's task, each item with its own seed as the judge
-/// draws it.
+/// Visits every case of an item's task under a seed, each item with its own seed, as in grading.
 template <class Visit>
 void for_each_case(bool pictures, std::uint64_t seed, Visit visit) {
   properties::Random seeds(seed);
@@ -37,7 +36,7 @@ void for_each_case(bool pictures, std::uint64_t seed, Visit visit) {
     const auto& asked = pictures ? item.pictures : item.functions;
     if (!asked) continue;
     tools::ItemTask task = *asked;
-    task.given_rays = false;  // What rays they become is computed from the scene alone.
+    task.given_rays = false;  // Rays follow from the scene only.
     const tools::ItemCases cases(task, pictures, item_seed, lecture7().conventions);
     for (std::size_t k = 0; k < cases.size(); ++k) {
       if (auto one = cases[k]) visit(std::move(one->the_case.scene));
@@ -45,8 +44,9 @@ void for_each_case(bool pictures, std::uint64_t seed, Visit visit) {
   }
 }
 
-/// What a picture depends on, whatever the scale, the place and the turn of its world: where each
-/// sphere ahead is on the image plane, and how large, as shares of the picture.
+/// The look of a scene, which determines its picture independently of scale, position and rotation
+/// of the world: position and size of each sphere ahead on the image plane, in units of the
+/// picture.
 std::vector<double> look_of(const Scene& scene) {
   const Camera& c = *scene.camera;
   const auto dot = [](const Vector3& a, const Vector3& b) {
@@ -64,7 +64,7 @@ std::vector<double> look_of(const Scene& scene) {
   for (const auto& [centre, radius] : scene.spheres) {
     const Vector3 T = centre - c.eye;
     const double to_plane = c.near / dot(T, W);
-    if (!(to_plane > 0)) continue;  // Nobody sees it.
+    if (!(to_plane > 0)) continue;  // It is not in front of the eye.
     look.push_back((dot(T, U) * to_plane - c.left) / (c.right - c.left));
     look.push_back((dot(T, V) * to_plane - c.bottom) / (c.top - c.bottom));
     look.push_back(radius * to_plane / (c.right - c.left));
@@ -72,7 +72,7 @@ std::vector<double> look_of(const Scene& scene) {
   return look;
 }
 
-/// How far apart two are; infinite where they have not as many spheres.
+/// The distance of two looks; infinite if their numbers of spheres differ.
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
   if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
   double sum = 0;
@@ -80,13 +80,13 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(sum);
 }
 
-/// What a table stores of a scene: its look, and its picture, which the test paints when asked.
+/// A table's entry for a scene: its look, and its picture, which the test draws when needed.
 struct Stored {
   Scene scene;
   std::vector<double> look;
 };
 
-/// The rubric's scenes as they are, and the cases of kStoredSeeds seeds.
+/// The rubric's unchanged scenes, and the cases of kStoredSeeds seeds.
 const std::vector<Stored>& table() {
   static const std::vector<Stored> stored = [] {
     std::vector<Stored> all;
@@ -108,7 +108,7 @@ bool has_size_of(const Scene& a, const Scene& b) {
   return a.camera->width == b.camera->width && a.camera->height == b.camera->height;
 }
 
-/// The entry that looks most like it; null where none has as many spheres ahead.
+/// The entry with the nearest look; null if no entry has the same number of spheres ahead.
 const Stored* nearest(const Scene& scene, bool of_its_size) {
   const std::vector<double> look = look_of(scene);
   const Stored* best = nullptr;
@@ -121,7 +121,7 @@ const Stored* nearest(const Scene& scene, bool of_its_size) {
   return best;
 }
 
-/// A stored picture in another size: of each pixel the nearest one.
+/// A stored picture in another size: each pixel is the nearest stored one.
 ImageAnswer resized(const ImageAnswer& image, const Camera& from, const Camera& to) {
   const auto nearest_of = [](std::int64_t k, std::int64_t count, std::int64_t stored) {
     const double share =
@@ -140,12 +140,12 @@ ImageAnswer resized(const ImageAnswer& image, const Camera& from, const Camera& 
 }
 
 enum class Cheat {
-  kKnown,    ///< Answers what is stored of the very look and size, and else black.
-  kNearest,  ///< Answers the picture of its size that looks most like it.
-  kResized   ///< Answers the picture of any size that does, drawn in the size that is asked.
+  kKnown,    ///< Answers stored pictures of the same look and size, otherwise black.
+  kNearest,  ///< Answers the picture of the same size with the nearest look.
+  kResized   ///< Answers the picture of any size with the nearest look, resized.
 };
 
-/// Looks that are equal but for the roundings of their numbers' six digits.
+/// Looks are equal up to the rounding of their numbers to six digits.
 constexpr double kSameLook = 1e-5;
 
 ImageAnswer answer(Cheat cheat, const Scene& scene, const scene::Conventions& conventions,
@@ -163,7 +163,7 @@ ImageAnswer answer(Cheat cheat, const Scene& scene, const scene::Conventions& co
 
 class HostileTable : public testing::TestWithParam<std::uint64_t> {};
 
-TEST_P(HostileTable, OfPicturesEarnsNextToNothing) {
+TEST_P(HostileTable, OfPicturesEarnsAlmostNoPoints) {
   for (const Cheat cheat : {Cheat::kKnown, Cheat::kNearest, Cheat::kResized}) {
     SCOPED_TRACE(static_cast<int>(cheat));
     int asked = 0, known = 0;
@@ -201,7 +201,7 @@ std::vector<double> numbers_of(Scene scene) {
   return numbers;
 }
 
-TEST(HostileTables, OfFunctionsHaveNoCaseThatAFreshSeedAsks) {
+TEST(HostileTables, OfFunctionsHaveNoCaseOfAFreshSeed) {
   std::set<std::vector<double>> stored;
   const auto store = [&](const Scene& scene) { stored.insert(numbers_of(scene)); };
   for (std::uint64_t seed = 1; seed <= kStoredSeeds; ++seed) for_each_case(false, seed, store);

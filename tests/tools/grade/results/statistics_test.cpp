@@ -4,7 +4,7 @@
 namespace raycheck::tests {
 namespace {
 
-TEST(MistakeStatistics, CountAMistakeAloneAndBesideAnotherOnce) {
+TEST(MistakeStatistics, CountAMistakeOnceBesideAnother) {
   const auto student = [](const std::vector<tools::ExplainingMistake>& mistakes) {
     tools::SubmissionGrade grade;
     grade.finished = true;
