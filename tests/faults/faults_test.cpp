@@ -152,7 +152,7 @@ void expect_internal(const Outcome& outcome) {
   EXPECT_EQ(outcome.exit_code, 70) << outcome.err;
   EXPECT_EQ(outcome.out, "");
   expect_parts(outcome.err,
-               {"raycheck: internal error: ", "injected\nThis is a fault of raycheck"});
+               {"raycheck: internal error: ", "injected\nThis is a bug in raycheck"});
 }
 
 TEST(InternalErrors, OfLawsAreChargedToNoCandidate) {

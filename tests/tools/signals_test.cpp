@@ -374,7 +374,7 @@ TEST(HostileSizes, are_named_where_memory_is_short) {
   }
   const LimitedOutcome outcome = run_limited({"check", path}, {.memory = memory + kStep});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.exit_code;
-  EXPECT_EQ(outcome.err, "raycheck: check: takes more memory than there is for it\n");
+  EXPECT_EQ(outcome.err, "raycheck: check: not enough memory\n");
 }
 
 }  // namespace

@@ -60,9 +60,9 @@ inline constexpr std::size_t kKeptExcluded = 10;
 
 struct CheckOptions {
   std::string path;
-  /// What a driver file has to be of, where there are no renderers; empty: what it shows.
+  /// The dialect of a driver file, if there are no renderers; empty: detected from the file.
   std::optional<scene::Dialect> dialect;
-  /// Renderers are given files of the form that they have; else of the scene's own dialect.
+  /// Renderers are given files in their own form; else in the scene's dialect.
   bool keeps_forms = false;
   std::vector<Implementation> implementations;
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
@@ -80,7 +80,7 @@ struct LeftOut {
 
 struct CandidateReport {
   std::string name;
-  std::string lasting_name;  ///< By which a baseline knows it (lasting_names).
+  std::string lasting_name;  ///< Its name in baselines (lasting_names).
   Implementation implementation;
   scene::Conventions conventions;  ///< Under which it was judged.
   /// The format that it was judged in.
@@ -89,14 +89,14 @@ struct CandidateReport {
   std::size_t rounded_numbers = 0;
   std::size_t made_unit = 0;  ///< Given directions, for one that demands unit ones.
   std::optional<scene::Scene>
-      asked;              ///< The scene that it was asked about, where not the given one.
+      asked;              ///< The scene that it was asked about, if not the given one.
   std::string not_asked;  ///< Why it was not judged: the format cannot hold the scene; or empty.
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
   bool given_rays = false;    ///< It makes no rays: its answers about raycheck's own are judged.
   properties::Verdict verdict;
   ExcludedHits excluded;  ///< What its t_min, t_max and culling cost; empty if it has none.
   std::vector<LeftOut> left_out;
-  std::vector<properties::Explanation> explanations;  ///< For external ones only.
+  std::vector<properties::Explanation> explanations;  ///< Only for external candidates.
   properties::FailureSearch search;                   ///< For the questions that it fails on.
 
   /// For a candidate without defects or undecided answers, the first kind of question that was
@@ -121,7 +121,7 @@ struct CheckReport {
   scene::Scene scene;
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< For shading alone.
+  std::vector<std::string> not_needed;    ///< Only for shading.
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;
@@ -135,7 +135,7 @@ struct CheckReport {
   const scene::Scene& scene_of(const CandidateReport& candidate) const {
     return candidate.asked ? *candidate.asked : scene;
   }
-  /// A count of verdicts, of all candidates together.
+  /// A count of all candidates' verdicts together.
   template <class... Arguments>
   std::uint64_t sum(std::uint64_t (properties::Verdict::*which)(Arguments...) const,
                     Arguments... arguments) const {
@@ -155,7 +155,8 @@ struct CheckReport {
 };
 
 /// Judges the candidates on a scene file; the report does not depend on the number of threads. With
-/// `units`, only what is missing of their shard; if they are not all, nothing is reported.
+/// `units`, only the missing units of the shard; if it is not the whole campaign, the report is
+/// empty.
 /// Throws what the reader throws.
 CheckReport check(const CheckOptions& options, const properties::RunControl& control = {},
                   Units* units = nullptr);
@@ -173,7 +174,7 @@ inline constexpr View<CheckReport> kCheckViews[] = {
 
 /// Why too little was judged to say anything; empty if enough was.
 std::string too_few_text(const CandidateReport& candidate);
-/// What was left out, a line for each reason, with the candidate's name where not all left it out.
+/// What was left out, a line for each reason, with the candidate's name unless it concerns all.
 std::vector<std::string> left_out_lines(const CheckReport& report);
 
 /// Certificates of each candidate's worst discrepancies, as in check_json: one per line.
@@ -182,7 +183,7 @@ std::string check_certificates(const CheckReport& report);
 /// What a page is to show besides the findings of a report.
 struct CheckPageOptions {
   std::vector<Selection> wanted;  ///< Shown first.
-  bool is_of_methods = false;     ///< Methods were chosen: panels show their steps only.
+  bool is_of_methods = false;     ///< Methods were chosen: panels show only their steps.
 };
 
 /// The scene of a report as a page, with its worst discrepancies and largest errors beside it: one

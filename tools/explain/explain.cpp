@@ -189,7 +189,7 @@ SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
   return report;
 }
 
-/// The scene under the conventions, and in the format, of who is asked.
+/// The scene under the conventions, and in the format, of the candidate.
 scene::Scene asked_scene(const ExplainOptions& options, const std::optional<Candidate>& other,
                          std::size_t& rounded_numbers) {
   scene::Scene scene = options.scene;
@@ -228,7 +228,7 @@ void report_all_rays(const Case& the_case, const std::optional<Candidate>& other
   if (other) add(*other, nullptr);
 }
 
-/// Everyone's answers about the case's one sphere.
+/// All methods' answers about the case's one sphere.
 void report_all_intersections(const Case& the_case, const fast::PixelRayMethod& rays,
                               const std::optional<Candidate>& other, ExplainReport& report) {
   SharedTruths truths(the_case);
@@ -292,7 +292,7 @@ ExplainReport explain(const ExplainOptions& options) {
     report.nearest = nearest->index;
   }
   if (scene.spheres.empty()) {
-    if (options.sphere) throw scene::InvalidInput("sphere", "", "the scene has no sphere");
+    if (options.sphere) throw scene::InvalidInput("sphere", "", "the scene has no spheres");
     return report;
   }
   report.sphere = options.sphere.value_or(report.nearest.value_or(0));

@@ -53,7 +53,7 @@ TEST(Candidate, that_makes_no_rays_is_given_them_and_the_report_says_so) {
   EXPECT_FALSE(judged(kCamera, "command:python3 tests/candidates/right.py")["given_rays"]);
   EXPECT_FALSE(judged(kRays, meets)["given_rays"]);
   expect_parts(run("check " + kCamera + " --candidate '" + meets + "'").out,
-               {"makes no rays from this origin: given raycheck's own"});
+               {"makes no rays from this origin: was given raycheck's rays"});
 }
 
 TEST(Candidate, that_is_wrong_about_given_rays_is_told_at_which_pixels_and_why) {

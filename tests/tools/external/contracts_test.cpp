@@ -159,7 +159,7 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::hit, .intersect = 
   expect_parts(in_cpp("always", "return Hit{1, {o.x + d.x, o.y + d.y, o.z + d.z}};"),
                {"every ray is said to hit every sphere, at s = 1"});
   expect_parts(in_cpp("unwritten", "throw std::logic_error(\"not yet\");"),
-               {"answers nothing: ", "not yet"});
+               {"gives no answers: ", "not yet"});
 }
 
 /// The textbook's difference, on the unit directions that it demands.

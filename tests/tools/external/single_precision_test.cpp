@@ -42,7 +42,7 @@ TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_sa
   EXPECT_LT(quantity_of(both[1]["quantities"], "parameter")["max"], 4);
   expect_parts(
       run("check " + scene + " --candidate " + float_tracer()).out,
-      {"4 numbers of the scene are no floats: asked and judged on the scene rounded to floats"});
+      {"4 numbers of the scene are not representable as float: judged on the scene rounded to floats"});
 }
 
 TEST(SinglePrecision, is_not_judged_where_floats_cannot_hold_the_scene) {
@@ -214,7 +214,7 @@ TEST(OwnUnits, AreThoseOfExplain) {
   EXPECT_GT(bad["ulp_error"], 88);
   EXPECT_LT(bad["ulp_error"], 1e8);
   expect_parts(run(near + " --candidate " + float_tracer()).out,
-               {"4 numbers of the scene are no floats", " ulp of float\n"});
+               {"4 numbers of the scene are not representable as float", " ulp of float\n"});
   // Of a camera: every step that it offers.
   const json pixel = report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2",
                                float_tracer(), 0);

@@ -43,7 +43,7 @@ TEST(PropertiesCommand, tells_where_each_number_of_a_failure_may_lie) {
   EXPECT_TRUE(has_false_hit(greatest));
   EXPECT_FALSE(has_false_hit(2 * greatest));
   const std::string text = run(asked, 1).out;
-  expect_parts(text, {"    its numbers, one at a time:\n      ray 0 origin x: any in [",
+  expect_parts(text, {"    its numbers, varied one at a time:\n      ray 0 origin x: any in [",
                       "sphere 0 radius: any in [0, ", " samples; certified in [6.22302e-61, "});
   const json right = printed_json("properties --filter class --source rays --intersect cross");
   EXPECT_FALSE(right["campaigns"][0].contains("ranges"));
@@ -67,10 +67,10 @@ TEST(PropertiesCommand, says_where_shrinking_was_given_up) {
   campaign.law = properties::find_law("class");
   campaign.candidate = "mine";
   properties::Failure failure{{}, properties::Verdict("class"), ""};
-  EXPECT_FALSE(has(failure_text(campaign, failure, false), "may be smaller"));
+  EXPECT_FALSE(has(failure_text(campaign, failure, false), "may exist"));
   failure.tries = 7;
   expect_parts(failure_text(campaign, failure, false),
-               {"# breaks the law class with mine\n", "# shrunk for 7 tries; may be smaller\n"});
+               {"# breaks the law class with mine\n", "# shrinking ended after 7 tries; a smaller case may exist\n"});
 }
 
 /// What it keeps is tried first, breaks the law again, and is mended once another is right there.
@@ -125,7 +125,7 @@ TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
       "properties --candidate source:" + temporary_file("demanding.cpp", text) +
       " --filter parameter --source rays --cases 40 --level extreme ";
   EXPECT_EQ(run(floats).exit_code, 0);
-  EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: climbed to"));
+  EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: the case was found by climbing"));
 }
 
 /// Of a candidate that keeps the nearest hit between questions.
@@ -145,10 +145,10 @@ TEST(PropertiesCommand, asks_what_fails_of_a_fresh_process) {
 TEST(PropertiesCommand, takes_a_time_and_says_how_many_cases_fill_it) {
   const std::string asked = "properties --filter class --source rays --intersect cross ";
   const auto [exit_code, timed, err] = run(asked + "--for 1s");
-  const std::string last = lines_of(timed).back(), says = "1s is --cases ";
+  const std::string last = lines_of(timed).back(), says = "--for 1s is --cases ";
   ASSERT_TRUE(last.starts_with(says)) << last;
   const std::string count = last.substr(says.size(), last.find(';') - says.size());
-  EXPECT_EQ(last, says + count + "; of each source: " + count + " rays");
+  EXPECT_EQ(last, says + count + "; cases of each source: " + count + " rays");
   EXPECT_EQ(timed, run(asked + "--cases " + count, exit_code).out + last + "\n");
   expect_refused(asked + "--for 5", "--for 5: give a whole number of s, m or h");
   expect_refused(asked + "--for 1s --cases 3", "--cases excludes --for");

@@ -176,9 +176,9 @@ TEST_F(Merge, writes_nothing_over_what_it_merges) {
   for (const std::string& written :
        {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml",
         "--report json=" + folder + "//./campaign.json"}) {
-    expect_refused("merge " + folder + " " + written, "which holds units");
+    expect_refused("merge " + folder + " " + written, "a campaign's folder of units");
   }
-  expect_refused("merge " + folder + "/ --report json=" + file, "which holds units");
+  expect_refused("merge " + folder + "/ --report json=" + file, "a campaign's folder of units");
   EXPECT_EQ(contents(file), whole);
   run("merge " + folder, 0);
 }
@@ -315,7 +315,7 @@ TEST(Shards, ask_who_never_replies_a_few_times) {
   const std::string asked = "properties --candidate 'command:python3 " + hangs +
                             "' --sandbox none --i-know --timeout 0.3 --threads ";
   const std::string by_one = run(asked + "1", 1).out;
-  EXPECT_TRUE(has(by_one, "answers nothing: intersect: "));
+  EXPECT_TRUE(has(by_one, "gives no answers: intersect: "));
   EXPECT_LE(contents(starts).size(), 12u);  // a process for each
   EXPECT_EQ(run(asked + "2", 1).out, by_one);
 }
@@ -355,7 +355,7 @@ TEST(Shards, are_told_by_schedulers) {
     EXPECT_EQ(outcome.out, "");
   }
   expect_parts(run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("told"), 0).err,
-               {"--format is for merge: a shard reports nothing"});
+               {"--format has no effect here: give it to raycheck merge"});
   // Without --out nothing of this is meant.
   const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
   EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));
