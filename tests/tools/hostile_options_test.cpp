@@ -217,7 +217,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"worst --family distance --method cross --candidate a:b", "excludes"},
     {"stress --family distance --candidate 'renderer:sh {scene} {image}'",
      "it only draws pictures; this command needs single answers"},
-    {"image FAR OUT --candidate a:b", "only --what error shows an implementation"},
+    {"image FAR OUT --candidate a:b", "only --what error shows a candidate or method"},
     {"check FAR --candidate mine", "candidate mine: give library:PATH.so, source:PATH, command:"},
     {"check FAR --candidate elsewhere:mine", "candidate elsewhere:mine: there is no elsewhere:"},
     {"check FAR --candidate library:", "give library:PATH.so"},
@@ -272,7 +272,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"explain FAR --pixel 0,0 --sphere 9", "the scene's spheres are numbered 0 to 0"},
     {"view FAR --format json --pixel 16,0", "pixel"},
     {"view FAR --format json --pixel 1,0 --sphere 1", "sphere 1"},
-    {"view FAR --format json --sphere 0", "--sphere: goes with --pixel"},
+    {"view FAR --format json --sphere 0", "--sphere: also give --pixel"},
     {"image FAR OUT --size 5", "--size 5"},
     {"image FAR OUT --size 5,0", "--size"},
     {"image FAR OUT --size 1,5", "camera.width"},
@@ -324,9 +324,8 @@ TEST(HostileOptions, that_ask_for_what_there_is_not_say_which_and_why) {
   expect_refused_here("check " + flat, flat + ":4: camera.up");
   const std::string wide =
       temporary_file("wide.txt", "camera 0 0 10 0 0 0 0 1 0 -5\nbounds -1 1 -1 1\nres 2000000 4\n");
-  expect_refused_here(
-      "image '" + wide + "' --out x.png",
-      wide + ": camera.width = 2000000: is more than a picture takes, which is 1000000");
+  expect_refused_here("image '" + wide + "' --out x.png",
+                      wide + ": camera.width = 2000000: exceeds the limit of 1000000 pixels");
   for (const char* left : {"/nowhere", "/x.png", "/x.gif"}) {
     EXPECT_FALSE(fs::exists(RAYCHECK_SOURCE_DIR + std::string(left))) << left;
   }

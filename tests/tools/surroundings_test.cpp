@@ -207,7 +207,7 @@ TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
                  "nul.toml:1: bounds = \"cross\\x00x\": must be without NUL\n");
   expect_refused("check scene/examples/driver-b.txt --baseline " +
                      file("known", "a; b; c; d; %4" + nul + "1\n"),
-                 "line 1: '%4\\x00' is not % and two hexadecimal digits\n");
+                 "line 1: '%4\\x00': expected % and two hexadecimal digits\n");
 }
 
 TEST(HostileInput, that_has_no_end_is_refused) {

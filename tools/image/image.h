@@ -28,8 +28,8 @@ struct ImageOptions {
   std::string path;
   std::optional<scene::Dialect> dialect;
   Picture what = Picture::kSphere;
-  Implementation implementation = {};    ///< Whose error is shown.
-  MethodPair methods = kDefaultMethods;  ///< What makes rays where it makes none.
+  Implementation implementation = {};    ///< The candidate whose error is shown.
+  MethodPair methods = kDefaultMethods;  ///< Make the rays if the candidate does not.
   std::optional<scene::Pixel> size;      ///< Pixels across and down, instead of the scene's.
 };
 
@@ -58,8 +58,8 @@ struct ImageReport {
   Picture what = Picture::kSphere;
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< Of what it says.
-  scene::Conventions conventions;         ///< Those that the picture is decided under.
+  std::vector<std::string> not_needed;    ///< Settings that are not needed here.
+  scene::Conventions conventions;         ///< Those of the picture.
   std::int64_t width = 0;
   std::int64_t height = 0;
   std::size_t spheres = 0;
@@ -69,7 +69,7 @@ struct ImageReport {
   std::optional<ErrorCounts> error;  ///< For Picture::kError.
   int threads = 1;
   double seconds = 0;
-  bool interrupted = false;  ///< Then there is no picture.
+  bool interrupted = false;  ///< If so, no picture was written.
 };
 
 /// Decides every pixel of a scene and writes the picture, in bands of rows: neither the picture nor

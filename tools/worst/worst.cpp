@@ -58,7 +58,8 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
     known += (known.empty() ? "" : ", ") + name;
   }
   throw scene::InvalidInput(
-      "quantity", chosen, fmt::format("no such quantity of {}; there are {}", name(stage), known));
+      "quantity", chosen,
+      fmt::format("no such quantity of {}; choose from {}", name(stage), known));
 }
 
 template <class Answer, class... Arguments>

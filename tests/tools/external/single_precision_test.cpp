@@ -40,9 +40,9 @@ TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_sa
   expect_values(both,
                 {{"0/precision", "double"}, {"0/rounded_numbers", 0}, {"1/rounded_numbers", 4}});
   EXPECT_LT(quantity_of(both[1]["quantities"], "parameter")["max"], 4);
-  expect_parts(
-      run("check " + scene + " --candidate " + float_tracer()).out,
-      {"4 numbers of the scene are not representable as float: judged on the scene rounded to floats"});
+  expect_parts(run("check " + scene + " --candidate " + float_tracer()).out,
+               {"4 numbers of the scene are not representable as float: judged on the scene "
+                "rounded to floats"});
 }
 
 TEST(SinglePrecision, is_not_judged_where_floats_cannot_hold_the_scene) {
@@ -127,7 +127,7 @@ TEST(OwnUnits, LeaveOutWhatFloatsCannotHoldAndCountIt) {
   EXPECT_GT(method["severities"].back()["left_out"], 0);
   EXPECT_EQ(method["severities"][0]["left_out"], 0);
   expect_parts(run(scale + " --candidate " + float_tracer()).out,
-               {"left out, whose numbers floats cannot hold"});
+               {"left out, not representable in floats"});
 }
 
 TEST(OwnUnits, AreThoseOfWorst) {

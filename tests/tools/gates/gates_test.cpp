@@ -91,7 +91,7 @@ TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
 TEST(HostileMarkdown, IsBelowWhatGitHubTakesAndSaysWhatIsLeftOut) {
   const std::string text = written("markdown", gate_of(100'000, "why it failed", "mine"));
   EXPECT_LE(text.size(), tools::kMostMarkdownBytes);
-  expect_parts(text, {" more: the report as JSON has all", "| mine | 1 | 100000 | 0 | 1 | 1 |"});
+  expect_parts(text, {" more: see the JSON report", "| mine | 1 | 100000 | 0 | 1 | 1 |"});
 }
 
 TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {

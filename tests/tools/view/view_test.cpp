@@ -275,8 +275,8 @@ TEST(View, has_the_picture_that_a_renderer_draws_and_where_it_is_wrong) {
   EXPECT_EQ(pictures[1]["legend"], pictures[0]["legend"]);  // as many pixels, elsewhere
   EXPECT_NE(pictures[1]["png"], pictures[0]["png"]);
   const json report = printed_json("check " + ten + renderer("mirrored"));
-  EXPECT_GT(pixels_of(pictures[2], "wrong class or sphere: defect"), 0u);
-  EXPECT_EQ(pixels_of(pictures[2], "wrong class or sphere: defect"),
+  EXPECT_GT(pixels_of(pictures[2], "wrong hit class or sphere: defect"), 0u);
+  EXPECT_EQ(pixels_of(pictures[2], "wrong hit class or sphere: defect"),
             report["candidates"][0]["discrepancies_by_standing"]["defect"].get<std::uint64_t>())
       << report["candidates"][0].dump(1).substr(0, 2000);
   // Its panels are of raycheck's methods: nobody explains a picture.
@@ -290,7 +290,7 @@ TEST(View, has_the_picture_that_a_renderer_draws_and_where_it_is_wrong) {
       << crash["findings"];
   const json& none = crash["scenes"][0]["pictures"];
   EXPECT_EQ(pixels_of(none[1], "no answer"), 64u);
-  EXPECT_EQ(pixels_of(none[2], "wrong class or sphere: defect"), 64u);
+  EXPECT_EQ(pixels_of(none[2], "wrong hit class or sphere: defect"), 64u);
 }
 
 TEST(View, explains_each_of_several_implementations_alone) {

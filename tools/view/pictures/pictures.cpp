@@ -178,7 +178,7 @@ Json error_legend(const ErrorCounts& counts, bool is_drawn, std::uint64_t pixels
     const auto standing = static_cast<properties::Standing>(k);
     if (counts.wrong[k] == 0 && standing != properties::Standing::kDefect) continue;
     legend.push_back(entry_json(kWrongColours[k],
-                                fmt::format("wrong class or sphere: {}", name(standing)),
+                                fmt::format("wrong hit class or sphere: {}", name(standing)),
                                 counts.wrong[k]));
   }
   return legend;
