@@ -74,7 +74,7 @@ class Eye(EyeTest):
           look.dispatchEvent(new Event("change", { bubbles: true }));
           return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>
             done(document.querySelector("#figure-view [role=status]").textContent))));""")
-        self.assertIn("1e30 times as far as the nearest is not drawn", note)
+        self.assertIn("1e30 times as far as the nearest are not drawn", note)
 
 
 if __name__ == "__main__":

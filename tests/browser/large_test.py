@@ -35,7 +35,7 @@ class Large(EyeTest):
         told = self.text("footer")
         for sentence in left_out:
             self.assertIn(sentence, told)
-        steps = [sentence for sentence in left_out if f" of {side * side} rays; `raycheck view --pixel I,J` asks for others" in sentence]
+        steps = [sentence for sentence in left_out if f" of {side * side} rays are shown; `raycheck view --pixel I,J` shows others" in sentence]
         self.assertEqual(len(steps), 1, left_out)
         self.assertEqual(drawn < spheres, any("spheres are drawn" in sentence for sentence in left_out))
         if spheres <= MOST_TOLD_APART:

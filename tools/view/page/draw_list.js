@@ -105,7 +105,7 @@ function addRay(list, ray) {
   if (hit && list.layers.hits) list.points.push({ at: hit, colour, shape: "diamond", size: 10, select });
 }
 
-/// Where a pixel's ray meets the sphere that the pixel sees; null if it sees none, or that is unknown.
+/// Where a pixel's ray meets its nearest sphere; null if it meets no sphere, or that is unknown.
 function hitOfPixel({ seen, figure: { spheres } }, { origin, direction, index }) {
   const sphere = seenAt(seen ?? [], index);
   const centre = spheres.centre[sphere];
