@@ -107,7 +107,7 @@ std::set<std::string> broken_laws(const Case& the_case, const Candidate& candida
   return broken;
 }
 
-TEST(Regressions, SayWhyTheyAreHard) {
+TEST(Regressions, HaveCommentsThatSayWhyTheyAreHard) {
   EXPECT_GE(stems().size(), 20u);
   for (const std::string& stem : stems()) {
     const std::string text = contents(folder() / (stem + ".toml"));
@@ -135,7 +135,7 @@ TEST(Regressions, HaveTheExactAnswersOfAnIndependentComputation) {
   EXPECT_EQ(rays, kExact.size());
 }
 
-TEST(Regressions, CatchTheMethodsTheyAreNamedForAndNoOthers) {
+TEST(Regressions, CatchExactlyTheListedMethods) {
   for (const auto& [name, broken] : kBroken) {
     const Candidate candidate = candidate_named(name);
     for (const std::string& stem : stems()) {
@@ -175,7 +175,7 @@ std::vector<scene::Pixel> pixels_named_in(const std::string& text) {
 
 class WorstKnown : public testing::TestWithParam<std::string> {};
 
-TEST_P(WorstKnown, IsAsFarOffAsItSaysAndWithinTheBound) {
+TEST_P(WorstKnown, HasTheStatedErrorWithinTheBound) {
   const std::string stem = GetParam();
   const std::string method = stem.substr(stem.find('-') + 1);
   const bool makes_rays = stem.rfind("rays-", 0) == 0;

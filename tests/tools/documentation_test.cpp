@@ -210,18 +210,18 @@ TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
   }
 }
 
-TEST(Documentation, lists_the_laws_and_the_packages_there_are) {
+TEST(Documentation, lists_all_laws_and_packages) {
   const Outcome outcome = run_python("docs/generate.py --lists --check '" RAYCHECK_BINARY "'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-TEST(Documentation, shows_newcomers_a_candidate_that_is_there) {
+TEST(Documentation, shows_newcomers_an_existing_candidate) {
   const std::string shown = contents(RAYCHECK_SOURCE_DIR "/examples/first/candidate.cpp");
   EXPECT_TRUE(has(contents(RAYCHECK_SOURCE_DIR "/README.md"), "```cpp\n" + shown + "```"));
 }
 
 /// Who reads on from README.md finds every page: none is missing there, and no link leads nowhere.
-TEST(Documentation, has_every_page_in_the_readme_and_no_link_that_leads_nowhere) {
+TEST(Documentation, links_every_page_in_the_readme_and_has_no_dead_links) {
   const fs::path root = RAYCHECK_SOURCE_DIR;
   const std::string readme = contents(root / "README.md");
   for (const auto& entry : fs::directory_iterator(root / "docs")) {
@@ -241,7 +241,7 @@ TEST(Documentation, has_every_page_in_the_readme_and_no_link_that_leads_nowhere)
 }
 
 /// Files by their paths or their ends, and folders with a slash behind.
-TEST(Documentation, of_contributors_names_files_and_folders_that_there_are) {
+TEST(Documentation, of_contributors_names_existing_files_and_folders) {
   const fs::path root = RAYCHECK_SOURCE_DIR;
   std::vector<std::string> all;
   for (const char* room : {"docs", "examples", "fast", "library", "packaging", "properties",
@@ -278,7 +278,7 @@ std::map<std::string, std::set<std::string>> tests_by_suite() {
   return suites;
 }
 
-TEST(Documentation, of_security_names_tests_that_there_are_and_every_hostile_suite) {
+TEST(Documentation, of_security_names_existing_tests_and_every_hostile_suite) {
   const std::string page = contents(RAYCHECK_SOURCE_DIR "/SECURITY.md");
   const auto suites = tests_by_suite();
   static const std::regex kName(R"(`((\w+)\.\w+)`)");

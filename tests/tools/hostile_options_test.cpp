@@ -72,7 +72,7 @@ std::string refusal(CLI::Option& option, const std::string& value) {
   return "";
 }
 
-TEST(HostileOptions, of_numbers_take_numbers_alone) {
+TEST(HostileOptions, of_numbers_accept_only_numbers) {
   Program program;
   int numbers = 0;
   for (const tools::Command& command : program.commands) {
@@ -127,7 +127,7 @@ std::string without(const std::string& option, std::string arguments) {
 }
 
 /// A name of nothing, and a file that nobody can write.
-TEST(HostileOptions, are_called_in_errors_as_they_are_given) {
+TEST(HostileOptions, have_the_same_names_in_errors_as_on_the_command_line) {
   Program program;
   const std::string units = temporary_folder("options") + "/units";
   run("properties --filter frame --rays direct --cases 1 --out " + units, 0);
@@ -155,7 +155,7 @@ TEST(HostileOptions, are_called_in_errors_as_they_are_given) {
   EXPECT_GE(texts, 60);
 }
 
-TEST(HostileOptions, that_nothing_uses_are_refused) {
+TEST(HostileOptions, that_are_unused_are_refused) {
   for (const char* option : {"--timeout 1", "--read .", "--include .", "--bounds cross",
                              "--image-change 0", "--t-threshold 0", "--sandbox none"}) {
     const std::string name = std::string(option).substr(0, std::string(option).find(' '));
@@ -313,7 +313,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"image FAR --out ''", "--out: is given without a value"},
     {"grade lecture7.toml --out ''", "--out: is given without a value"}};
 
-TEST(HostileOptions, that_ask_for_what_there_is_not_say_which_and_why) {
+TEST(HostileOptions, that_name_missing_things_are_refused_with_the_reason) {
   for (const auto& [line, why] : kRefused) {
     const std::string in_place = std::regex_replace(line, std::regex("OUT"), "--out x.png");
     expect_refused_here(

@@ -43,7 +43,7 @@ TEST(Manual, HasAPageForEveryCommandWithEveryOption) {
   }
 }
 
-TEST(Manual, IsSetWithoutWarnings) {
+TEST(Manual, IsTypesetWithoutWarnings) {
   if (!is_installed("groff")) GTEST_SKIP() << "groff is not installed";
   for (const auto& entry : fs::directory_iterator(std::string(RAYCHECK_MANUAL) + "/man/man1")) {
     const std::string page = quoted(entry.path());

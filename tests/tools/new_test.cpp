@@ -5,7 +5,7 @@
 namespace raycheck::tests {
 namespace {
 
-TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
+TEST(New, writes_an_adapter_that_compiles_and_reports_missing_functions) {
   const std::string folder = temporary_folder("new");
   for (const auto& [language, candidate] : {std::pair("cpp", "source:" + folder + "/mine.cpp"),
                                             {"c", "source:" + folder + "/mine.c"},
@@ -27,7 +27,7 @@ TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
   }
 }
 
-TEST(New, refuses_names_that_are_none_in_every_language) {
+TEST(New, refuses_invalid_names_in_every_language) {
   for (const char* name : {"1st", "a-b", "../up", "''"}) {
     run(std::string("new ") + name, 2);
   }

@@ -199,7 +199,7 @@ double moment(std::size_t line, int signal) {
 
 class HostileSignals : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_nothing_left_behind) {
+TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_leave_nothing) {
   const Line& line = lines()[GetParam()];
   const ReadByLines& scenes = ReadByLines::once();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -248,7 +248,7 @@ TEST(HostileSignalsToAll, are_tried_on_every_command) {
   }
 }
 
-TEST(HostileSignalsToAll, of_which_an_ignored_hangup_stays_ignored) {
+TEST(HostileSignalsToAll, keep_an_ignored_hangup_ignored) {
   std::signal(SIGHUP, SIG_IGN);
   const LimitedOutcome outcome =
       run_limited({"plan", kTen}, {.signal = SIGHUP, .signal_after = 0.01});
@@ -256,7 +256,7 @@ TEST(HostileSignalsToAll, of_which_an_ignored_hangup_stays_ignored) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-TEST(HostileReaders, that_go_away_end_a_command_as_sigpipe_would) {
+TEST(HostileReaders, that_close_the_pipe_end_a_command_as_sigpipe_would) {
   const std::string temporary = temporary_folder("tmp");
   const auto piped = [&](const std::string& command) {
     return run_bash("export TMPDIR='" + temporary + "'\n'" RAYCHECK_BINARY "' " + command +
@@ -272,7 +272,7 @@ TEST(HostileReaders, that_go_away_end_a_command_as_sigpipe_would) {
   EXPECT_EQ(names_in(temporary), std::vector<std::string>{});
 }
 
-TEST(HostileReaders, that_do_not_read_keep_no_command_from_its_end) {
+TEST(HostileReaders, that_do_not_read_cannot_block_a_command) {
   const LimitedOutcome outcome =
       run_limited({"check", kTen, "--all", "--format", "json"},
                   {.signal = SIGTERM, .signal_after = 3, .stalled = true});
@@ -341,7 +341,7 @@ TEST(HostileSizes, of_pictures_times_spheres_are_not_timed_beyond_a_limit) {
   EXPECT_TRUE(has(outcome.err, "nothing is timed: spheres: they reach into 157286400 bands"));
 }
 
-TEST(HostileSizes, of_cases_and_of_scenes_take_no_more_memory_the_longer_it_takes) {
+TEST(HostileSizes, of_cases_and_of_scenes_take_bounded_memory) {
   const std::string path = temporary_file("all.toml", camera_text(kMostSide, kMostSide) + kSphere);
   const std::vector<std::vector<std::string>> all = {
       {"tradeoff", "--cases", "1000000000"},
@@ -359,7 +359,7 @@ TEST(HostileSizes, of_cases_and_of_scenes_take_no_more_memory_the_longer_it_take
   }
 }
 
-TEST(HostileSizes, are_named_where_memory_is_short) {
+TEST(HostileSizes, are_reported_when_memory_is_short) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "its shadow needs all addresses";
 #endif

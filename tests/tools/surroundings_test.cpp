@@ -27,7 +27,7 @@ Outcome run_to(const std::string& where, const std::string& arguments) {
   return run_bash("exec '" RAYCHECK_BINARY "' " + arguments + where);
 }
 
-TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
+TEST(UnwrittenReport, is_reported_and_files_are_complete) {
   const std::string path = temporary_file("written", "");
   for (const char* const where : {" >&-", " <&- >&-", " >/dev/full"}) {
     for (const auto& [arguments, begins] : kWrittenReports) {
@@ -45,7 +45,7 @@ TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
 }
 
 /// Nor do errors go to a file.
-TEST(UnwrittenReport, leaves_files_alone_where_errors_cannot_be_said) {
+TEST(UnwrittenReport, leaves_files_unchanged_when_errors_cannot_be_printed) {
   const std::string path = temporary_file("written", "");
   const Outcome outcome = run_to(" >&- 2>&-", kWrittenReports[0].arguments + ("'" + path + "'"));
   EXPECT_EQ(outcome.exit_code, 2);
@@ -80,7 +80,7 @@ Outcome run_without_apt(const std::string& setting, int exit_code) {
   return run_bash("source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun, exit_code);
 }
 
-TEST(RunScript, names_the_packages_where_nothing_installs_them_and_goes_on_where_they_are_there) {
+TEST(RunScript, names_missing_packages_and_goes_on_if_they_are_installed) {
   expect_parts(run_without_apt("unset RAYCHECK_PACKAGES", 2).err,
                {" libflint-arb-dev or libflint-dev>=3 ", "RAYCHECK_PACKAGES=have"});
   const Outcome result = run_without_apt("export RAYCHECK_PACKAGES=have", 0);
@@ -88,7 +88,7 @@ TEST(RunScript, names_the_packages_where_nothing_installs_them_and_goes_on_where
   EXPECT_EQ(result.err, "building for the first time: a few minutes\n");
 }
 
-TEST(RunScript, asks_nothing_until_something_of_the_program_changes) {
+TEST(RunScript, does_not_ask_cmake_until_the_program_changes) {
   // A CMake that leaves a file behind where it is asked, and changes after each of which the
   // program is run.
   const Outcome result = run_without_apt(R"bash(export RAYCHECK_PACKAGES=have
@@ -118,7 +118,7 @@ done'
             "rm build/release/raycheck-check.built: CMake\n:: nothing\n");
 }
 
-TEST(RunScript, takes_an_older_package_for_none_where_it_holds_less) {
+TEST(RunScript, rejects_older_packages_that_hold_less) {
   if (!is_installed("dpkg")) GTEST_SKIP() << "packages are of another kind here";
   const Outcome result = run_without_apt(
       "unset RAYCHECK_PACKAGES\nmore=dpkg\n"
@@ -210,7 +210,7 @@ TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
                  "line 1: '%4\\x00': expected % and two hexadecimal digits\n");
 }
 
-TEST(HostileInput, that_has_no_end_is_refused) {
+TEST(HostileInput, without_end_is_refused) {
   const std::string device = "/dev/zero: cannot be read: it is a device; give a file";
   expect_refused("check /dev/zero", device);
   expect_refused("plan /dev/zero", device);

@@ -69,7 +69,7 @@ std::vector<scene::Ray> rays_from_everywhere(std::size_t count) {
   return rays;
 }
 
-TEST(ExplainAndCheck, call_the_same_answers_wrong) {
+TEST(ExplainAndCheck, find_the_same_wrong_answers) {
   const auto triple = [](const auto& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
   const std::vector<scene::Ray> rays = rays_from_everywhere(24);
   std::string toml = sphere_text("0, 0, 0", "1");

@@ -24,7 +24,7 @@ Findings findings(const std::set<Identity>& found, const std::set<Identity>& ask
   return all;
 }
 
-TEST(Baseline, IsTheSameReadAgain) {
+TEST(Baseline, SurvivesWritingAndReading) {
   const Baseline first = updated({}, findings({identity("class"), identity("root")}, {}));
   const std::string text = baseline_text(first);
   const Baseline again = tools::parse_baseline(text);
@@ -42,7 +42,7 @@ TEST(Baseline, IsTheSameReadAgain) {
   EXPECT_EQ(tools::parse_baseline(windows).known, first.known);
 }
 
-TEST(Baseline, NamesTheLineThatIsWrong) {
+TEST(Baseline, ErrorsNameTheLine) {
   const std::string fields = "a; b; c; d; ", no_byte = " is not % and two hexadecimal";
   for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
            {"# raycheck baseline 2\nclass; rays\n", "line 2: 2 fields"},
@@ -58,7 +58,7 @@ TEST(Baseline, NamesTheLineThatIsWrong) {
 }
 
 /// What is known, new and mended of a run is held to BaselineOfARun.
-TEST(Baseline, KeepsWhatWasNotAskedAndSeesAnotherWayOfBeingWrong) {
+TEST(Baseline, KeepsUnjudgedEntriesAndReportsOtherKindsAsNew) {
   const Identity a = identity("class"), b = identity("root");
   const Baseline baseline = updated({}, findings({a}, {}));
   EXPECT_TRUE(compare(baseline, findings({}, {b})).mended.empty());
@@ -70,7 +70,7 @@ TEST(Baseline, KeepsWhatWasNotAskedAndSeesAnotherWayOfBeingWrong) {
 }
 
 /// Two branches that mend different laws, merged by git as it is installed.
-TEST(Baseline, OfTwoBranchesThatMendDifferentThingsIsMergedByGit) {
+TEST(Baseline, MergesByGitWhenTwoBranchesMendDifferentThings) {
   const Identity a = identity("class"), b = identity("root"), c = identity("hit-point");
   const Baseline before = updated({}, findings({a, b, c}, {}));
   const fs::path folder = temporary_folder("merged");
@@ -137,7 +137,7 @@ RAYCHECK_CANDIDATE(.name = "mine", .intersect = mine, .precision = Precision::si
   const std::string folder_ = temporary_folder("baseline");
 };
 
-TEST_F(BaselineOfARun, LetsPassWhatIsKnownAndNothingElse) {
+TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
   const std::string misses = "return {};", right = "return hit;";
   const std::string hits = "return hit ? hit : Hit{1, {}};";
   const Outcome none = gate(misses, "", 2);
@@ -165,7 +165,7 @@ TEST_F(BaselineOfARun, LetsPassWhatIsKnownAndNothingElse) {
   gate(misses, "", 1);
 }
 
-TEST_F(BaselineOfARun, KnowsACandidateAndASceneHoweverTheyAreTyped) {
+TEST_F(BaselineOfARun, IdentifiesCandidatesAndScenesHoweverTheyAreTyped) {
   const std::string by_python = "renderer:python3 ", mirrored = " upside-down {scene} {image}";
   const std::string renderer = by_python + "tests/candidates/rt.py" + mirrored;
   const std::string scene = "scene/examples/probe.toml";
@@ -181,7 +181,7 @@ TEST_F(BaselineOfARun, KnowsACandidateAndASceneHoweverTheyAreTyped) {
   check(scene, twice, "", 1);
 }
 
-TEST_F(BaselineOfARun, KnowsPathsOfAnyBytes) {
+TEST_F(BaselineOfARun, AcceptsPathsOfAnyBytes) {
   const std::string folder = folder_ + "/\n\x1b[31m\xff; #%41";
   fs::create_directories(folder);
   fs::copy_file(fs::path(RAYCHECK_SOURCE_DIR) / "scene/examples/probe.toml",
@@ -192,7 +192,7 @@ TEST_F(BaselineOfARun, KnowsPathsOfAnyBytes) {
   check(folder + "/probe.toml", renderer, "", 0);
 }
 
-TEST_F(BaselineOfARun, TakesWhatIsUndecidedAndJunitSaysSo) {
+TEST_F(BaselineOfARun, AcceptsUndecidedAndJunitReportsThem) {
   // The ray begins at the sphere as rounded: a hit there is right for one radius alone.
   const std::string scene =
       write("scene.toml", "[conventions]\nroot = \"smaller\"\n" +

@@ -72,7 +72,7 @@ std::size_t commands_in(const std::string& log) {
   return count;
 }
 
-TEST(HostileJunit, HasEachCheckOnceWhateverTextsHold) {
+TEST(HostileJunit, HasEachCheckOnceForAnyText) {
   const std::string path =
       temporary_file("hostile.xml", written("junit", gate_of(3, kHostile, kHostile)));
   EXPECT_EQ(read_by_python(path), "6 3 1 1\n");
@@ -80,7 +80,7 @@ TEST(HostileJunit, HasEachCheckOnceWhateverTextsHold) {
   EXPECT_FALSE(has(contents(path), "##["));
 }
 
-TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
+TEST(HostileJunit, OfAHundredThousandFailuresStaysBelowGitLabsLimit) {
   const std::string text = written("junit", gate_of(100'000, std::string(60, '&'), "mine"));
   EXPECT_LT(text.size(), std::size_t{30'000'000});
   EXPECT_GT(text.size(), std::size_t{10'000'000});
@@ -88,13 +88,13 @@ TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
   EXPECT_EQ(read_by_python(path), "100003 100000 1 1\n");
 }
 
-TEST(HostileMarkdown, IsBelowWhatGitHubTakesAndSaysWhatIsLeftOut) {
+TEST(HostileMarkdown, StaysBelowGitHubsLimitAndCountsTheRest) {
   const std::string text = written("markdown", gate_of(100'000, "why it failed", "mine"));
   EXPECT_LE(text.size(), tools::kMostMarkdownBytes);
   expect_parts(text, {" more: see the JSON report", "| mine | 1 | 100000 | 0 | 1 | 1 |"});
 }
 
-TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {
+TEST(HostileMarkdown, FencesTextsAndKeepsThemInTheirCells) {
   const std::string text = written("markdown", gate_of(1, kHostile, kHostile));
   EXPECT_TRUE(has(text, "````text\n"));
   std::size_t rows = 0;
@@ -109,14 +109,14 @@ TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {
   EXPECT_EQ(rows, 3u);
 }
 
-TEST(HostileAnnotations, AreAtMostTenAndNoOnesOwn) {
+TEST(HostileAnnotations, AreAtMostTenAndNotInjectedByTexts) {
   for (const std::size_t failures : {1, 9, 10, 100}) {
     const std::string text = written("github", gate_of(failures, kHostile, kHostile));
     EXPECT_EQ(commands_in(text), std::min<std::size_t>(failures + 1, 10)) << text;
   }
 }
 
-TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
+TEST(GitlabCodequality, HasTheFieldsThatGitLabRequiresForEachNewDefect) {
   Gate gate = gate_of(3, "why", "mine");
   gate.sources = {{"mine", "src/tracer.cpp"}};
   gate.ratchet.emplace();
@@ -135,7 +135,7 @@ TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
   EXPECT_EQ(fingerprints.size(), 2u);
 }
 
-TEST(Annotations, AreAtTheLineAtWhichTheCandidateDiedOrElseAtItsSource) {
+TEST(Annotations, PointToTheLineOfTheCrashOrElseToTheSource) {
   Gate gate = gate_of(2, "why", "mine");
   EXPECT_TRUE(has(written("github", gate), "::error title="));
   gate.sources = {{"mine", "src/tracer.cpp"}};
@@ -147,7 +147,7 @@ TEST(Annotations, AreAtTheLineAtWhichTheCandidateDiedOrElseAtItsSource) {
   EXPECT_EQ(location, (json{{"path", "src/sphere.h"}, {"lines", {{"begin", 42}}}}));
 }
 
-TEST(GateOfARun, WritesEveryReportBesideWhatItPrints) {
+TEST(GateOfARun, WritesEveryReportBesidesThePrintedOne) {
   const std::string folder = temporary_folder("gate");
   const auto file = [&](const std::string& name) { return folder + "/" + name; };
   std::string options = " --cases 60 --source rays";
@@ -177,7 +177,7 @@ TEST(GateOfARun, WritesEveryReportBesideWhatItPrints) {
   EXPECT_GE(json::parse(contents(file("gitlab-codequality"))).size(), broken);
 }
 
-TEST(HostileLog, OfGitHubObeysNothingThatACandidatePrints) {
+TEST(HostileLog, OfGitHubExecutesNoCommandsOfCandidates) {
   const std::string program =
       temporary_file("prints.py",
                      "import raycheck_candidate as rc\n"
@@ -216,7 +216,7 @@ std::vector<std::string> commands_of(const std::string& file) {
 
 class LongReadyFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(LongReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
+TEST_P(LongReadyFile, PassesACorrectProjectAndFailsAWrongOne) {
   const auto commands = commands_of(GetParam());
   ASSERT_EQ(commands.size(), 1u);
   const fs::path folder = temporary_folder("ready");
@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(Files, LongReadyFile,
                                          "examples/ci/gitlab/raycheck.gitlab-ci.yml",
                                          ".pre-commit-hooks.yaml"));
 
-TEST(ReadyFiles, SayWhichIsolationTheyGet) {
+TEST(ReadyFiles, NameTheirIsolation) {
   for (const char* file : {"examples/ci/github/workflow.yml", "examples/ci/github/action.yml",
                            "examples/ci/gitlab/raycheck.gitlab-ci.yml",
                            "examples/ci/container/Containerfile", ".pre-commit-hooks.yaml"}) {

@@ -68,7 +68,7 @@ double hue(const std::array<std::uint8_t, 3>& colour) {
   return std::atan2(y, x) * 180 / std::acos(-1.0);
 }
 
-TEST(Image, says_of_every_pixel_what_it_sees_and_gives_every_sphere_a_colour_of_its_own) {
+TEST(Image, shows_the_nearest_sphere_of_every_pixel_in_distinct_colours) {
   std::size_t hits = 0, misses = 0;
   std::vector<std::string> paths;
   for (const char* name :
@@ -153,7 +153,7 @@ TEST(Image, shows_the_errors_that_check_counts) {
   }
 }
 
-TEST(Image, is_the_same_by_any_number_of_threads) {
+TEST(Image, does_not_depend_on_the_number_of_threads) {
   const std::string sizes[] = {" --size 333,1100 --what ", " --size 30,1200 --what "};
   for (const char* what : {"sphere", "error"}) {
     const std::string asked =
@@ -163,7 +163,7 @@ TEST(Image, is_the_same_by_any_number_of_threads) {
   }
 }
 
-TEST(Image, is_the_same_in_bands_as_whole) {
+TEST(Image, does_not_depend_on_the_bands) {
   // 4200 rows of 17 pixels are two bands, 17 rows of 4200 pixels too.
   for (const char* size : {"17,4200", "4200,17"}) {
     scene::Scene scene = scene::load_scene(example("ten-spheres.toml")).scene;
@@ -194,7 +194,7 @@ std::size_t parts_left(std::uintmax_t least_bytes = 0) {
   return left;
 }
 
-TEST(Image, leaves_an_older_picture_alone_when_interrupted) {
+TEST(Image, keeps_an_older_picture_when_interrupted) {
   const std::string path = temporary_file("interrupted.png", "an older picture");
   const Outcome result = run_interrupted(
       "image " + example("ten-spheres.toml") + " --size 100000,100000 --out " + path,
@@ -205,7 +205,7 @@ TEST(Image, leaves_an_older_picture_alone_when_interrupted) {
   EXPECT_EQ(parts_left(), 0u);
 }
 
-TEST(PictureFile, TurnsWhatLibpngRefusesIntoAnExceptionAndLeavesNothing) {
+TEST(PictureFile, ThrowsOnErrorsOfLibpngAndLeavesNoFile) {
   const std::string path = temporary_file("refused.png", "an older picture");
   const std::size_t before = parts_left();
   {
@@ -218,7 +218,7 @@ TEST(PictureFile, TurnsWhatLibpngRefusesIntoAnExceptionAndLeavesNothing) {
   EXPECT_EQ(parts_left(), before);
 }
 
-TEST(Image, takes_the_place_of_an_older_picture_and_warns_about_the_scene) {
+TEST(Image, replaces_an_older_picture_and_warns_about_the_scene) {
   const std::string path = temporary_file("new.ppm", "an older picture");
   const std::string scene =
       temporary_file("foggy.txt", contents(example("driver-a.txt")) + "fog 1\n");

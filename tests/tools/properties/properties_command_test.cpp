@@ -18,7 +18,7 @@ TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_a
   EXPECT_TRUE(has(again.out, "BROKEN"));
 }
 
-TEST(PropertiesCommand, tells_where_each_number_of_a_failure_may_lie) {
+TEST(PropertiesCommand, reports_the_range_of_each_number_of_a_failure) {
   const std::string asked =
       "properties --filter class --source distance@8 --level extreme --intersect lecture";
   const json campaign = printed_json(asked, 1)["campaigns"][0];
@@ -49,7 +49,7 @@ TEST(PropertiesCommand, tells_where_each_number_of_a_failure_may_lie) {
   EXPECT_FALSE(right["campaigns"][0].contains("ranges"));
 }
 
-TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {
+TEST(PropertiesCommand, report_does_not_depend_on_the_number_of_threads) {
   const std::string asked =
       "properties --level extreme --intersect quadratic --intersect cross --cases 200 --format "
       "json --threads ";
@@ -62,7 +62,7 @@ TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {
 const std::string kBreaks =
     "properties --filter class --intersect quadratic --level extreme --cases 150 ";
 
-TEST(PropertiesCommand, says_where_shrinking_was_given_up) {
+TEST(PropertiesCommand, reports_where_shrinking_ended_early) {
   tools::CampaignReport campaign{};
   campaign.law = properties::find_law("class");
   campaign.candidate = "mine";
@@ -70,11 +70,12 @@ TEST(PropertiesCommand, says_where_shrinking_was_given_up) {
   EXPECT_FALSE(has(failure_text(campaign, failure, false), "may exist"));
   failure.tries = 7;
   expect_parts(failure_text(campaign, failure, false),
-               {"# breaks the law class with mine\n", "# shrinking ended after 7 tries; a smaller case may exist\n"});
+               {"# breaks the law class with mine\n",
+                "# shrinking ended after 7 tries; a smaller case may exist\n"});
 }
 
 /// What it keeps is tried first, breaks the law again, and is mended once another is right there.
-TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
+TEST(PropertiesCommand, keeps_a_corpus_of_broken_cases) {
   const std::string folder = temporary_folder("kept") + "/corpus";
   EXPECT_FALSE(has(run(kBreaks + "--keep-going 3 --corpus " + folder, 1).out, "corpus:"));
   std::vector<std::string> files;
@@ -112,7 +113,7 @@ TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
   expect_refused("properties --corpus " + fs::path(files[0]).parent_path().string(), outside);
 }
 
-TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
+TEST(PropertiesCommand, finds_by_climbing_what_random_cases_miss) {
   const json report = printed_json(
       "properties --filter parameter --intersect cross --source distance --cases 60 --target rho");
   EXPECT_EQ(report["target"], "rho");
@@ -125,11 +126,12 @@ TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
       "properties --candidate source:" + temporary_file("demanding.cpp", text) +
       " --filter parameter --source rays --cases 40 --level extreme ";
   EXPECT_EQ(run(floats).exit_code, 0);
-  EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: the case was found by climbing"));
+  EXPECT_TRUE(
+      has(run(floats + "--target rho", 1).out, "replay: none: the case was found by climbing"));
 }
 
 /// Of a candidate that keeps the nearest hit between questions.
-TEST(PropertiesCommand, asks_what_fails_of_a_fresh_process) {
+TEST(PropertiesCommand, retries_failures_in_a_fresh_process) {
   const std::string text =
       replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), "if (s < 0) return {};",
                "static double t_max = INFINITY;\nif (s < 0 || s > t_max) return {};\nt_max = s;");
@@ -142,7 +144,7 @@ TEST(PropertiesCommand, asks_what_fails_of_a_fresh_process) {
 }
 
 /// However fast the machine is, the cases that it says can be asked for again.
-TEST(PropertiesCommand, takes_a_time_and_says_how_many_cases_fill_it) {
+TEST(PropertiesCommand, accepts_a_time_and_reports_the_number_of_cases) {
   const std::string asked = "properties --filter class --source rays --intersect cross ";
   const auto [exit_code, timed, err] = run(asked + "--for 1s");
   const std::string last = lines_of(timed).back(), says = "--for 1s is --cases ";
@@ -154,7 +156,7 @@ TEST(PropertiesCommand, takes_a_time_and_says_how_many_cases_fill_it) {
   expect_refused(asked + "--for 1s --cases 3", "--cases excludes --for");
 }
 
-TEST(PropertiesCommand, exits_with_4_when_nothing_too_little_or_nothing_inside_was_judged) {
+TEST(PropertiesCommand, exits_with_4_when_nothing_or_too_little_was_judged) {
   for (const auto& [asked, why] :
        {std::pair("pixel-point --rays focal --cases 5", ""),
         {"class --source rays --cases 6 --intersect cross", "fewer than 10 answers are right"},
@@ -170,13 +172,13 @@ TEST(PropertiesCommand, breaks_laws_for_excuses_when_it_is_strict) {
   EXPECT_EQ(run(asked + " --strict").exit_code, 1);
 }
 
-TEST(PropertiesCommand, judges_methods_by_the_level_that_is_theirs) {
+TEST(PropertiesCommand, judges_methods_by_their_level) {
   const json report =
       printed_json("properties --filter class --cases 50 --intersect cross --intersect quadratic");
   expect_values(report["campaigns"], {{"0/level", "demanding"}, {"1/level", "ordinary"}});
 }
 
-TEST(PropertiesCommand, says_up_to_which_severity_a_broken_law_holds) {
+TEST(PropertiesCommand, reports_the_severity_up_to_which_a_broken_law_holds) {
   const std::string asked = "properties --filter class --source distance --intersect quadratic ";
   const Outcome broken = run(asked + "--level extreme", 1);
   expect_parts(broken.out, {"    broken on distance@", "    holds on distance up to @"});

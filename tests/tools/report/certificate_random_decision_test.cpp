@@ -217,19 +217,19 @@ void expect_excused_or_defects_for_anyone(Kind kind, std::size_t of_each) {
   expect_confirmed(certified.excused, "not proved wrong for all inputs nearby");
 }
 
-TEST(CertifiedDecisions, OfGivenRaysAreExcusedOrDefectsForAnyone) {
+TEST(CertifiedDecisions, OfGivenRaysAreIndependentlyConfirmed) {
   expect_excused_or_defects_for_anyone(Kind::kGiven, wanted());
 }
 
-TEST(CertifiedDecisions, OfSpheresAsFarAsChangesReachAreExcusedOrDefectsForAnyone) {
+TEST(CertifiedDecisions, OfSpheresAtTheLimitOfChangesAreIndependentlyConfirmed) {
   expect_excused_or_defects_for_anyone(Kind::kFar, wanted() / 5);
 }
 
-TEST(CertifiedDecisions, BetweenSpheresHaveWitnessesThatAreConfirmed) {
+TEST(CertifiedDecisions, BetweenSpheresHaveConfirmedWitnesses) {
   expect_excused_or_defects_for_anyone(Kind::kChoice, wanted() / 5);
 }
 
-TEST(CertifiedDecisions, OfCamerasAreExcusedOrDefectsForAnyone) {
+TEST(CertifiedDecisions, OfCamerasAreIndependentlyConfirmed) {
   expect_excused_or_defects_for_anyone(Kind::kCamera, wanted() / 10);
 }
 

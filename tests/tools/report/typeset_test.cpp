@@ -13,7 +13,7 @@ using reference::HitClass, reference::Intersection, reference::Random, reference
 const Intersection kSmallerHit{HitClass::kHit, reference::WhichRoot::kSmaller};
 const scene::Sphere kLectureSphere{{5, 5, 5}, 3};
 
-TEST(Typeset, is_as_one_writes_it_by_hand) {
+TEST(Typeset, matches_handwritten_formulas) {
   const ClosedFormRay ray(scene::Ray{{1, 1, 3}, {4, 3, 0}});
   const auto distance = ray.distance(kLectureSphere, kSmallerHit);
   EXPECT_EQ(mathml(distance),
@@ -42,7 +42,7 @@ TEST(Typeset, is_as_one_writes_it_by_hand) {
             "</msup></mrow></mrow>");
 }
 
-TEST(Typeset, gives_a_single_form_by_itself) {
+TEST(Typeset, writes_a_single_form_without_parentheses) {
   EXPECT_EQ(mathml(std::vector<ClosedForm>(1)), "<mn>0</mn>");
 }
 

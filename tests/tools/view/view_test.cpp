@@ -93,7 +93,7 @@ TEST(View, the_frustum_has_its_corners_and_its_names) {
 }
 
 /// Three samples across from -1 to 1: at edges a cell has the size 1, of centres 2/3.
-TEST(View, the_picture_is_a_whole_cell_around_every_sample) {
+TEST(View, the_picture_has_a_whole_cell_around_every_sample) {
   const auto camera_of = [](const std::string& conventions) -> json {
     return figure_of(1, conventions)["camera"];
   };
@@ -112,7 +112,7 @@ TEST(View, the_picture_is_a_whole_cell_around_every_sample) {
   EXPECT_EQ(centres["counts"]["to"], 5);
 }
 
-TEST(View, says_what_cannot_be_drawn_to_scale) {
+TEST(View, reports_what_cannot_be_drawn_to_scale) {
   const std::string spheres = sphere_text("0, 0, -3", "1") + sphere_text("0, 0, -1e8", "1") +
                               sphere_text("0, 0, 0", "1.5") + sphere_text("0, 0, -2", "1e-300");
   const json figure = figure_of(1, spheres);
@@ -200,7 +200,7 @@ void expect_how_many_discrepancies_there_are(const json& document, const json& c
                                      document["findings"].size())));
 }
 
-TEST(View, says_what_s_counts_where_a_direction_is_no_unit_vector) {
+TEST(View, explains_s_if_a_direction_is_not_a_unit_vector) {
   const auto said = [](const std::string& direction) {
     const json panel = panel_of_given("-5, 0, 0", direction, "0, 0, 0", "1");
     return panel["exact"]["said"].dump() + panel["microscope"]["sentences"][0].dump();
@@ -239,7 +239,7 @@ void expect_pictures_count_what_they_show(const json& scene, const json& checked
   EXPECT_EQ(pixels_of(pictures[2], "wrong"), classes["wrong"]);
 }
 
-TEST(View, of_a_far_sphere_tells_all_methods_apart) {
+TEST(View, of_a_far_sphere_distinguishes_all_methods) {
   const std::string far = resized_example("far-sphere.toml", 6);
   const json scene = document_of(far)["scenes"][0];
   EXPECT_TRUE(scene["figure"]["out_of_scale"].get<bool>());
@@ -261,7 +261,7 @@ std::string renderer(const std::string& mistake) {
   return " --candidate 'renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}'";
 }
 
-TEST(View, has_the_picture_that_a_renderer_draws_and_where_it_is_wrong) {
+TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
   const std::string ten = resized_example("ten-spheres.toml", 8);
   const json right = document_of(ten + renderer("none"))["scenes"][0]["pictures"];
   ASSERT_EQ(right.size(), 3u);
@@ -293,7 +293,7 @@ TEST(View, has_the_picture_that_a_renderer_draws_and_where_it_is_wrong) {
   EXPECT_EQ(pixels_of(none[2], "wrong hit class or sphere: defect"), 64u);
 }
 
-TEST(View, explains_each_of_several_implementations_alone) {
+TEST(View, explains_each_of_several_candidates_separately) {
   const json document = document_of(
       "scene/examples/optical-axis.toml --candidate 'command:python3 tests/candidates/right.py' "
       "--candidate 'command:python3 tests/candidates/meets.py none'");
@@ -306,7 +306,7 @@ TEST(View, explains_each_of_several_implementations_alone) {
   }
 }
 
-TEST(View, a_page_is_one_file_of_bounded_size_that_allows_nothing_else) {
+TEST(View, a_page_is_one_self_contained_file_of_bounded_size) {
   const std::string name = "<img src=x onerror=alert(1)>.toml";
   const std::string scene =
       temporary_file(name, contents(RAYCHECK_SOURCE_DIR "/scene/examples/ten-spheres.toml"));
@@ -321,7 +321,7 @@ TEST(View, a_page_is_one_file_of_bounded_size_that_allows_nothing_else) {
   }
 }
 
-TEST(View, a_dial_has_a_scene_for_each_severity) {
+TEST(View, a_family_has_a_scene_for_each_severity) {
   const json document = document_of("--family distance --method quadratic,cross --cases 10");
   const json& facet = document["chart"]["facets"][0];
   EXPECT_EQ(facet["severities"].size(), 16u);
