@@ -223,7 +223,7 @@ std::string too_few_text(const CandidateReport& candidate) {
 std::vector<std::string> left_out_lines(const CheckReport& report) {
   std::vector<std::string> lines;
   if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
-    lines.push_back(fmt::format("{} of {} pixels: only {} were asked for",
+    lines.push_back(fmt::format("{} of {} pixels: only {} were selected",
                                 report.rays_in_scene - report.rays_judged, report.rays_in_scene,
                                 report.rays_judged));
   }

@@ -143,7 +143,7 @@ Baseline parse_baseline(std::string_view text) {
       if (line.starts_with(kEarlier)) {
         throw std::invalid_argument(
             "the file has an older format, which names candidates as they were typed; remove it, "
-            "then create it again with --update-baseline");
+            "then update the baseline, which creates it again");
       }
       add_line(baseline, line);
     } catch (const std::invalid_argument& error) {

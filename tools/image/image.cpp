@@ -189,8 +189,8 @@ void require_picture(const std::string& path, const scene::Camera& camera) {
        {std::pair("width", camera.width), std::pair("height", camera.height)}) {
     if (pixels <= kMostPictureSide) continue;
     throw std::invalid_argument(
-        fmt::format("{}: camera.{} = {}: exceeds the limit of {} pixels for a picture; give a "
-                    "smaller --size",
+        fmt::format("{}: camera.{} = {}: exceeds the limit of {} pixels for a picture; choose a "
+                    "smaller size",
                     path, side, pixels, kMostPictureSide));
   }
 }

@@ -240,7 +240,8 @@ std::string time_text(const PropertiesReport& report) {
       known->second = std::max(known->second, cases);
     }
   }
-  std::string text = fmt::format("--for {} is --cases {}; cases of each source:", report.time, report.cases);
+  std::string text =
+      fmt::format("{} is --cases {}; cases of each source:", report.time, report.cases);
   for (const auto& [source, cases] : sources) {
     text += fmt::format("{} {} {}", text.back() == ':' ? "" : ",", cases, source);
   }
@@ -345,12 +346,14 @@ std::string failure_text(const CampaignReport& campaign, const properties::Failu
   const std::string reason = fmt::format(
       "{} the law {} with {}{}", failure.is_undecided ? "leaves undecided" : "breaks",
       campaign.law->name, campaign.candidate,
-      failure.tries > 0 ? fmt::format("\nshrinking ended after {} tries; a smaller case may exist", failure.tries) : "");
-  return broken_law_text(
-      campaign.law->sentence, discrepancies,
-      explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
-      failure.replay.empty() ? "none: the case was found by climbing" : replay_text(campaign, failure.replay),
-      properties::scene_text(failure.shrunk, reason));
+      failure.tries > 0
+          ? fmt::format("\nshrinking ended after {} tries; a smaller case may exist", failure.tries)
+          : "");
+  return broken_law_text(campaign.law->sentence, discrepancies,
+                         explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
+                         failure.replay.empty() ? "none: the case was found by climbing"
+                                                : replay_text(campaign, failure.replay),
+                         properties::scene_text(failure.shrunk, reason));
 }
 
 std::string failure_text(const CampaignReport& campaign, bool colours) {

@@ -224,7 +224,7 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   const properties::SceneCases cases(std::move(loaded.scene),
                                      static_cast<std::uint64_t>(options.cases));
   if (cases.rays_judged() < cases.rays_in_scene()) {
-    report.left_out.push_back(fmt::format("{} of {} rays: --cases selects {}",
+    report.left_out.push_back(fmt::format("{} of {} rays: only {} were selected",
                                           cases.rays_in_scene() - cases.rays_judged(),
                                           cases.rays_in_scene(), cases.rays_judged()));
   }

@@ -147,7 +147,7 @@ TEST(PropertiesCommand, retries_failures_in_a_fresh_process) {
 TEST(PropertiesCommand, accepts_a_time_and_reports_the_number_of_cases) {
   const std::string asked = "properties --filter class --source rays --intersect cross ";
   const auto [exit_code, timed, err] = run(asked + "--for 1s");
-  const std::string last = lines_of(timed).back(), says = "--for 1s is --cases ";
+  const std::string last = lines_of(timed).back(), says = "1s is --cases ";
   ASSERT_TRUE(last.starts_with(says)) << last;
   const std::string count = last.substr(says.size(), last.find(';') - says.size());
   EXPECT_EQ(last, says + count + "; cases of each source: " + count + " rays");
