@@ -1,5 +1,5 @@
-// The cases that taught something: each file of tests/regressions/ is judged by every law. The
-// exact answers here were computed apart from this project, with rational arithmetic.
+// Instructive cases: each file of tests/regressions/ is judged by every law. The exact answers here
+// were computed independently of this project, with rational arithmetic.
 
 #include <regex>
 
@@ -24,7 +24,7 @@ Case load(const std::string& stem) {
   return result;
 }
 
-/// What is exact of a file's first ray and first sphere.
+/// The exact answer for a file's first ray and first sphere.
 struct Exact {
   HitClass hit_class;
   double s = 0;
@@ -51,7 +51,7 @@ const std::map<std::string, Exact> kExact = {
     {"tangent-one-ulp-inside", {HitClass::kHit, 4.9999999850988388}},
     {"tangent-one-ulp-outside", {HitClass::kMiss}}};
 
-/// Candidates, and which laws each breaks on which files; on all others it breaks none.
+/// Candidates, and the laws that each breaks by file; on all other files it breaks no law.
 using Broken = std::map<std::string, std::set<std::string>>;
 const std::set<std::string> kOfHits = {"backward-error", "hit-point", "parameter"};
 const std::map<std::string, Broken> kBroken = {
@@ -90,7 +90,7 @@ Candidate candidate_named(const std::string& name) {
   throw std::invalid_argument("no candidate is called " + name);
 }
 
-/// Of a method by its name, why it does not keep its bound everywhere.
+/// The inputs on which the method of this name exceeds its bound.
 template <class Methods>
 std::string_view not_kept_by(const Methods& methods, const std::string& name) {
   const auto method = std::find_if(methods.begin(), methods.end(),

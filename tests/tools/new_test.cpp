@@ -1,4 +1,4 @@
-// `new`: adapters that compile at once, and say what is missing when they are judged.
+// `new`: adapters that compile at once, and report missing functions when they are judged.
 
 #include "tests/tools/external/judged.h"
 

@@ -1,4 +1,4 @@
-// The ratchet: what is known may stay, what is new fails, what is mended is said.
+// The ratchet: known discrepancies may stay, new ones fail, mended ones are reported.
 
 #include "tools/gates/baseline.h"
 
@@ -57,7 +57,7 @@ TEST(Baseline, ErrorsNameTheLine) {
   }
 }
 
-/// What is known, new and mended of a run is held to BaselineOfARun.
+/// The known, new and mended discrepancies of runs are tested by BaselineOfARun.
 TEST(Baseline, KeepsUnjudgedEntriesAndReportsOtherKindsAsNew) {
   const Identity a = identity("class"), b = identity("root");
   const Baseline baseline = updated({}, findings({a}, {}));
@@ -98,7 +98,7 @@ TEST(Baseline, MergesByGitWhenTwoBranchesMendDifferentThings) {
   EXPECT_EQ(baseline_text(merged), contents(folder / "known"));
 }
 
-/// The whole way of one candidate: known, otherwise wrong, mended.
+/// One candidate's discrepancies: known, then of another kind, then mended.
 class BaselineOfARun : public testing::Test {
  protected:
   std::string known() const { return folder_ + "/known"; }
@@ -175,7 +175,7 @@ TEST_F(BaselineOfARun, IdentifiesCandidatesAndScenesHoweverTheyAreTyped) {
   for (const std::string folder : {".", RAYCHECK_SOURCE_DIR, "tests/.."}) {
     check(folder + "/" + scene, by_python + folder + "/tests/candidates/rt.py" + mirrored, "", 0);
   }
-  // Two of one name are known by what was typed.
+  // Two candidates of one name are identified by their names as typed.
   const std::string twice =
       renderer + "' --candidate '" + by_python + "./tests/candidates/rt.py" + mirrored;
   check(scene, twice, "", 1);
@@ -193,7 +193,7 @@ TEST_F(BaselineOfARun, AcceptsPathsOfAnyBytes) {
 }
 
 TEST_F(BaselineOfARun, AcceptsUndecidedAndJunitReportsThem) {
-  // The ray begins at the sphere as rounded: a hit there is right for one radius alone.
+  // The ray begins on the rounded sphere: a hit there is right for only one radius.
   const std::string scene =
       write("scene.toml", "[conventions]\nroot = \"smaller\"\n" +
                               sphere_text("0, 0.6, 0.7", "0.9219544457292888") +
@@ -213,7 +213,7 @@ TEST_F(BaselineOfARun, AcceptsUndecidedAndJunitReportsThem) {
   EXPECT_TRUE(has(contents(known()), "; class: false hit, undecided; sphere 0; mine\n"));
   const Outcome known = check(scene, mine, "--format junit", 0);
   EXPECT_TRUE(has(known.out, "<skipped type=\"known\" message=\"1 answer undecided\">"));
-  // It is a defect where what is undecided is one, and was not known as such.
+  // With --strict it is a defect, which the baseline has only as undecided.
   check(scene, mine, "--strict", 1);
 }
 

@@ -1,5 +1,5 @@
-// What continuous integration reads (JUnit, Markdown, GitHub's commands, GitLab's code quality),
-// and the files for pipelines that are ready to be copied: their commands run as they stand.
+// Formats of continuous integration (JUnit, Markdown, GitHub's commands, GitLab's code quality),
+// and the example files for pipelines: their commands run unchanged.
 
 #include "tests/tools/program.h"
 #include "tools/gates/gate.h"
@@ -11,7 +11,7 @@ using tools::Gate;
 using tools::GateCheck;
 using tools::GateOutcome;
 
-/// What someone's program may print to break a file or to make a line that is obeyed.
+/// Output of a candidate that tries to break a file or to inject a command.
 const std::string kHostile =
     "]]></failure></testcase><testcase name=\"x\"/>&amp;\n::error::mine\n  ::warning::mine\n"
     "##[error]mine\n```\n</details><script>\n| a | b |\n\x1b[31m\x01\xff \uFFFE %0A::error::mine\n";
@@ -39,7 +39,7 @@ std::string written(std::string_view format, const Gate& gate) {
   return {};
 }
 
-/// What a JUnit file says, read by Python's XML parser: tests, failures, errors, skipped.
+/// The counts of a JUnit file, read by Python's XML parser: tests, failures, errors, skipped.
 std::string read_by_python(const std::string& path) {
   const std::string script = temporary_file("junit.py",
                                             "import sys, xml.etree.ElementTree as tree\n"
@@ -51,7 +51,7 @@ std::string read_by_python(const std::string& path) {
   return read.exit_code == 0 ? read.out : read.err;
 }
 
-/// Whether xmllint takes a file by junit.xsd; also where there is no xmllint, which is said.
+/// Whether a file is valid by junit.xsd; true, with a message, without xmllint.
 bool suits_schema(const std::string& path) {
   if (!is_installed("xmllint")) {
     std::printf("xmllint is not installed: the schema is not tried\n");
@@ -61,7 +61,7 @@ bool suits_schema(const std::string& path) {
   return std::system(("xmllint --noout --huge --schema " + schema + " " + path).c_str()) == 0;
 }
 
-/// Lines that a log of GitHub's workflows obeys.
+/// Lines that the log of a GitHub workflow executes.
 std::size_t commands_in(const std::string& log) {
   std::size_t count = 0;
   for (const std::string& line : lines_of(log)) {
@@ -203,7 +203,7 @@ TEST(HostileLog, OfGitHubExecutesNoCommandsOfCandidates) {
   }
 }
 
-/// The raycheck commands of a file: lines that begin with it once the file's own signs are gone.
+/// The raycheck commands of a file: lines that begin with it after removal of the file's markup.
 std::vector<std::string> commands_of(const std::string& file) {
   static const std::regex command(" *(?:- |entry: |run: )*(raycheck prope.*)");
   std::vector<std::string> commands;
@@ -224,7 +224,7 @@ TEST_P(LongReadyFile, PassesACorrectProjectAndFailsAWrongOne) {
   std::ofstream(folder / "raycheck.baseline").flush();
   for (const char* name : {"none", "far_root"}) {
     const std::string built = built_submission("rays.cpp", name, folder / "src");
-    // The hook is given its candidate as an argument, the others by the environment.
+    // The hook takes its candidate as an argument, the others from the environment.
     const bool is_hook = std::string(GetParam()).ends_with("hooks.yaml");
     run_bash("set -e\ncd " + folder.string() + "\nmkdir -p raycheck-reports\nPATH=" +
                  fs::path(RAYCHECK_BINARY).parent_path().string() +

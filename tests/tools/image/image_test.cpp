@@ -11,7 +11,7 @@ using reference::NearestSphere;
 
 const std::array<std::uint8_t, 3> kBackground = {16, 18, 24};
 
-/// A picture that the program wrote, and what it said; the file is gone.
+/// A picture that the program wrote, and its output; the file is removed.
 class Written {
  public:
   Written(const std::string& arguments, const std::string& extension, int exit_code = 0) {
@@ -32,7 +32,7 @@ class Written {
   ReadPicture picture_;
 };
 
-/// What a pixel sees, by the exact ray alone, and where the picture has it.
+/// The nearest sphere of a pixel, by only the exact ray, and the pixel's place in the picture.
 struct Seen {
   std::int64_t column, line;
   std::optional<NearestSphere> sphere;
@@ -147,7 +147,7 @@ TEST(Image, shows_the_errors_that_check_counts) {
     }
     EXPECT_EQ(sum, measured);
     EXPECT_GT(measured, 50u);
-    // By the textbook s is lost; by the other one it is not (docs/scenes.md).
+    // The textbook loses s; the other method does not (docs/scenes.md).
     EXPECT_EQ(error["steps"].back()["pixels"] > 0, exit_code == 1);
     EXPECT_EQ(error["steps"][0]["pixels"] > 0, exit_code == 0);
   }
@@ -181,7 +181,7 @@ TEST(Image, does_not_depend_on_the_bands) {
   }
 }
 
-/// Files of pictures that are being written, which have so many bytes.
+/// Files of unfinished pictures with at least this number of bytes.
 std::size_t parts_left(std::uintmax_t least_bytes = 0) {
   std::size_t left = 0;
   for (const auto& entry : fs::directory_iterator(testing::TempDir())) {

@@ -74,7 +74,7 @@ TEST(PropertiesCommand, reports_where_shrinking_ended_early) {
                 "# shrinking ended after 7 tries; a smaller case may exist\n"});
 }
 
-/// What it keeps is tried first, breaks the law again, and is mended once another is right there.
+/// A kept case is tried first, breaks the law again, and is mended once a candidate is right on it.
 TEST(PropertiesCommand, keeps_a_corpus_of_broken_cases) {
   const std::string folder = temporary_folder("kept") + "/corpus";
   EXPECT_FALSE(has(run(kBreaks + "--keep-going 3 --corpus " + folder, 1).out, "corpus:"));
@@ -84,13 +84,13 @@ TEST(PropertiesCommand, keeps_a_corpus_of_broken_cases) {
     EXPECT_EQ(run("check " + files.back() + " --intersect quadratic").exit_code, 1);
   }
   ASSERT_GT(files.size(), 1u);
-  // Without one case of its own that breaks the law.
+  // Its random cases do not break the law.
   const std::string again = "properties --filter class --source rays --cases 20 --corpus " + folder;
   const Outcome broken = run(again + " --intersect quadratic", 1);
   expect_parts(
       run(again + " --intersect quadratic --format junit", 1).out,
       {"/corpus/class-direct-quadratic-", "<failure", "breaks it again (class: false hit)"});
-  // Known to a baseline, it fails no more.
+  // With a baseline that has it, the command passes.
   const std::string baseline = " --intersect quadratic --baseline " + folder + "/known.txt";
   run(again + baseline + " --update-baseline");
   EXPECT_EQ(run(again + baseline).exit_code, 0);
@@ -130,7 +130,7 @@ TEST(PropertiesCommand, finds_by_climbing_what_random_cases_miss) {
       has(run(floats + "--target rho", 1).out, "replay: none: the case was found by climbing"));
 }
 
-/// Of a candidate that keeps the nearest hit between questions.
+/// A candidate that keeps the nearest hit between questions.
 TEST(PropertiesCommand, retries_failures_in_a_fresh_process) {
   const std::string text =
       replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), "if (s < 0) return {};",
@@ -143,7 +143,7 @@ TEST(PropertiesCommand, retries_failures_in_a_fresh_process) {
   EXPECT_FALSE(has(kept.out, "no ray ever hits")) << kept.out;
 }
 
-/// However fast the machine is, the cases that it says can be asked for again.
+/// On a machine of any speed, the reported number of cases can be repeated.
 TEST(PropertiesCommand, accepts_a_time_and_reports_the_number_of_cases) {
   const std::string asked = "properties --filter class --source rays --intersect cross ";
   const auto [exit_code, timed, err] = run(asked + "--for 1s");

@@ -1,4 +1,4 @@
-// --certificates, and the script that confirms what it writes without the program.
+// --certificates, and the script that checks certificates without the program.
 
 #include "tests/tools/report/certificates.h"
 
@@ -109,8 +109,7 @@ TEST(VerifyCertificates, fails_with_2_on_unreadable_files) {
   EXPECT_EQ(run_python(script("nowhere.jsonl")).exit_code, 2);
 }
 
-/// Runs the script on each file that it is given, as by itself, and prints how that ended: its exit
-/// code and what it wrote to standard error.
+/// Runs the script on each given file separately, and prints its exit code and standard error.
 constexpr const char* kRunsScriptOnEach = R"(import contextlib, io, json, runpy, sys
 for path in sys.argv[1:]:
     sys.argv = ['verify_certificates.py', path]

@@ -1,5 +1,5 @@
-// What every command prints under --format json, against docs/json.md and against itself; and what
-// texts of others come to in JSON and CSV.
+// The output of every command under --format json, compared with docs/json.md and checked for
+// consistency; and third-party texts in JSON and CSV.
 
 #include "tools/report/json.h"
 
@@ -10,7 +10,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// A command's reports, which between them have every key that it can print.
+/// A command's reports, which together have every key that it can print.
 struct Reports {
   std::string command;
   std::vector<std::string> arguments;
@@ -84,8 +84,8 @@ std::string words_of(const std::string& text) {
   return " " + std::regex_replace(text, std::regex("\\W"), " ") + " ";
 }
 
-/// The words between backquotes on the page, by sections: under a command's name where the heading
-/// has it, under "" where it holds for all.
+/// The words between backquotes on the page, by sections: under the command's name in the heading,
+/// or under "" for all commands.
 std::map<std::string, std::string> documented() {
   static const std::regex span("`([^`]*)`"), heading("## `(\\w+).*");
   std::map<std::string, std::string> words;
@@ -100,7 +100,7 @@ std::map<std::string, std::string> documented() {
   return words;
 }
 
-/// The commands that offer it, by their own help.
+/// The commands with --format json, by their help.
 std::set<std::string> commands_with_json() {
   std::set<std::string> names;
   for (const std::string& name : all_commands()) {
@@ -252,7 +252,7 @@ TEST(HostileCsv, escapes_formulas_of_spreadsheets) {
            {"\r=1", "\"'\\x0d=1\""},
            {"\n=1", "\"'\n=1\""},
            {"\uFF1D1", "\"'\uFF1D1\""},
-           // What would end a cell.
+           // Characters that would end a cell.
            {"a,b", "\"a,b\""},
            {"a;b", "\"a;b\""},
            {"a\"b", "\"a\"\"b\""},

@@ -65,7 +65,7 @@ TEST(StressCommand, has_a_page_with_a_curve_for_every_method_and_family) {
   const tools::ViewDocument document = stress_document(report);
   EXPECT_FALSE(has(page(document), "</script><b>"));
   const json chart = json::parse(document_json(document))["chart"];
-  ASSERT_EQ(chart["facets"].size(), 3u);  // distance asks nothing of methods that make rays
+  ASSERT_EQ(chart["facets"].size(), 3u);  // distance does not test methods that make rays
   expect_values(chart["facets"], {{"0/subject", "distance"}, {"2/stage", "Rays"}});
   const tools::StressCurve& textbook = report.families[0].curves[0];
   const json& mine = chart["facets"][0]["series"][0];
@@ -176,7 +176,7 @@ void expect_source_split_by_severity(const json& facet) {
     EXPECT_EQ(series["points"][0]["decisions"], decisions);
     EXPECT_EQ(series["points"][0]["errors"][0]["at"][4], largest);
   }
-  // What severity is: the textbook's errors grow with the distance.
+  // The meaning of severity: the textbook's errors grow with the distance.
   const json& points = facet["series"][0]["points"];
   EXPECT_GT(points[9]["errors"][0]["at"][0], 1000 * points[2]["errors"][0]["at"][0].get<double>());
 }

@@ -17,7 +17,7 @@ json figure_of(double scale, const std::string& spheres) {
   return document_of(file + " --method cross")["scenes"][0]["figure"];
 }
 
-/// What is shown of a ray and a sphere.
+/// The drawing of a ray and a sphere.
 json panel_of_given(const std::string& origin, const std::string& direction,
                     const std::string& centre, const std::string& radius) {
   const std::string file =
@@ -159,7 +159,7 @@ void expect_which_digits_are_right(const json& scene) {
   EXPECT_EQ(answers[0]["said"], json::parse(R"([["number", "9999999"], ["mark", "9"]])"));
 }
 
-/// Methods that agree in value, error and standing are told of once; every method is told of.
+/// Methods that agree in value, error and standing are listed together; every method is listed.
 void expect_methods_that_agree_share_an_answer(const json& scene) {
   std::size_t shared = 0, told = 0;
   for (const json& panel : scene["panels"]) {
@@ -279,7 +279,7 @@ TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
   EXPECT_EQ(pixels_of(pictures[2], "wrong hit class or sphere: defect"),
             report["candidates"][0]["discrepancies_by_standing"]["defect"].get<std::uint64_t>())
       << report["candidates"][0].dump(1).substr(0, 2000);
-  // Its panels are of raycheck's methods: nobody explains a picture.
+  // Its panels show raycheck's methods: pictures are not explained.
   EXPECT_FALSE(has(mirrored["scenes"][0]["panels"][0]["command"].get<std::string>(), "candidate"));
 
   const json grey = document_of(ten + renderer("grey"))["scenes"][0]["pictures"];
@@ -328,7 +328,7 @@ TEST(View, a_family_has_a_scene_for_each_severity) {
   EXPECT_EQ(document["dial"]["scenes"].size(), 16u);
   EXPECT_EQ(document["scenes"].size(), 16u);
   ASSERT_EQ(facet["series"].size(), 2u);
-  // It opens where the first method first goes wrong.
+  // It opens at the first error of the first method.
   ASSERT_FALSE(document["findings"].empty());
   EXPECT_GT(document["findings"][0]["scene"], 0);
   EXPECT_EQ(document["findings"][0]["method"], "quadratic");
