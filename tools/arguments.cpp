@@ -154,10 +154,9 @@ void add_format(CLI::App& command, std::string& format, const std::vector<std::s
 
 void add_methods(CLI::App& command, std::vector<std::string>& methods) {
   command
-      .add_option(
-          "--method,--methods", methods,
-          "only these methods, for rays or intersection, separated by commas, or all (default: those of "
-          "fast/, without the reference)")
+      .add_option("--method,--methods", methods,
+                  "only these methods, separated by commas, or all (default: those of fast/, "
+                  "without the reference)")
       ->delimiter(',');
 }
 
@@ -177,8 +176,7 @@ void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_vi
 }
 
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what) {
-  command.add_option("--view", path,
-                     fmt::format("write a page for a browser that shows {}", what));
+  command.add_option("--view", path, fmt::format("write a page for a browser that shows {}", what));
 }
 
 void add_certificates(CLI::App& command, std::optional<std::string>& path) {
@@ -250,8 +248,9 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
 }
 
 CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
-  command.add_flag("--i-know", arguments.knows,
-                   "run candidates as root with --sandbox none: they can do anything that root can");
+  command.add_flag(
+      "--i-know", arguments.knows,
+      "run candidates as root with --sandbox none: they can do anything that root can");
   constexpr std::array<std::string_view, 3> kSandboxNames = {"require", "available", "none"};
   return add_named(
       command, "--sandbox", arguments.sandbox, kSandboxNames,
@@ -309,9 +308,10 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments) {
             "given scenes of floats; other candidates declare theirs")
       ->needs(candidate);
   command
-      .add_option("--image-change", arguments.image_change,
-                  "a renderer's wrong pixel is excused if a relative change of the scene by at most "
-                  "this makes it right (default: 1e-6, with --precision single 1e-4)")
+      .add_option(
+          "--image-change", arguments.image_change,
+          "a renderer's wrong pixel is excused if a relative change of the scene by at most "
+          "this makes it right (default: 1e-6, with --precision single 1e-4)")
       ->check(number_between(0, 1))
       ->needs(candidate);
   command

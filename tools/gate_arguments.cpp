@@ -23,7 +23,8 @@ CLI::Validator report_of(const std::vector<std::string>& kinds) {
         const std::string kind = text.substr(0, equals);
         if (equals == std::string::npos || equals + 1 == text.size() ||
             std::ranges::find(kinds, kind) == kinds.end()) {
-          return fmt::format("expected KIND=FILE, not '{}'; KIND is one of {}", text, fmt::join(kinds, ", "));
+          return fmt::format("expected KIND=FILE, not '{}'; KIND is one of {}", text,
+                             fmt::join(kinds, ", "));
         }
         return "";
       },
@@ -36,10 +37,9 @@ void add_gate(CLI::App& command, GateArguments& arguments, std::vector<std::stri
   for (const GateFormat& one : gate_formats()) formats.emplace_back(one.name);
   add_format(command, arguments.format, formats);
   command
-      .add_option(
-          "--report", arguments.reports,
-          fmt::format("also write this report: KIND is one of {}; may be repeated",
-                      fmt::join(formats, ", ")))
+      .add_option("--report", arguments.reports,
+                  fmt::format("also write this report: KIND is one of {}; may be repeated",
+                              fmt::join(formats, ", ")))
       ->check(report_of(formats));
   CLI::Option* const baseline =
       command
@@ -61,8 +61,9 @@ GateFiles::GateFiles(const GateArguments& arguments)
   if (!arguments.baseline.empty()) {
     const bool is_there = std::filesystem::exists(arguments.baseline);
     if (!is_there && !arguments.updates) {
-      throw std::invalid_argument(fmt::format(
-          "--baseline {}: the file does not exist; --update-baseline creates it", arguments.baseline));
+      throw std::invalid_argument(
+          fmt::format("--baseline {}: the file does not exist; --update-baseline creates it",
+                      arguments.baseline));
     }
     if (is_there) {
       try {

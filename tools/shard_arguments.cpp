@@ -48,9 +48,8 @@ void add_files(const fs::path& path, std::map<std::string, std::string>& files) 
   }
   if (!fs::is_regular_file(path, error) || files.contains(path.string())) return;
   if (files.size() == kMostFiles) {
-    throw scene::InvalidInput(
-        "out", "",
-        fmt::format("the given folders hold more than {} files", kMostFiles));
+    throw scene::InvalidInput("out", "",
+                              fmt::format("the given folders hold more than {} files", kMostFiles));
   }
   files[path.string()] = digest({file_bytes(path)});
 }
@@ -84,7 +83,7 @@ CampaignIdentity identity_of(const CLI::App& command, Judged judged) {
 void add_shards(CLI::App& command, ShardArguments& arguments) {
   command
       .add_option("--out", arguments.out,
-                  "keep each unit of the work in this folder, and do only units that are missing there")
+                  "keep each unit of work in this folder, and do only those missing there")
       ->type_name("FOLDER");
   add_shards_inside(command, arguments,
                     "from SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or CI_NODE_INDEX, else all");
@@ -102,7 +101,9 @@ void add_shards_inside(CLI::App& command, ShardArguments& arguments,
                       by_default))
       ->type_name("K/N")
       ->needs(out);
-  command.add_option("--merged", arguments.merged, "the folders that merge reads")->group("")->excludes(out);
+  command.add_option("--merged", arguments.merged, "the folders that merge reads")
+      ->group("")
+      ->excludes(out);
 }
 
 std::unique_ptr<Units> units_of(const ShardArguments& arguments, Judged judged) {
@@ -132,12 +133,12 @@ int shard_done(const ShardArguments& arguments, const Units& units, bool was_int
        {"--format", "--report", "--view", "--certificates", "--save", "--corpus", "--baseline"}) {
     const CLI::Option* const option = arguments.command->get_option_no_throw(name);
     if (option == nullptr || option->count() == 0) continue;
-    print_error(fmt::format("raycheck: {} has no effect here: give it to raycheck merge, which reports\n", name));
+    print_error(fmt::format("raycheck: {} has no effect here: give it to raycheck merge\n", name));
   }
   if (!was_interrupted) {
-    print_error(fmt::format("raycheck: shard {} of {} is done; after the last one: raycheck merge {}{}\n",
-                            shard.number, shard.of, arguments.out,
-                            runs_candidates(units.campaign()) ? " --run-candidates" : ""));
+    print_error(fmt::format(
+        "raycheck: shard {} of {} is done; once all are done: raycheck merge {}{}\n", shard.number,
+        shard.of, arguments.out, runs_candidates(units.campaign()) ? " --run-candidates" : ""));
   }
   return exit_code(was_interrupted, false, true);
 }

@@ -87,9 +87,8 @@ struct CandidateReport {
   scene::Precision precision = scene::Precision::kDouble;
   /// How many numbers of the scene had to be rounded to that format.
   std::size_t rounded_numbers = 0;
-  std::size_t made_unit = 0;  ///< Given directions, for one that demands unit ones.
-  std::optional<scene::Scene>
-      asked;              ///< The scene that it was asked about, if not the given one.
+  std::size_t made_unit = 0;          ///< Given directions, for one that demands unit ones.
+  std::optional<scene::Scene> asked;  ///< The scene that it was asked about, if not the given one.
   std::string not_asked;  ///< Why it was not judged: the format cannot hold the scene; or empty.
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
   bool given_rays = false;    ///< It makes no rays: its answers about raycheck's own are judged.

@@ -67,8 +67,8 @@ class ScenesOfFormats {
 struct ChunkVerdict;
 using ChunkVerdicts = std::vector<ChunkVerdict>;  ///< On each.
 
-/// Judges the rays of drafts chunk by chunk. Every thread has separate candidates; chunks share only
-/// the plans, and their verdicts are merged in the order of the rays.
+/// Judges the rays of drafts chunk by chunk. Every thread has separate candidates; chunks share
+/// only the plans, and their verdicts are merged in the order of the rays.
 class Judgement {
  public:
   /// The arguments must outlive it.

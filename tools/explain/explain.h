@@ -32,7 +32,7 @@ struct Step {
   std::string formula;
   std::vector<reference::ClosedForm> closed_form;  ///< One, or three coordinates.
   std::vector<double> rounded;  ///< Correctly rounded; empty if the closed form is an input.
-  std::optional<double> condition = {};  ///< kappa with respect to the scene's numbers.
+  std::optional<double> condition = {};        ///< kappa with respect to the scene's numbers.
   std::optional<double> condition_alone = {};  ///< kappa with respect to the step's operands.
 };
 

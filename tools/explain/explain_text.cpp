@@ -164,7 +164,8 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
   }
   if (report.rounded_numbers > 0) text += rounded_numbers_text(report.rounded_numbers) + "\n";
   text +=
-      "exact value of each step, in closed form and correctly rounded; below it the methods' values\n";
+      "exact value of each step, in closed form and correctly rounded; below it the methods' "
+      "values\n";
   if (report.sphere && report.pixel) {
     text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, and judged on that ray)\n",
                         report.rays_method);
@@ -198,8 +199,9 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     text += indented(isolation_text({*report.other}), "  ");
   }
   if (report.by_every_root) {
-    text += fmt::format("  raycheck's methods count every root >= 0, and are judged by that: exact {}\n",
-                        answer_of(*report.by_every_root));
+    text += fmt::format(
+        "  raycheck's methods count every root >= 0, and are judged by that: exact {}\n",
+        answer_of(*report.by_every_root));
   }
   for (const MethodReport& method : report.methods) {
     text +=

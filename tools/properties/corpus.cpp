@@ -71,8 +71,8 @@ std::vector<fs::path> files_in(const std::string& folder) {
   return files;
 }
 
-/// A candidate's name without the folders of the files in it, so that it is the same on all machines
-/// that share a corpus: "source:/home/me/tracer.cpp" is "source:tracer.cpp".
+/// A candidate's name without the folders of the files in it, so that it is the same on all
+/// machines that share a corpus: "source:/home/me/tracer.cpp" is "source:tracer.cpp".
 std::string shared_name(const std::string& candidate) {
   std::istringstream words(candidate);
   std::string shared;

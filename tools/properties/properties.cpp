@@ -46,8 +46,8 @@ bool is_worth_asking(const Law& law, const Implementation& implementation, bool 
                                 : pair.rays == kDefaultMethods.rays;
 }
 
-/// Renderers are not given the conventions of a random case: they are judged by the defaults, except
-/// for those that they declare, and not at tangents.
+/// Renderers are not given the conventions of a random case: they are judged by the defaults,
+/// except for those that they declare, and not at tangents.
 Candidate campaigner(const Implementation& implementation) {
   Candidate candidate = implementation.make();
   if (candidate.image) {

@@ -192,7 +192,7 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
   if (wanted && !picture.has_size(*wanted)) return picture;
   const std::int64_t largest = words.number();
   if (largest < 1 || largest > 65535) {
-    throw PictureError(fmt::format("its PPM's maximum channel value is {}; expected 1 to 65535", largest));
+    throw PictureError(fmt::format("its PPM's maximum channel is {}, not 1 to 65535", largest));
   }
   const auto count = static_cast<std::size_t>(picture.width * picture.height);
   const std::size_t size = largest < 256 ? 1 : 2;
@@ -214,7 +214,8 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
       rest.remove_prefix(size);
     }
     if (value < 0 || value > largest) {
-      throw PictureError(fmt::format("its PPM has a channel {} above the maximum {}", value, largest));
+      throw PictureError(
+          fmt::format("its PPM has a channel {} above its maximum {}", value, largest));
     }
     return static_cast<std::uint8_t>((255 * value + largest / 2) / largest);
   };

@@ -63,8 +63,8 @@ std::string input_name(const properties::Discrepancy& discrepancy, std::size_t i
 std::string standings_text(
     const std::function<std::uint64_t(properties::Standing standing)>& count);
 
-/// "rows are upside down: explains 90 of 90 wrong pixels", without "explains" if the sentence is not
-/// about a formula.
+/// "rows are upside down: explains 90 of 90 wrong pixels", without "explains" if the sentence is
+/// not about a formula.
 std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
                            std::string_view answers);
 
@@ -79,8 +79,8 @@ std::string discrepancy_head(const properties::Discrepancy& discrepancy);
 /// A discrepancy in lines: the answer, the exact one, the error and the excuse.
 std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);
 
-/// How a law is broken, in lines: its sentence, the discrepancy and its causes (separate lines), how
-/// to replay it (or empty) and the shrunk case as a scene.
+/// How a law is broken, in lines: its sentence, the discrepancy and its causes (separate lines),
+/// how to replay it (or empty) and the shrunk case as a scene.
 std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,
                             std::string_view causes, std::string_view replay,
                             std::string_view scene);
