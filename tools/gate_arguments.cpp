@@ -23,8 +23,7 @@ CLI::Validator report_of(const std::vector<std::string>& kinds) {
         const std::string kind = text.substr(0, equals);
         if (equals == std::string::npos || equals + 1 == text.size() ||
             std::ranges::find(kinds, kind) == kinds.end()) {
-          return fmt::format("expected KIND=FILE, not '{}'; KIND is one of {}", text,
-                             fmt::join(kinds, ", "));
+          return fmt::format("'{}' is not KIND=FILE with KIND in {}", text, fmt::join(kinds, ", "));
         }
         return "";
       },
@@ -61,9 +60,8 @@ GateFiles::GateFiles(const GateArguments& arguments)
   if (!arguments.baseline.empty()) {
     const bool is_there = std::filesystem::exists(arguments.baseline);
     if (!is_there && !arguments.updates) {
-      throw std::invalid_argument(
-          fmt::format("--baseline {}: the file does not exist; --update-baseline creates it",
-                      arguments.baseline));
+      throw std::invalid_argument(fmt::format(
+          "--baseline {}: no such file; --update-baseline creates it", arguments.baseline));
     }
     if (is_there) {
       try {

@@ -101,9 +101,7 @@ void add_shards_inside(CLI::App& command, ShardArguments& arguments,
                       by_default))
       ->type_name("K/N")
       ->needs(out);
-  command.add_option("--merged", arguments.merged, "the folders that merge reads")
-      ->group("")
-      ->excludes(out);
+  command.add_option("--merged", arguments.merged, "folders to merge")->group("")->excludes(out);
 }
 
 std::unique_ptr<Units> units_of(const ShardArguments& arguments, Judged judged) {

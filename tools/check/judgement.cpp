@@ -41,8 +41,7 @@ void keep_worst(std::vector<ExcludedHit>& worst) {
   if (worst.size() > kKeptExcluded) worst.resize(kKeptExcluded);
 }
 
-/// For the rays and spheres of a trial, from the exact answers only; empty if every root >= 0
-/// counts.
+/// For the rays and spheres of a trial, from the exact answers; empty if every root >= 0 counts.
 ExcludedHits excluded_hits(properties::Trial& trial) {
   ExcludedHits found;
   const scene::Conventions& conventions = trial.conventions();

@@ -163,9 +163,7 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     }
   }
   if (report.rounded_numbers > 0) text += rounded_numbers_text(report.rounded_numbers) + "\n";
-  text +=
-      "exact value of each step, in closed form and correctly rounded; below it the methods' "
-      "values\n";
+  text += "exact value of each step, in closed form and correctly rounded, then each method's\n";
   if (report.sphere && report.pixel) {
     text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, and judged on that ray)\n",
                         report.rays_method);
@@ -199,9 +197,8 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     text += indented(isolation_text({*report.other}), "  ");
   }
   if (report.by_every_root) {
-    text += fmt::format(
-        "  raycheck's methods count every root >= 0, and are judged by that: exact {}\n",
-        answer_of(*report.by_every_root));
+    text += fmt::format("  raycheck's methods are judged with every root >= 0: exact {}\n",
+                        answer_of(*report.by_every_root));
   }
   for (const MethodReport& method : report.methods) {
     text +=

@@ -14,8 +14,7 @@
 
 namespace raycheck::tools {
 
-/// All methods, laws and sources, in the order of reports; the conventions are in
-/// scene/conventions.h.
+/// Methods, laws and sources, in the order of reports; conventions are in scene/conventions.h.
 struct Catalogue {
   std::span<const fast::PixelRayMethod* const> ray_methods;
   std::span<const fast::IntersectMethod* const> intersect_methods;

@@ -98,9 +98,7 @@ CommandRun add_new(CLI::App& command) {
                              name.find_first_not_of(kLetters) == std::string::npos;
         return is_name ? std::string() : "must be a letter, then letters, digits and _";
       });
-  command
-      .add_option("--language", given->language,
-                  "the language of the adapter, which calls your code")
+  command.add_option("--language", given->language, "the language of the adapter")
       ->check(CLI::IsMember(names_of(kLanguages)))
       ->capture_default_str();
   command.add_option("--out", given->out, "the folder for the adapter")->capture_default_str();

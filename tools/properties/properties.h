@@ -92,9 +92,8 @@ struct PropertiesReport {
   bool is_conclusive() const;
 };
 
-/// Runs the campaigns, or replays one failure. With `units`, only the missing units of the shard;
-/// if that is not the whole campaign, the report is empty. Throws std::invalid_argument naming the
-/// field.
+/// Runs the campaigns, or replays one failure. With `units`, only the shard's missing units; if
+/// that is not everything, the report is empty. Throws std::invalid_argument naming the field.
 PropertiesReport run_properties(const PropertiesOptions& options,
                                 const properties::RunControl& control = {}, Units* units = nullptr);
 

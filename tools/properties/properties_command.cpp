@@ -33,8 +33,7 @@ double seconds_of(const std::string& text) {
   const bool is_whole = !number.empty() && number.size() < 6 &&
                         number.find_first_not_of("0123456789") == std::string::npos;
   if (!is_whole || std::stoi(number) == 0 || (unit == 3600 && !text.ends_with('h'))) {
-    throw std::invalid_argument("--for " + text +
-                                ": expected a whole number with the unit s, m or h: 90s, 10m");
+    throw std::invalid_argument("--for " + text + ": give a whole number and s, m or h: 90s, 10m");
   }
   return unit * std::stoi(number);
 }
@@ -109,10 +108,9 @@ CommandRun add_properties(CLI::App& command) {
             "error, its error over the growth of the documented bound, or the stability ratio rho")
       ->excludes(replay);
   command
-      .add_option(
-          "--corpus", options.corpus,
-          "first try the cases in this folder, afterwards add shrunk cases that break a law "
-          "to it; commit the folder")
+      .add_option("--corpus", options.corpus,
+                  "first try the cases in this folder, then add shrunk cases that break a law to "
+                  "it; commit it")
       ->type_name("FOLDER")
       ->excludes(replay);
   command

@@ -346,14 +346,13 @@ std::string failure_text(const CampaignReport& campaign, const properties::Failu
   const std::string reason = fmt::format(
       "{} the law {} with {}{}", failure.is_undecided ? "leaves undecided" : "breaks",
       campaign.law->name, campaign.candidate,
-      failure.tries > 0
-          ? fmt::format("\nshrinking ended after {} tries; a smaller case may exist", failure.tries)
-          : "");
-  return broken_law_text(campaign.law->sentence, discrepancies,
-                         explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
-                         failure.replay.empty() ? "none: the case was found by climbing"
-                                                : replay_text(campaign, failure.replay),
-                         properties::scene_text(failure.shrunk, reason));
+      failure.tries > 0 ? fmt::format("\nshrunk in {} tries; smaller may exist", failure.tries)
+                        : "");
+  return broken_law_text(
+      campaign.law->sentence, discrepancies,
+      explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
+      failure.replay.empty() ? "none: found by climbing" : replay_text(campaign, failure.replay),
+      properties::scene_text(failure.shrunk, reason));
 }
 
 std::string failure_text(const CampaignReport& campaign, bool colours) {

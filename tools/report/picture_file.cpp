@@ -214,8 +214,7 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
       rest.remove_prefix(size);
     }
     if (value < 0 || value > largest) {
-      throw PictureError(
-          fmt::format("its PPM has a channel {} above its maximum {}", value, largest));
+      throw PictureError(fmt::format("its PPM has channel {}, maximum {}", value, largest));
     }
     return static_cast<std::uint8_t>((255 * value + largest / 2) / largest);
   };

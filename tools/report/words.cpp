@@ -157,10 +157,8 @@ std::string_view precision_words(scene::Precision precision) {
 
 std::string rounded_numbers_text(std::size_t count) {
   if (count == 0) return "";
-  return fmt::format(
-      "{} of the scene {} not representable as float: judged on the scene rounded "
-      "to floats",
-      count_text(count, "number"), count == 1 ? "is" : "are");
+  return fmt::format("{} of the scene {} not floats: judged on the rounded scene",
+                     count_text(count, "number"), count == 1 ? "is" : "are");
 }
 
 std::string change_text(double relative_change, scene::Precision precision) {

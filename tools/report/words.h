@@ -46,8 +46,7 @@ std::string conventions_text(const scene::Conventions& conventions);
 /// Appended for judgement in floats: ", in single precision"; empty for doubles.
 std::string_view precision_words(scene::Precision precision);
 
-/// "4 numbers of the scene are not representable as float: judged on the scene rounded to floats",
-/// or empty.
+/// "4 numbers of the scene are not floats: judged on the rounded scene", or empty.
 std::string rounded_numbers_text(std::size_t count);
 
 /// A relative change in units of u, or as a plain number if large: "16 u", "1e-06".

@@ -86,9 +86,8 @@ CommandRun add_explain(CLI::App& command) {
   command.add_option("SCENE", arguments.scene, "a scene with a camera");
   add_dialect(command, arguments.dialect);
   command.add_option("--pixel", arguments.pixel, "the pixel, I,J");
-  command.add_option(
-      "--rays", arguments.rays,
-      "the method that makes the ray for the intersection methods (default: direct)");
+  command.add_option("--rays", arguments.rays,
+                     "the method that makes the ray to intersect (default: direct)");
   command.add_option("--ray", arguments.ray, "a ray instead: ox,oy,oz,dx,dy,dz");
   command.add_option("--sphere", arguments.sphere,
                      "which sphere of the scene (default: the one met first); with --ray: "

@@ -188,10 +188,9 @@ CommandRun add_view(CLI::App& command) {
   command.add_option("--out", arguments.out, "the page: one self-contained HTML file");
   add_dialect(command, arguments.dialect);
   command
-      .add_option(
-          "--method", arguments.methods,
-          "the methods that intersect rays, separated by commas (default: all, or for large "
-          "scenes cross)")
+      .add_option("--method", arguments.methods,
+                  "the methods that intersect, separated by commas (default: all, or for large "
+                  "scenes cross)")
       ->delimiter(',');
   command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
   command.add_option("--pixel", arguments.pixels, "a pixel to begin with, I,J; may be repeated");

@@ -119,9 +119,8 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
     if (first == nullptr) first = &curve;
     show(curve.method, view);
   }
-  dial.sentence += fmt::format(
-      "; the scenes are those of the first {} cases at each severity on which {} is worst",
-      kCasesTried, first->method.name);
+  dial.sentence += fmt::format("; scenes: of the first {} cases the one on which {} is worst",
+                               kCasesTried, first->method.name);
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =
       properties::some_severities(0, static_cast<int>(severities.size()) - 1, kMostScenes);

@@ -39,9 +39,9 @@ int run_tradeoff(TradeoffArguments& arguments) {
 CommandRun add_tradeoff(CLI::App& command) {
   const auto given = std::make_shared<TradeoffArguments>();
   TradeoffOptions& options = given->options;
-  CLI::Option* const scene = command.add_option("SCENE", options.scene,
-                                                "a scene, for which only the quantities that it "
-                                                "needs are compared (default: ordinary cases)");
+  CLI::Option* const scene = command.add_option(
+      "SCENE", options.scene,
+      "a scene: only stages that it needs are compared (default: ordinary cases)");
   add_dialect(command, given->dialect);
   CLI::Option* const family =
       command

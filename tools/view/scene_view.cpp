@@ -73,8 +73,7 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   const scene::Camera& camera = *small.camera;
   if (camera.width != scene.camera->width || camera.height != scene.camera->height) {
     left_out.push_back(fmt::format(
-        "{}: the pictures are reduced to {} x {} of {} x {} pixels; `raycheck image` makes full "
-        "ones",
+        "{}: pictures have {} x {} pixels, not {} x {}; `raycheck image` makes full ones",
         options.name, camera.width, camera.height, scene.camera->width, scene.camera->height));
   }
   const double pairs = static_cast<double>(camera.width) * static_cast<double>(camera.height) *
@@ -83,11 +82,9 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   const auto most = static_cast<double>(options.limits.answered_pairs);
   const auto affordable = static_cast<std::size_t>(most / std::max(pairs, 1.0));
   if (candidates.size() > affordable) {
-    left_out.push_back(
-        fmt::format("{}: pictures of the answers of {} of {} candidates; `raycheck image --what "
-                    "error` makes the "
-                    "others",
-                    options.name, affordable, candidates.size()));
+    left_out.push_back(fmt::format(
+        "{}: pictures of {} of {} candidates; `raycheck image --what error` makes the others",
+        options.name, affordable, candidates.size()));
     candidates.resize(affordable);
   }
   SceneImages images = images_of(small, candidates, control);

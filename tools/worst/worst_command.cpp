@@ -33,8 +33,7 @@ Implementation chosen_method(const WorstArguments& arguments) {
   if (methods.size() > 1) {
     throw scene::InvalidInput(
         "method", arguments.method,
-        fmt::format("two methods have this name; give rays/{0} or intersect/{0}",
-                    arguments.method));
+        fmt::format("ambiguous: give rays/{0} or intersect/{0}", arguments.method));
   }
   return methods.front();
 }

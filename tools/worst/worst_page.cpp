@@ -10,7 +10,7 @@ ViewDocument worst_document(const WorstReport& report, const properties::RunCont
   const properties::WorstCase& worst = *report.worst;
   ViewDocument document;
   document.title =
-      fmt::format("the worst case of {} on {}", report.method.name, report.source().name());
+      fmt::format("worst case of {} on {}", report.method.name, report.source().name());
   SceneViewOptions view;
   view.name = "worst.toml";
   view.file = view.name;

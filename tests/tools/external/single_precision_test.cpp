@@ -41,7 +41,7 @@ TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_sa
                 {{"0/precision", "double"}, {"0/rounded_numbers", 0}, {"1/rounded_numbers", 4}});
   EXPECT_LT(quantity_of(both[1]["quantities"], "parameter")["max"], 4);
   expect_parts(run("check " + scene + " --candidate " + float_tracer()).out,
-               {"4 numbers of the scene are not representable as float: judged on the scene "
+               {"4 numbers of the scene are not floats: judged on the scene "
                 "rounded to floats"});
 }
 
@@ -214,7 +214,7 @@ TEST(OwnUnits, AreThoseOfExplain) {
   EXPECT_GT(bad["ulp_error"], 88);
   EXPECT_LT(bad["ulp_error"], 1e8);
   expect_parts(run(near + " --candidate " + float_tracer()).out,
-               {"4 numbers of the scene are not representable as float", " ulp of float\n"});
+               {"4 numbers of the scene are not floats", " ulp of float\n"});
   // Of a camera: every step that it offers.
   const json pixel = report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2",
                                float_tracer(), 0);

@@ -112,22 +112,19 @@ Json facet_json(const ChartFacet& facet) {
                 {"error", fmt::format("{}{}", name, name.ends_with("error") ? "" : " error")},
                 {"unit", unit_name(quantity, facet.precision)}};
   };
-  return {
-      {"title", fmt::format("{} on {}", facet.stage, facet.subject)},
-      {"subject", facet.subject},
-      {"stage", facet.stage},
-      {"severities", std::move(severities)},
-      {"baseline", facet.baseline},
-      {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
-                         : fmt::format("severity: {}", facet.meaning)},
-      {"key",
-       is_timed
-           ? "Steps: the methods without defects that no other such method beats in time and error"
-           : "kappa: the factor by which the problem magnifies errors of the inputs"},
-      {"quantities", list_json(facet.quantities, quantity_json)},
-      {"condition", conditions_json(facet)},
-      {"series",
-       list_json(facet.series, [&](const ChartSeries& one) { return series_json(one, facet); })}};
+  return {{"title", fmt::format("{} on {}", facet.stage, facet.subject)},
+          {"subject", facet.subject},
+          {"stage", facet.stage},
+          {"severities", std::move(severities)},
+          {"baseline", facet.baseline},
+          {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
+                             : fmt::format("severity: {}", facet.meaning)},
+          {"key", is_timed ? "Steps: no method without defects is as fast and as accurate"
+                           : "kappa: how much the problem magnifies errors of the inputs"},
+          {"quantities", list_json(facet.quantities, quantity_json)},
+          {"condition", conditions_json(facet)},
+          {"series", list_json(facet.series,
+                               [&](const ChartSeries& one) { return series_json(one, facet); })}};
 }
 
 }  // namespace

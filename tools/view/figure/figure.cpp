@@ -159,8 +159,7 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
   if (std::max(across, down) > 1) {
     figure.notes.push_back(
         fmt::format("Of {} columns of pixels one in {} is drawn, of {} rows one in {}; with all "
-                    "rays shown, one "
-                    "in {} and one in {}.",
+                    "rays one in {} and one in {}.",
                     given.width, across, given.height, down, ray_across, ray_down));
   }
 }
@@ -168,8 +167,7 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
 void add_rays(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene) {
   const double met =
       static_cast<double>(scene.rays.size()) * static_cast<double>(scene.spheres.size());
-  if (met > kMostMet)
-    figure.notes.push_back("Rays are drawn without their hit points: there are too many.");
+  if (met > kMostMet) figure.notes.push_back("Too many rays: drawn without their hit points.");
   for (const scene::Ray& ray : scene.rays) {
     const Drawn origin = frame.point(ray.origin);
     Json hit = nullptr;
@@ -246,9 +244,8 @@ void add_spheres(Figure& figure, const DrawnFrame& frame, const scene::Scene& sc
   };
   note(far_off, "reaches", "reach", " too far for a view of the whole; look around the sphere.");
   note(around, "surrounds", "surround", " the eye; from outside only the far half is drawn.");
-  note(nowhere, "lies", "lie",
-       " so far away that the position is not representable as double: not drawn.");
-  note(small, "is", "are", " too small for the distance from the origin to be drawn at any scale.");
+  note(nowhere, "lies", "lie", " too far away for a position in doubles, and cannot be drawn.");
+  note(small, "is", "are", " too small, so far from the origin, to be drawn.");
   for (const auto& spheres : {far_off, around, nowhere}) {
     figure.apart.insert(figure.apart.end(), spheres.begin(), spheres.end());
   }
