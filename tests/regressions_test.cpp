@@ -117,7 +117,7 @@ TEST(Regressions, HaveCommentsThatSayWhyTheyAreHard) {
 }
 
 TEST(Regressions, HaveTheExactAnswersOfAnIndependentComputation) {
-  const Candidate nobody;
+  const Candidate none;
   std::size_t rays = 0;
   for (const std::string& stem : stems()) {
     const Case the_case = load(stem);
@@ -125,7 +125,7 @@ TEST(Regressions, HaveTheExactAnswersOfAnIndependentComputation) {
     ++rays;
     ASSERT_TRUE(kExact.contains(stem)) << stem;
     const Exact& expected = kExact.at(stem);
-    Trial trial(the_case, nobody);
+    Trial trial(the_case, none);
     const reference::Intersection& got = trial.exact_intersection(0, 0);
     EXPECT_EQ(got.hit_class, expected.hit_class) << stem;
     if (got.hit_class == HitClass::kMiss) continue;
@@ -149,8 +149,8 @@ TEST(Regressions, CatchExactlyTheListedMethods) {
 
 TEST(Regressions, FindEitherOfTwoEqualSpheres) {
   const Case the_case = load("exact-tie");
-  const Candidate nobody;
-  Trial trial(the_case, nobody);
+  const Candidate none;
+  Trial trial(the_case, none);
   const auto nearest =
       trial.exact_ray(0).nearest(the_case.scene.spheres, the_case.scene.conventions);
   ASSERT_TRUE(nearest.has_value());

@@ -212,7 +212,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"stress --family distance --severity -1", "--severity -1: give a whole number from 0"},
     // Candidates.
     {"worst --family distance", "give --method or --candidate"},
-    {"worst --family distance --candidate a:b --candidate c:d", "give it once"},
+    {"worst --family distance --candidate a:b --candidate c:d", "worst takes only one"},
     {"worst --family distance --method cross --candidate a:b", "excludes"},
     {"stress --family distance --candidate 'renderer:sh {scene} {image}'",
      "it only draws pictures; this command needs single answers"},

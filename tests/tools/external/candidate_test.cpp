@@ -177,7 +177,7 @@ TEST(Candidate, sees_the_folders_and_headers_that_it_is_shown) {
     if (is_in_bubblewrap()) {
       const Outcome hidden = run(words);
       EXPECT_EQ(hidden.exit_code, 2) << candidate << hidden.out;
-      expect_parts(hidden.err, {"--read DIR shows it another, and --include DIR its headers"});
+      expect_parts(hidden.err, {"--read DIR adds a folder, and --include DIR a folder of headers"});
     }
   }
   run("check " + kRays + " --candidate 'source:" + source + "' --include /no/such", 2);

@@ -43,7 +43,7 @@ TEST(Baseline, SurvivesWritingAndReading) {
 }
 
 TEST(Baseline, ErrorsNameTheLine) {
-  const std::string fields = "a; b; c; d; ", no_byte = " is not % and two hexadecimal";
+  const std::string fields = "a; b; c; d; ", no_byte = ": expected % and two hexadecimal";
   for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
            {"# raycheck baseline 2\nclass; rays\n", "line 2: 2 fields"},
            {fields + "\n", "line 1: field 5 is empty"},
@@ -52,7 +52,7 @@ TEST(Baseline, ErrorsNameTheLine) {
            {fields + "%4g\n", "line 1: '%4g'" + no_byte},
            {fields + "%+1\n", "line 1: '%+1'" + no_byte},
            {"# raycheck baseline 1: discrepancies\n", "line 1: it is of an earlier"},
-           {"<<<<<<< HEAD\n", "git left a conflict"}}) {
+           {"<<<<<<< HEAD\n", "a merge conflict of git"}}) {
     EXPECT_TRUE(has(thrown_by([&text = text] { tools::parse_baseline(text); }), why));
   }
 }
@@ -141,7 +141,7 @@ TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
   const std::string misses = "return {};", right = "return hit;";
   const std::string hits = "return hit ? hit : Hit{1, {}};";
   const Outcome none = gate(misses, "", 2);
-  EXPECT_TRUE(has(none.err, "--update-baseline makes it"));
+  EXPECT_TRUE(has(none.err, "--update-baseline creates it"));
   gate(misses, "--update-baseline", 0);
   const std::string first = contents(known());
   EXPECT_TRUE(has(first, "\n# class; rays\nclass; rays; class: missed; ordinary; mine\n"));

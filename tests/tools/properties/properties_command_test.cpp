@@ -88,7 +88,7 @@ TEST(PropertiesCommand, keeps_a_corpus_of_broken_cases) {
   const Outcome broken = run(again + " --intersect quadratic", 1);
   expect_parts(
       run(again + " --intersect quadratic --format junit", 1).out,
-      {"/corpus/class-direct-quadratic-", "<failure", "breaks it again (class: false hit)"});
+      {"/corpus/class-direct-quadratic-", "<failure", "breaks the law again (class: false hit)"});
   // With a baseline that has it, the command passes.
   const std::string baseline = " --intersect quadratic --baseline " + folder + "/known.txt";
   run(again + baseline + " --update-baseline");

@@ -278,7 +278,7 @@ TEST(Shards, of_candidates_are_merged_by_running_them_where_that_is_asked_for) {
       "properties --filter class --source rays --cases 20 --candidate '" + candidate + "'";
   const Outcome whole = run(asked + " --sandbox none --i-know", 0);
   expect_parts(run(asked + " --sandbox none --i-know --shard 1/2 --out " + folder, 0).err,
-               {"once all are: raycheck merge " + folder + " --run-candidates"});
+               {"once all are done: raycheck merge " + folder + " --run-candidates"});
   run(asked + " --sandbox none --i-know --shard 2/2 --out " + folder, 0);
   fs::remove(ran);
   const std::string told =

@@ -122,7 +122,7 @@ TEST(View, reports_what_cannot_be_drawn_to_scale) {
   EXPECT_EQ(notes,
             "Sphere 1 reaches too far for a view of the whole; look around the sphere.\n"
             "Sphere 2 surrounds the eye; from outside only the far half is drawn.\n"
-            "Sphere 3 is too small, so far from the origin, to be drawn at any scale.\n");
+            "Sphere 3 is too small, so far from the origin, to be drawn.\n");
   EXPECT_FALSE(figure["out_of_scale"].get<bool>());
 }
 
