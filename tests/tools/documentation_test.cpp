@@ -82,8 +82,8 @@ Outcome run_shown(const Shown& shown) {
 /// Replaces values that differ between runs (times) or machines (threads, isolation).
 std::string without_times(std::string line) {
   static const std::pair<std::regex, const char*> kTimes[] = {
-      {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
-       "T ms to plan, T ms the image"},
+      {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms for the image)"),
+       "T ms to plan, T ms for the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
       {std::regex(" +- +- +-  "), "  -  -  -  "},                        // one that is not timed
       {std::regex(" +ms with +ms without"), " ms with  ms without"},     // above them

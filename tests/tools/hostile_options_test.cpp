@@ -303,14 +303,14 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"tradeoff --cases 1000000000 --view /proc/x.html", "--view /proc/x.html: cannot be written"},
     // Empty values, as from unset variables of scripts.
     {"check ''", "SCENE: the value is empty; give one, or leave the option out"},
-    {"rubric ''", "NAME: is given without a value"},
-    {"properties --cases 5 --replay ''", "--replay: is given without a value"},
-    {"properties --cases 5 --filter ''", "--filter: is given without a value"},
-    {"check FAR --rays ''", "--rays: is given without a value"},
-    {"check FAR --candidate ''", "--candidate: is given without a value"},
-    {"check FAR --certificates ''", "--certificates: is given without"},
-    {"image FAR --out ''", "--out: is given without a value"},
-    {"grade lecture7.toml --out ''", "--out: is given without a value"}};
+    {"rubric ''", "NAME: the value is empty"},
+    {"properties --cases 5 --replay ''", "--replay: the value is empty"},
+    {"properties --cases 5 --filter ''", "--filter: the value is empty"},
+    {"check FAR --rays ''", "--rays: the value is empty"},
+    {"check FAR --candidate ''", "--candidate: the value is empty"},
+    {"check FAR --certificates ''", "--certificates: the value is empty"},
+    {"image FAR --out ''", "--out: the value is empty"},
+    {"grade lecture7.toml --out ''", "--out: the value is empty"}};
 
 TEST(HostileOptions, that_name_missing_things_are_refused_with_the_reason) {
   for (const auto& [line, why] : kRefused) {

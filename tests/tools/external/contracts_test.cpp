@@ -61,7 +61,7 @@ TEST(Contracts, that_demand_unit_directions_are_asked_about_no_others) {
   const json report = judged(scene, unit);
   expect_values(report, {{"made_unit", 1}, {"discrepancies", 0}});
   expect_parts(run("check " + scene + " --candidate '" + unit + "'").out,
-               {"demands unit directions: 1 direction of the scene made unit"});
+               {"demands unit directions: 1 direction normalised"});
 }
 
 /// The commonest epsilon of all.

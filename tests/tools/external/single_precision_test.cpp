@@ -41,8 +41,7 @@ TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_sa
                 {{"0/precision", "double"}, {"0/rounded_numbers", 0}, {"1/rounded_numbers", 4}});
   EXPECT_LT(quantity_of(both[1]["quantities"], "parameter")["max"], 4);
   expect_parts(run("check " + scene + " --candidate " + float_tracer()).out,
-               {"4 numbers of the scene are not floats: judged on the scene "
-                "rounded to floats"});
+               {"4 numbers of the scene are not floats: judged on the rounded scene"});
 }
 
 TEST(SinglePrecision, is_not_judged_where_floats_cannot_hold_the_scene) {

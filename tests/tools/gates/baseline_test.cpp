@@ -51,7 +51,7 @@ TEST(Baseline, ErrorsNameTheLine) {
            {fields + "%\n", "line 1: '%'" + no_byte},
            {fields + "%4g\n", "line 1: '%4g'" + no_byte},
            {fields + "%+1\n", "line 1: '%+1'" + no_byte},
-           {"# raycheck baseline 1: discrepancies\n", "line 1: it is of an earlier"},
+           {"# raycheck baseline 1: discrepancies\n", "line 1: the file has an older"},
            {"<<<<<<< HEAD\n", "a merge conflict of git"}}) {
     EXPECT_TRUE(has(thrown_by([&text = text] { tools::parse_baseline(text); }), why));
   }

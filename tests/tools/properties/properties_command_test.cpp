@@ -150,7 +150,7 @@ TEST(PropertiesCommand, accepts_a_time_and_reports_the_number_of_cases) {
   const std::string count = last.substr(says.size(), last.find(';') - says.size());
   EXPECT_EQ(last, says + count + "; cases of each source: " + count + " rays");
   EXPECT_EQ(timed, run(asked + "--cases " + count, exit_code).out + last + "\n");
-  expect_refused(asked + "--for 5", "--for 5: give a whole number of s, m or h");
+  expect_refused(asked + "--for 5", "--for 5: give a whole number and s, m or h");
   expect_refused(asked + "--for 1s --cases 3", "--cases excludes --for");
 }
 
