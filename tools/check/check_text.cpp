@@ -89,7 +89,7 @@ std::string excluded_text(const CandidateReport& candidate) {
 std::string precision_text(const CandidateReport& candidate) {
   std::string text;
   if (candidate.made_unit > 0) {
-    text = fmt::format("  demands unit directions: {} normalised, and judged after that\n",
+    text = fmt::format("  demands unit directions: {} normalised before judging\n",
                        count_text(candidate.made_unit, "direction"));
   }
   if (candidate.precision == scene::Precision::kDouble) return text;
@@ -216,7 +216,7 @@ std::string too_few_text(const CandidateReport& candidate) {
   const auto too_few = candidate.too_few_judged();
   if (!too_few) return "";
   return fmt::format(
-      "  too few judged: {}: no answer to questions \"{}\" is right without an excuse\n",
+      "  too few judged: {}: no answer is right without an excuse where \"{}\" is expected\n",
       info(too_few->first).name, name(too_few->second));
 }
 

@@ -346,7 +346,7 @@ std::string failure_text(const CampaignReport& campaign, const properties::Failu
   const std::string reason = fmt::format(
       "{} the law {} with {}{}", failure.is_undecided ? "leaves undecided" : "breaks",
       campaign.law->name, campaign.candidate,
-      failure.tries > 0 ? fmt::format("\nshrunk in {} tries; smaller may exist", failure.tries)
+      failure.tries > 0 ? fmt::format("\nshrunk for {} tries; smaller may exist", failure.tries)
                         : "");
   return broken_law_text(
       campaign.law->sentence, discrepancies,
@@ -371,8 +371,9 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
 
 std::string too_few_text(const CampaignResult& result) {
   const auto [quantity, question] = *result.too_few_right();
-  return fmt::format("{}: fewer than {} answers to questions \"{}\" are right without an excuse",
-                     info(quantity).name, name(question), result.fewest_right);
+  return fmt::format(
+      "{}: fewer than {} answers are right without an excuse where \"{}\" is expected",
+      info(quantity).name, result.fewest_right, name(question));
 }
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {

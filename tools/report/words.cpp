@@ -203,7 +203,7 @@ std::string excuse_text(const Discrepancy& d) {
   switch (excuse.kind) {
     case ExcuseKind::kUndecided:
       return fmt::format(
-          "neither proved nor refuted: the answer is right for inputs changed by at most {}",
+          "neither proved nor refuted: right for inputs that are changed by at most {}",
           change_text(excuse.amount, d.precision));
     case ExcuseKind::kWitness:
       return witness_text(d);

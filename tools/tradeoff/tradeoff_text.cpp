@@ -133,7 +133,7 @@ std::string legend(std::string_view item, bool has_single) {
   if (!has_single) return text;
   return text + fmt::format(
                     "{}in single precision: u and ulp are those of float, 2^29 times those of "
-                    "double, as which * compares them\n",
+                    "double; * compares them in those of double\n",
                     item);
 }
 

@@ -70,7 +70,7 @@ TEST(PropertiesCommand, reports_where_shrinking_ended_early) {
   EXPECT_FALSE(has(failure_text(campaign, failure, false), "may exist"));
   failure.tries = 7;
   expect_parts(failure_text(campaign, failure, false),
-               {"# breaks the law class with mine\n", "# shrunk in 7 tries; smaller may exist\n"});
+               {"# breaks the law class with mine\n", "# shrunk for 7 tries; smaller may exist\n"});
 }
 
 /// A kept case is tried first, breaks the law again, and is mended once a candidate is right on it.

@@ -239,7 +239,7 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
   for (Shown& one : shown) {
     const std::string& name = one.candidate.name;
     images.pictures.push_back(
-        picture_of(scene, one.answered, "answered", fmt::format("as {} has it", name)));
+        picture_of(scene, one.answered, "answered", fmt::format("answers of {}", name)));
     images.pictures.push_back(
         picture_json("error", "errors of " + name, png_of(scene, std::move(one.errors)),
                      error_legend(one.counts, one.candidate.image != nullptr, count)));
