@@ -14,7 +14,7 @@ class App;
 
 namespace raycheck::tools {
 
-/// What a command does once its options are given; its exit code.
+/// Runs a command whose options are given; returns its exit code.
 using CommandRun = std::function<int()>;
 
 /// A command that is linked into a program.
@@ -77,7 +77,7 @@ constexpr const CommandRow* find_command(std::string_view name) {
 /// The program that answers --help, --version and unknown commands.
 inline constexpr std::string_view kAnswersForAll = find_command("check")->program;
 
-// What the exit codes of every command mean.
+// The exit codes of every command.
 inline constexpr int kExitNothingFound = 0;
 inline constexpr int kExitDiscrepancy = 1;
 inline constexpr int kExitBadInput = 2;

@@ -160,7 +160,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control, Units*
           fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
     });
   } catch (const scene::Interrupted&) {
-    // The answer is what was judged so far.
+    // The report covers the part that was judged.
   }
   report.interrupted = control.interrupted();
   if (units != nullptr && !units->are_all()) return report;

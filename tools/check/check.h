@@ -43,7 +43,7 @@ struct ExcludedOfSphere {
   }
 };
 
-/// What an interval or culling costs: the exact hits of a scene without it, and with it.
+/// The hits lost by an interval or culling: the exact hits of a scene without it, and with it.
 struct ExcludedHits {
   std::vector<ExcludedOfSphere> spheres;
   std::vector<ExcludedHit> worst;  ///< Those farthest along their rays, in radii.
@@ -109,7 +109,7 @@ struct CandidateReport {
   bool excludes_hits() const {
     return !conventions.valid.is_usual() && excluded.all().excluded > 0;
   }
-  /// Whether enough was judged to say that there is no defect, undecided answers aside,
+  /// Whether enough was judged to exclude defects, undecided answers aside,
   bool is_judged() const { return inside_domain && verdict.compared() > 0 && !too_few_judged(); }
   /// and whether nothing is undecided.
   bool is_enough_judged() const { return is_judged() && !is_undecided(); }
@@ -156,7 +156,7 @@ struct CheckReport {
 /// Judges the candidates on a scene file; the report does not depend on the number of threads. With
 /// `units`, only the missing units of the shard; if it is not the whole campaign, the report is
 /// empty.
-/// Throws what the reader throws.
+/// Throws as the reader.
 CheckReport check(const CheckOptions& options, const properties::RunControl& control = {},
                   Units* units = nullptr);
 
@@ -179,7 +179,7 @@ std::vector<std::string> left_out_lines(const CheckReport& report);
 /// Certificates of each candidate's worst discrepancies, as in check_json: one per line.
 std::string check_certificates(const CheckReport& report);
 
-/// What a page is to show besides the findings of a report.
+/// Options of a page besides the findings of a report.
 struct CheckPageOptions {
   std::vector<Selection> wanted;  ///< Shown first.
   bool is_of_methods = false;     ///< Methods were chosen: panels show only their steps.

@@ -36,7 +36,7 @@ struct Subject {
 };
 
 /// The double nearest to a number that can be enclosed at any precision; 0 if its closed form is 0,
-/// which no enclosure can show.
+/// which enclosures cannot prove.
 double rounded(const std::function<Enclosure(int)>& enclose, const ClosedForm& closed_form) {
   if (closed_form.is_zero()) return 0;
   constexpr int kMostBits = 1 << 14;

@@ -16,7 +16,7 @@
 
 namespace raycheck::tools {
 
-/// What is explained: one ray of a scene (a camera's pixel or a given one) and one sphere, if any.
+/// The explained ray of a scene (a camera's pixel or a given one), and one sphere, if any.
 struct ExplainOptions {
   scene::Scene scene;
   std::optional<scene::Pixel> pixel;  ///< If the scene has a camera.
@@ -36,7 +36,7 @@ struct Step {
   std::optional<double> condition_alone = {};  ///< kappa with respect to the step's operands.
 };
 
-/// A method's value at a step, and how far it is off.
+/// A method's value at a step, and its error.
 struct MethodStep {
   std::string symbol;
   std::vector<double> value;    ///< Empty if it has none (a miss).

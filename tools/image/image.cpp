@@ -65,7 +65,7 @@ SeenBand seen_band(const Visibility& visibility, std::int64_t width,
   return band;
 }
 
-/// A band of the picture, top line first, and what was counted in it.
+/// A band of the picture, top line first, and its counts.
 struct PaintedBand {
   std::vector<Colour> pixels;
   std::vector<std::int32_t> spheres;  ///< Those seen, each once.

@@ -17,7 +17,7 @@
 
 namespace raycheck::tools {
 
-/// What a picture shows of a pixel.
+/// The kinds of pictures.
 enum class Picture { kSphere, kError };
 inline constexpr std::array<std::string_view, 2> kPictureNames = {"sphere", "error"};
 constexpr std::string_view name(Picture picture) {
@@ -40,7 +40,7 @@ struct ErrorCounts {
   scene::Precision precision = scene::Precision::kDouble;  ///< The format whose ulp errors count.
   std::size_t rounded_numbers = 0;                         ///< Those of the scene that changed.
   /// Pixels without an answer, which are defects; in each batch of 512 at most kMostFailuresSought
-  /// are searched for, and the others asked with them count, too.
+  /// are searched for, and others of the same batch count, too.
   std::uint64_t failed = 0;
   std::string first_failure;
   std::vector<std::uint64_t> pixels;  ///< By kErrorSteps (tools/image/image_paint.h).

@@ -140,7 +140,7 @@ PlanReport make_plan(const PlanOptions& options, const properties::RunControl& c
   } catch (const std::invalid_argument& error) {
     report.warnings.push_back(fmt::format("nothing is timed: {}", error.what()));
   } catch (const scene::Interrupted&) {
-    // The answer is what was timed so far.
+    // The report has the times so far.
   }
   report.interrupted = control.interrupted();
   constexpr auto kFilter = std::ranges::find(kPlanItems, "filter", &PlanItem::name);

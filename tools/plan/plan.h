@@ -66,7 +66,7 @@ struct PlanReport {
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
   std::vector<std::string> not_needed;    ///< Settings that are not needed here.
   scene::Scene scene;
-  /// For scenes with a camera; given rays share nothing.
+  /// Only for scenes with a camera: given rays have no computations in common.
   std::optional<scene::ScenePlan> plan;
   std::vector<ItemReport> items;   ///< In the order of kPlanItems.
   double plan_ms = 0;              ///< To make the plan.
@@ -78,7 +78,7 @@ struct PlanReport {
 };
 
 /// Plans a scene file, and measures what each item saves; for an image that is too large
-/// (reference::kMostVisibleSide) a warning says that nothing was timed. Throws as the reader does.
+/// (reference::kMostVisibleSide) it adds a warning and times nothing. Throws as the reader does.
 PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control = {});
 
 /// Fills in the times of a report that has a scene and a plan, and what decided the pixels timed:

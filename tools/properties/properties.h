@@ -62,7 +62,7 @@ struct CampaignReport {
   properties::Domain domain = {};                          ///< and where.
   std::optional<properties::WorstCase> worst = {};         ///< The result of a target.
 
-  /// Whether its failure depends on what the candidate was asked before.
+  /// Whether its failure depends on earlier questions to the candidate.
   bool keeps_state() const { return result.failure && result.failure->is_of_earlier; }
 };
 

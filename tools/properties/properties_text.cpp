@@ -132,7 +132,7 @@ std::string left_out_text(const PropertiesReport& report) {
 }
 
 /// Why laws are broken: the cause of each, the one that explains most answers first, and the laws
-/// that nothing explains: "rows are upside down (20 of 20 wrong answers)" where that explains all.
+/// without a known cause: "rows are upside down (20 of 20 wrong answers)" if that explains all.
 std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   struct Cause {
     const properties::Explanation* best;
@@ -306,7 +306,7 @@ std::string range_text(const properties::NumberRange& range) {
   };
   const std::string span = span_text(range.span);
   const std::string certified = range.certified ? span_text(*range.certified) : "";
-  const bool is_whole = certified == span;  // What is shown of it is.
+  const bool is_whole = certified == span;  // as far as its digits show
   return fmt::format("{}: any {} breaks it too ({}{})\n", range.name,
                      range.is_any ? "valid number" : "in " + span,
                      is_whole ? "certified" : fmt::format("by {} samples", range.samples),

@@ -70,7 +70,7 @@ struct ReadPicture {
   }
 };
 
-/// What was read is not a picture, or is too large; what() says why.
+/// Bytes that are not a picture, or one that is too large; what() says why.
 class PictureError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -141,7 +141,7 @@ std::uint64_t judge(std::uint64_t count, const Make& make, const JudgedSource& s
       timed.add(one);
     }
   } catch (const scene::Interrupted&) {
-    // The answer is what was judged so far.
+    // The result covers the cases judged so far.
   }
   rays.finish();
   intersections.finish();
@@ -321,7 +321,7 @@ TradeoffReport run_tradeoff(const TradeoffOptions& options, const properties::Ru
       run_on_scene(options, report);
     }
   } catch (const scene::Interrupted&) {
-    // The answer is what was judged and timed so far.
+    // The report covers what was judged and timed so far.
   }
   report.interrupted = control.interrupted();
   return report;

@@ -1,6 +1,6 @@
 #pragma once
 
-// The data of a page. The page's script draws it and computes nothing that a claim depends on.
+// The data of a page. The page's script only draws it: no claim depends on its computations.
 
 #include <cstdint>
 #include <optional>

@@ -77,7 +77,7 @@ function howToAsk(store) {
   const { pixel, sphere } = store.selection;
   const place = `${pixel === null ? "" : ` --pixel ${pixel.join()}`}${sphere === null ? "" : ` --sphere ${sphere}`}`;
   const command = `${store.scene().command}${place} --out page.html`;
-  return element("p", { id: "no-panel" }, `${NO_PANEL} One that has it is made by `,
+  return element("p", { id: "no-panel" }, `${NO_PANEL} A page with them is made by `,
     element("code", { dir: "auto" }, briefSentence(command)), " ", copyButton("copy-view", "Copy", command));
 }
 
