@@ -5,7 +5,7 @@
 
 namespace raycheck {
 
-/// So many cases, of all sources or of some, of the hardest.
+/// This number of cases of all or some sources, at the hardest level.
 inline properties::CampaignOptions options_of(
     int cases, std::initializer_list<std::string_view> sources = {},
     properties::Level level = properties::Level::kExtreme) {
@@ -18,8 +18,8 @@ inline properties::CampaignOptions options_of(
   return options;
 }
 
-/// The campaigns of these laws as one pass: a case is made once, its truth worked out once, and the
-/// candidate asked once for all of them.
+/// The campaigns of these laws in one pass: each case is made once, its exact answer is computed
+/// once, and the candidate is asked once for all of them.
 inline std::vector<properties::CampaignResult> run_campaigns(
     const std::vector<const properties::Law*>& laws, const properties::Candidate& candidate,
     const properties::CampaignOptions& options) {
@@ -34,7 +34,7 @@ inline std::vector<properties::CampaignResult> run_campaigns(
   return results;
 }
 
-/// Throws where a name is of none.
+/// Throws if a name is unknown.
 inline std::vector<const properties::Law*> laws_named(const std::vector<std::string_view>& names) {
   std::vector<const properties::Law*> laws;
   for (const std::string_view name : names) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// How tests of each intersection method are called: by the method, not by its address.
+// Names for tests of each intersection method: the method's name, not its address.
 
 #include "fast/intersect.h"
 #include "tests/names.h"

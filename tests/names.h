@@ -1,12 +1,12 @@
 #pragma once
 
-// How tests of each of a list are called: by its names.
+// Names for tests of each element of a list.
 
 #include "tests/testing.h"
 
 namespace raycheck {
 
-/// As GoogleTest takes it.
+/// In the form that GoogleTest accepts.
 inline std::string identifier(std::string_view name) {
   std::string result(name);
   std::replace(result.begin(), result.end(), '-', '_');

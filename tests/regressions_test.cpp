@@ -1,5 +1,5 @@
-// The cases that taught something: each file of tests/regressions/ is judged by every law. The
-// exact answers here were computed apart from this project, with rational arithmetic.
+// Instructive cases: each file of tests/regressions/ is judged by every law. The exact answers here
+// were computed independently of this project, with rational arithmetic.
 
 #include <regex>
 
@@ -24,7 +24,7 @@ Case load(const std::string& stem) {
   return result;
 }
 
-/// What is exact of a file's first ray and first sphere.
+/// The exact answer for a file's first ray and first sphere.
 struct Exact {
   HitClass hit_class;
   double s = 0;
@@ -51,7 +51,7 @@ const std::map<std::string, Exact> kExact = {
     {"tangent-one-ulp-inside", {HitClass::kHit, 4.9999999850988388}},
     {"tangent-one-ulp-outside", {HitClass::kMiss}}};
 
-/// Candidates, and which laws each breaks on which files; on all others it breaks none.
+/// Candidates, and the laws that each breaks by file; on all other files it breaks no law.
 using Broken = std::map<std::string, std::set<std::string>>;
 const std::set<std::string> kOfHits = {"backward-error", "hit-point", "parameter"};
 const std::map<std::string, Broken> kBroken = {
@@ -90,7 +90,7 @@ Candidate candidate_named(const std::string& name) {
   throw std::invalid_argument("no candidate is called " + name);
 }
 
-/// Of a method by its name, why it does not keep its bound everywhere.
+/// The inputs on which the method of this name exceeds its bound.
 template <class Methods>
 std::string_view not_kept_by(const Methods& methods, const std::string& name) {
   const auto method = std::find_if(methods.begin(), methods.end(),
@@ -107,7 +107,7 @@ std::set<std::string> broken_laws(const Case& the_case, const Candidate& candida
   return broken;
 }
 
-TEST(Regressions, SayWhyTheyAreHard) {
+TEST(Regressions, HaveCommentsThatSayWhyTheyAreHard) {
   EXPECT_GE(stems().size(), 20u);
   for (const std::string& stem : stems()) {
     const std::string text = contents(folder() / (stem + ".toml"));
@@ -117,7 +117,7 @@ TEST(Regressions, SayWhyTheyAreHard) {
 }
 
 TEST(Regressions, HaveTheExactAnswersOfAnIndependentComputation) {
-  const Candidate nobody;
+  const Candidate none;
   std::size_t rays = 0;
   for (const std::string& stem : stems()) {
     const Case the_case = load(stem);
@@ -125,7 +125,7 @@ TEST(Regressions, HaveTheExactAnswersOfAnIndependentComputation) {
     ++rays;
     ASSERT_TRUE(kExact.contains(stem)) << stem;
     const Exact& expected = kExact.at(stem);
-    Trial trial(the_case, nobody);
+    Trial trial(the_case, none);
     const reference::Intersection& got = trial.exact_intersection(0, 0);
     EXPECT_EQ(got.hit_class, expected.hit_class) << stem;
     if (got.hit_class == HitClass::kMiss) continue;
@@ -135,7 +135,7 @@ TEST(Regressions, HaveTheExactAnswersOfAnIndependentComputation) {
   EXPECT_EQ(rays, kExact.size());
 }
 
-TEST(Regressions, CatchTheMethodsTheyAreNamedForAndNoOthers) {
+TEST(Regressions, CatchExactlyTheListedMethods) {
   for (const auto& [name, broken] : kBroken) {
     const Candidate candidate = candidate_named(name);
     for (const std::string& stem : stems()) {
@@ -149,8 +149,8 @@ TEST(Regressions, CatchTheMethodsTheyAreNamedForAndNoOthers) {
 
 TEST(Regressions, FindEitherOfTwoEqualSpheres) {
   const Case the_case = load("exact-tie");
-  const Candidate nobody;
-  Trial trial(the_case, nobody);
+  const Candidate none;
+  Trial trial(the_case, none);
   const auto nearest =
       trial.exact_ray(0).nearest(the_case.scene.spheres, the_case.scene.conventions);
   ASSERT_TRUE(nearest.has_value());
@@ -175,7 +175,7 @@ std::vector<scene::Pixel> pixels_named_in(const std::string& text) {
 
 class WorstKnown : public testing::TestWithParam<std::string> {};
 
-TEST_P(WorstKnown, IsAsFarOffAsItSaysAndWithinTheBound) {
+TEST_P(WorstKnown, HasTheStatedErrorWithinTheBound) {
   const std::string stem = GetParam();
   const std::string method = stem.substr(stem.find('-') + 1);
   const bool makes_rays = stem.rfind("rays-", 0) == 0;

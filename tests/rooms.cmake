@@ -1,13 +1,13 @@
-# What CMake refuses when it configures: arrows between rooms that no SEES has, libraries that a room does not link, and what may
-# not leave a room. raycheck_note_room() is called for every room as it is made, raycheck_check_rooms() once all are.
+# Checks when CMake configures: dependencies between rooms that SEES does not list, libraries that a room does not link, and
+# code that must not be in a room. raycheck_note_room() is called for every room, then raycheck_check_rooms() once.
 
-# Folders of rooms, and for each room what it sees, and the libraries that it links and shows.
+# Folders of rooms, and for each room its dependencies, and the libraries that it links and shows.
 function(raycheck_note_room room)
   cmake_parse_arguments(ARG "" "" "INSIDE;SEES;LINKS;SHOWS" ${ARGN})
   get_property(rooms GLOBAL PROPERTY raycheck_rooms)
   foreach(other IN LISTS ARG_SEES)
-    if(NOT other IN_LIST rooms)  # which keeps rooms from seeing each other in a circle
-      message(SEND_ERROR "${room} sees ${other}, which is no room made before it")
+    if(NOT other IN_LIST rooms)  # which prevents cycles
+      message(SEND_ERROR "${room} depends on ${other}, which is not a room defined before it")
     endif()
   endforeach()
   set_property(GLOBAL APPEND PROPERTY raycheck_rooms ${room})
@@ -20,7 +20,7 @@ function(raycheck_note_room room)
   endforeach()
 endfunction()
 
-# The room of a file: the edge is `tools`, of which are all commands; benchmarks may see what they measure.
+# The room of a file: the edge, with all commands, is `tools`; benchmarks may include what they measure.
 function(room_of file result)
   get_filename_component(folder ${file} DIRECTORY)
   get_property(room GLOBAL PROPERTY raycheck_room_of_${folder})
@@ -32,22 +32,22 @@ function(room_of file result)
   set(${result} "${room}" PARENT_SCOPE)
 endfunction()
 
-# Headers that others may show, though they lie in reference/internal: they show no CGAL.
+# Headers of reference/internal that other headers may include: they do not include CGAL.
 set(plain reference/internal/double_double.h reference/internal/kept.h reference/internal/triple.h)
 # Folders of headers of other libraries, and the targets by which a room links them.
 set(libraries CGAL CGAL::CGAL Eigen Eigen3::Eigen rapidcheck rapidcheck CLI CLI11::CLI11 png PNG::PNG openssl OpenSSL::Crypto
   toml++ tomlplusplus::tomlplusplus archive LibArchive::LibArchive)
-# What prints, ends the program or takes its signals.
+# Code that prints, ends the program or handles its signals.
 set(prints "std::c(out|err|log)|[^n]printf\\(|[^f]puts\\(|fmt::print|, std(out|err)|perror\\(|std::(exit|abort|quick_exit|signal)|sigaction\\(")
-# Programs that speak to raycheck through their standard output.
+# Programs that send data to raycheck through their standard output.
 set(print_by_trade tools/external/sandbox/jail.cpp tools/external/protocol/worker.cpp tools/external/protocol/last_frames.cpp)
-# What names options: command lines of other programs, and of the package that runs raycheck itself.
+# Code that names options: command lines of other programs, and of the package that runs raycheck.
 set(option "^\"(.*[^-])?--[a-z]")
 set(write_command_lines tools/external/sandbox/launch.cpp tools/external/compile.cpp tools/external/implementation_of.cpp
   tools/implementations/implementation.cpp tools/view/scene_view.cpp tools/view/panel/panel.cpp tools/grade/package.cpp
   tools/grade/pages/figures.cpp)
 
-# What a line that includes another header may not do.
+# Checks an #include line.
 function(check_include file room line)
   string(REGEX REPLACE "^#include [\"<]([^\">]*).*" "\\1" target "${line}")
   set(is_header FALSE)
@@ -118,7 +118,7 @@ function(raycheck_check_rooms)
     if(text MATCHES "${prints}" AND NOT file IN_LIST print_by_trade)
       message(SEND_ERROR "${file} uses ${CMAKE_MATCH_0}: only the edge prints")
     endif()
-    # Views for people may say how more is shown.
+    # Views for people may name options that show more.
     string(REGEX MATCHALL "\"([^\"\\\n]|\\\\.)*\"" literals "${text}")
     list(FILTER literals INCLUDE REGEX "${option}")
     if(file MATCHES "_(text|page)[.]cpp$")
@@ -134,19 +134,19 @@ function(raycheck_check_rooms)
     get_property(used GLOBAL PROPERTY raycheck_used_by_${room})
     list(REMOVE_ITEM sees "" ${used})
     if(sees)
-      message(SEND_ERROR "${room} never includes what it sees: ${sees}")
+      message(SEND_ERROR "${room} lists but never includes: ${sees}")
     endif()
-    # Commands see no other command.
+    # Commands do not depend on other commands.
     get_property(sees GLOBAL PROPERTY raycheck_SEES_of_${room})
     file(GLOB command ${room}/*_command.cpp)
     foreach(other IN LISTS sees)
       file(GLOB of_other ${other}/*_command.cpp)
       if(command AND of_other)
-        message(SEND_ERROR "${room} sees ${other}: both have commands")
+        message(SEND_ERROR "${room} depends on ${other}: both have commands")
       endif()
     endforeach()
   endforeach()
-  # What others include shows them the standard library, itself, and the framework that it is for.
+  # Public headers include only the standard library, each other, and the framework that they are for.
   file(GLOB public RELATIVE ${PROJECT_SOURCE_DIR}/include include/raycheck/*)
   foreach(file IN LISTS public)
     get_filename_component(own ${file} NAME_WE)
@@ -157,7 +157,7 @@ function(raycheck_check_rooms)
       message(SEND_ERROR "include/${file} shows others: ${lines}")
     endif()
   endforeach()
-  # Tests mirror rooms, but those of what is wrong on purpose or by bad luck.
+  # Tests mirror rooms, except those of deliberate mistakes and of bad luck.
   file(GLOB_RECURSE tests RELATIVE ${PROJECT_SOURCE_DIR}/tests tests/*_test.cpp)
   foreach(test IN LISTS tests)
     get_filename_component(folder ${test} DIRECTORY)

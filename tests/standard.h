@@ -1,4 +1,4 @@
-// The standard library, but for what few tests need.
+// The standard library, except for headers that few tests need.
 #pragma once
 
 #include <algorithm>

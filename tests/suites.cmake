@@ -19,7 +19,7 @@ foreach(suite IN LISTS suites)
   elseif(suite MATCHES "(^|/)Long" OR (LONG AND suite MATCHES "^(${LONG})(/|$)"))
     list(APPEND labels long)
   endif()
-  # Of these, which take long and share nothing, the parameters are dealt to four processes.
+  # These take long and share nothing: their parameters are distributed to four processes.
   set(shards 0)
   set(last 0)
   if(suite MATCHES "^(Degenerate|Files|Machines)/")

@@ -1,4 +1,4 @@
-"""Passes on what ctest prints; before its summary, which tests took longest, and which were skipped.
+"""Passes on ctest's output; inserts before its summary the slowest tests and the skipped ones.
 
 usage: ctest ... | python3 tests/summary.py LOG [TABLE], where LOG is ctest's own log, Testing/Temporary/LastTest.log. TABLE
 gets a line for each test program: its name and the processor seconds that its suites took.
@@ -17,13 +17,13 @@ SKIPPED = re.compile(r"\[  SKIPPED \] (\d+) tests?, listed below:$")
 
 
 def program_of(command):
-    """The program that a test runs: the first word of its command that is no interpreter."""
+    """The program that a test runs: the first word of its command that is not an interpreter."""
     words = [word for word in command.split('" "') if not word.endswith(("bash", "timed.sh", "python3"))]
     return words[0].rsplit("/", 1)[-1]
 
 
 def read(path):
-    """Of every test in ctest's log: its name, its program, processor and wall seconds, how many of its tests were skipped."""
+    """For every test in ctest's log: its name, program, processor and wall seconds, and its number of skipped tests."""
     tests = []
     with open(path, encoding="utf-8", errors="replace") as log:
         for line in log:

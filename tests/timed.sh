@@ -1,3 +1,3 @@
-# Runs a command, and says last what processor time it took, with all that it started: tests/summary.py adds that up.
+# Runs a command, and prints at the end its processor time, including child processes: tests/summary.py adds these up.
 TIMEFORMAT='processor time: %U + %S s'
 time "$@"

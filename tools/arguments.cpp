@@ -71,7 +71,7 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
 
 std::optional<scene::Dialect> parse_dialect(const std::string& text) {
   const auto rule = parse_driver(text);
-  // A file's dialect is what it shows.
+  // With `auto` the dialect is detected from the file.
   return rule && !rule->tries_others ? std::optional(rule->form.dialect) : std::nullopt;
 }
 
@@ -137,7 +137,7 @@ const CLI::Validator kBound = number_between(0, std::numeric_limits<double>::max
 
 const CLI::Validator kGiven(
     [](std::string& text) -> std::string {
-      return text.empty() ? "is given without a value; give one, or leave the option out" : "";
+      return text.empty() ? "the value is empty; give one, or leave the option out" : "";
     },
     "", "given");
 
@@ -154,10 +154,9 @@ void add_format(CLI::App& command, std::string& format, const std::vector<std::s
 
 void add_methods(CLI::App& command, std::vector<std::string>& methods) {
   command
-      .add_option(
-          "--method,--methods", methods,
-          "only these methods, of either kind, separated by commas, or all (default: those of "
-          "fast/, without the reference)")
+      .add_option("--method,--methods", methods,
+                  "only these methods, separated by commas, or all (default: those of fast/, "
+                  "without the reference)")
       ->delimiter(',');
 }
 
@@ -169,7 +168,7 @@ std::optional<OutputFile> opened(const std::string& option,
 
 void add_top(CLI::App& command, std::size_t& top) {
   add_number(command, "--top", top, 0, properties::kKeptDiscrepancies,
-             "how many of the worst discrepancies are shown");
+             "the number of worst discrepancies to show");
 }
 
 void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_view meaning) {
@@ -177,14 +176,13 @@ void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_vi
 }
 
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what) {
-  command.add_option("--view", path,
-                     fmt::format("write a page for a browser, which shows {}", what));
+  command.add_option("--view", path, fmt::format("write a page for a browser that shows {}", what));
 }
 
 void add_certificates(CLI::App& command, std::optional<std::string>& path) {
   command
       .add_option("--certificates", path,
-                  "takes proofs of the discrepancies found; tools/verify_certificates.py confirms "
+                  "write proofs of the discrepancies found; tools/verify_certificates.py checks "
                   "them without raycheck")
       ->type_name("FILE");
 }
@@ -217,12 +215,12 @@ std::vector<std::string> files_of(const CLI::Option& option) {
 void add_threads(CLI::App& command, int& threads, std::string_view same) {
   constexpr int kMostThreads = 1024;
   add_number(command, "--threads", threads, 1, kMostThreads,
-             fmt::format("how many; {} is the same", same));
+             fmt::format("the number of threads; {} does not depend on it", same));
 }
 
 void add_strict(CLI::App& command, bool& strict) {
   command.add_flag("--strict", strict,
-                   "fail, too, for what is excused by a witness or left undecided");
+                   "also fail for answers that are excused by a witness or undecided");
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
@@ -250,54 +248,55 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
 }
 
 CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
-  command.add_flag("--i-know", arguments.knows,
-                   "run candidates as root with --sandbox none: they may do whatever root may");
+  command.add_flag(
+      "--i-know", arguments.knows,
+      "run candidates as root with --sandbox none: they can do anything that root can");
   constexpr std::array<std::string_view, 3> kSandboxNames = {"require", "available", "none"};
   return add_named(
       command, "--sandbox", arguments.sandbox, kSandboxNames,
-      "isolation of candidates: require, refuse where seccomp, bubblewrap or, as root, a user of "
-      "its own does not work; available, what works here; none, limits only");
+      "isolation of candidates: require, fail unless seccomp, bubblewrap and, as root, a separate "
+      "user work; available, what works here; none, limits only");
 }
 
 Sandbox sandbox_of(const SandboxArguments& arguments) {
   if (arguments.sandbox == Sandbox::kNone && geteuid() == 0 && !arguments.knows) {
     throw std::invalid_argument(
-        "--sandbox none: candidates would run as root, and may then do whatever root may; run "
+        "--sandbox none: candidates would run as root, and could do anything that root can; run "
         "raycheck as another user, or give --i-know");
   }
   return arguments.sandbox;
 }
 
 void add_external(CLI::App& command, ExternalArguments& arguments) {
-  // Less time leaves none for an answer, more is no limit.
+  // Less is too short for any answer; more than a day is practically unlimited.
   constexpr double kLeastSeconds = 1e-3, kMostSeconds = 86400;
   CLI::Option* const candidate =
       command.add_option("--candidate", arguments.candidates,
-                         "someone else's implementation instead: library:PATH.so, source:PATH, "
-                         "command:'WORDS' or renderer:'WORDS'; several times for several");
+                         "the code to judge instead of raycheck's methods: library:PATH.so, "
+                         "source:PATH, command:'WORDS' or renderer:'WORDS'; may be repeated");
   add_sandbox(command, arguments.sandbox)->needs(candidate);
   command
       .add_option("--read", arguments.reads,
-                  "a folder that candidates may read, besides their own and the system's")
+                  "a folder that candidates may read, besides their own and the system's folders")
       ->needs(candidate)
       ->check(CLI::ExistingDirectory);
   command
       .add_option("--include", arguments.includes,
-                  "a folder of headers for source:PATH, which it may read")
+                  "a folder of headers for source:PATH; candidates may read it")
       ->needs(candidate)
       ->check(CLI::ExistingDirectory);
   command
       .add_option("--timeout", arguments.seconds,
-                  "seconds of CPU time a candidate has for one reply")
+                  "limit on the CPU seconds that a candidate takes for one reply")
       ->check(number_between(kLeastSeconds, kMostSeconds))
       ->needs(candidate)
       ->capture_default_str();
   add_number(command, "--memory", arguments.memory_mib, 1, std::uint64_t{1} << 30,
-             "MiB of memory that a candidate may use, and each of its processes reserve")
+             "MiB of memory that a candidate may use, and that each of its processes may reserve")
       ->needs(candidate);
   command
       .add_option("--bounds", arguments.bounds,
-                  "whose documented bounds hold for candidates: INTERSECT or RAYS/INTERSECT "
+                  "the methods by whose bounds candidates are judged: INTERSECT or RAYS/INTERSECT "
                   "(default: direct/cross)")
       ->needs(candidate);
 }
@@ -305,13 +304,14 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
 void add_renderer(CLI::App& command, ExternalArguments& arguments) {
   CLI::Option* const candidate = command.get_option("--candidate");
   add_named(command, "--precision", arguments.precision, scene::kPrecisionNames,
-            "of renderers: double, or single: it computes in float, and is given scenes of floats; "
-            "other candidates say themselves which")
+            "precision of renderers: double, or single for those that compute in float, which are "
+            "given scenes of floats; other candidates declare theirs")
       ->needs(candidate);
   command
-      .add_option("--image-change", arguments.image_change,
-                  "relative changes of the scene that a renderer's picture may not show (default: "
-                  "1e-6, with --precision single 1e-4)")
+      .add_option(
+          "--image-change", arguments.image_change,
+          "a renderer's wrong pixel is excused if a relative change of the scene by at most "
+          "this makes it right (default: 1e-6, with --precision single 1e-4)")
       ->check(number_between(0, 1))
       ->needs(candidate);
   command
@@ -321,7 +321,7 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments) {
       ->needs(candidate)
       ->capture_default_str();
   add_named(command, "--origin", arguments.origin, scene::kOriginNames,
-            "where a renderer's rays start (default: where scenes say)")
+            "where a renderer's rays start (default: as the scene says)")
       ->needs(candidate);
 }
 
@@ -336,7 +336,7 @@ External as_it_reads(const External& external, const DriverRule& rule) {
   return reading(reader, found.driver);
 }
 
-/// What lets a candidate see a file that it says it does not find.
+/// How to let a candidate read a file that it reports as missing.
 std::string hint_of_missing(const CandidateError& error, const Layers& layers) {
   if (!layers.bubblewrap && !layers.landlock) return "";
   const std::string all = error.why() + error.said();
@@ -344,8 +344,8 @@ std::string hint_of_missing(const CandidateError& error, const Layers& layers) {
   for (const char* words : {"No such file or directory", "cannot open shared object file",
                             "No module named", "Cannot find module", "Cannot find package"}) {
     if (all.find(words) == std::string::npos) continue;
-    return "; it sees its own folder and the system's alone: --read DIR shows it another, and "
-           "--include DIR its headers";
+    return "; it can read only its own folder and the system's: --read DIR adds a folder, and "
+           "--include DIR a folder of headers";
   }
   return "";
 }
@@ -410,8 +410,8 @@ std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
   std::vector<Implementation> found = find_candidates(arguments);
   for (const Implementation& one : found) {
     if (!one.stages.empty()) continue;
-    throw CandidateError(one.draws() ? "it draws pictures; this command asks for single answers"
-                                     : "it makes no rays and intersects nothing",
+    throw CandidateError(one.draws() ? "it only draws pictures; this command needs single answers"
+                                     : "it implements neither make_rays() nor intersect()",
                          {}, one.name);
   }
   return found;

@@ -36,9 +36,9 @@ scene::Pixel parse_pixel(const char* option, std::string_view text);
 /// The same for a scene's camera; the error also names the scene's file.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);
-/// What --dialect says of a driver file that is read; empty if the text is.
+/// The dialect of a driver file to be read, from --dialect; empty if the text is.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
-/// The form of driver files for renderers that it names, or that each form is tried; likewise.
+/// The form of driver files for renderers, or that each form is tried; empty if the text is.
 std::optional<DriverRule> parse_driver(const std::string& text);
 void add_dialect(CLI::App& command, std::string& dialect);
 /// --dialect, which replaces a rubric's [driver].
@@ -78,7 +78,7 @@ CLI::Option* add_number(CLI::App& command, const std::string& option, Count& num
       ->check(whole_number(least, most))
       ->capture_default_str();
 }
-/// --cases, or how many of what `meaning` says.
+/// --cases, with this meaning.
 template <class Count>
 void add_cases(CLI::App& command, Count& cases, const std::string& meaning) {
   add_number(command, "--cases", cases, 1, kMostCases, meaning);
@@ -87,7 +87,7 @@ void add_cases(CLI::App& command, Count& cases, const std::string& meaning) {
 /// The source of cases of that name, SOURCE or SOURCE@SEVERITY; the error names the option.
 properties::ChosenSource parse_source(std::string_view option, const std::string& name);
 
-/// The pairs of methods asked for by --rays and --intersect, or what the latter is called.
+/// The pairs of methods chosen by --rays and --intersect; `field`: the name of the latter.
 std::vector<MethodPair> chosen_methods(const std::string& rays,
                                        const std::vector<std::string>& intersect,
                                        const char* field = "intersect");
@@ -107,7 +107,7 @@ struct ExternalArguments {
   SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
   std::uint64_t memory_mib = Limits{}.memory >> 20;
-  std::string bounds;  ///< Whose bounds; empty: kDefaultMethods'.
+  std::string bounds;  ///< The methods whose bounds apply; empty: kDefaultMethods.
   scene::Precision precision = scene::Precision::kDouble;  ///< Of renderers.
   std::optional<double> image_change;                      ///< Empty: the precision's default.
   double threshold = 0;
@@ -116,11 +116,11 @@ struct ExternalArguments {
 void add_external(CLI::App& command, ExternalArguments& arguments);
 /// --precision, --image-change, --t-threshold and --origin, which need a --candidate
 void add_renderer(CLI::App& command, ExternalArguments& arguments);
-/// Compiles each candidate if necessary, and hears its introduction; `driver` is what renderers
-/// read, found by a dry run if it tries several.
+/// Compiles each candidate if necessary, and reads its introduction; `driver` is the form of driver
+/// file that renderers read, found by a dry run if the rule tries several.
 std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
                                             const std::optional<DriverRule>& driver = {});
-/// The same, to be judged by their stages, not by pictures. Errors: CandidateError of a renderer.
+/// The same, judged by stages, not by pictures. Errors: CandidateError for a renderer.
 std::vector<Implementation> find_by_stages(const ExternalArguments& arguments);
 /// The values of --rays and --intersect, of add_external, add_renderer and --dialect.
 struct JudgedArguments {
@@ -131,16 +131,16 @@ struct JudgedArguments {
 
   bool name_methods() const { return !rays.empty() || !intersect.empty(); }
 };
-/// The pairs of methods that are named, if any, and the candidates behind them.
+/// The pairs of methods that are named, if any, then the candidates.
 std::vector<Implementation> find_judged(const JudgedArguments& arguments);
-/// The methods of those names, each alone, and the candidates behind them; where there are these
-/// and no name, these alone.
+/// The methods of those names, each separately, then the candidates; without names, only the
+/// candidates, if there are any.
 std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
                                            const ExternalArguments& arguments);
 
 /// --format, one of these names; the first by default.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
-/// Of views, or of whatever else an option chooses from.
+/// The same for views, or other named values.
 template <class Named>
 std::vector<std::string> names_of(const Named& all) {
   std::vector<std::string> names;
@@ -153,7 +153,7 @@ bool reads(const CLI::Option& option);
 /// Every text of an option that may name a file: the value, what follows "source:" or "name=", and
 /// the words of a command.
 std::vector<std::string> files_of(const CLI::Option& option);
-/// The file that an option names, opened before the work that it is to take; empty where it is not
+/// The file that an option names, opened before the work whose result it takes; empty if it is not
 /// given. Errors: std::invalid_argument as OutputFile.
 std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);
 void add_top(CLI::App& command, std::size_t& top);
@@ -161,7 +161,7 @@ void add_max_ulp(CLI::App& command, std::optional<double>& bound, std::string_vi
 /// --view FILE: a page for a browser that shows `what`.
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
-/// --threads; `same` names what does not depend on it.
+/// --threads; `same`: the result that does not depend on it.
 void add_threads(CLI::App& command, int& threads, std::string_view same);
 void add_strict(CLI::App& command, bool& strict);
 void add_seed(CLI::App& command, std::uint64_t& seed);

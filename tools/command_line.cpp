@@ -83,7 +83,7 @@ void require_no_unit(const CLI::App& command, const Written& file) {
         continue;
       }
       throw std::invalid_argument(
-          fmt::format("{} {}: lies in {}, which holds units; give a file in another folder",
+          fmt::format("{} {}: lies in {}, a campaign's folder of units; give a file elsewhere",
                       file.named_by, file.path, folder));
     }
   }
@@ -99,7 +99,7 @@ void require_written_apart(const CLI::App& command) {
         one + 1, all.end(), [&](const Written& next) { return is_same(one->path, next.path); });
     if (is_twice) {
       throw std::invalid_argument(
-          fmt::format("{} {}: the file is named twice", one->named_by, one->path));
+          fmt::format("{} {}: the file would be written twice", one->named_by, one->path));
     }
     require_no_unit(command, *one);
     std::error_code error;
@@ -116,7 +116,7 @@ void require_written_apart(const CLI::App& command) {
 /// Ends a command that was interrupted before it had anything to report, or had written all of it.
 int end_without_report(const CLI::App& command) {
   if (has_written_out()) {
-    print_error("raycheck: interrupted before all was written\n");
+    print_error("raycheck: interrupted before everything was written\n");
     return exit_code(true, false, false);
   }
   const CLI::Option* const format = command.get_option_no_throw("--format");
@@ -128,12 +128,12 @@ int end_without_report(const CLI::App& command) {
 }
 
 /// The text of an error. Libraries name fields; if an option sets the field, names the option.
-std::string said_of(const std::exception& error, const CLI::App& command) {
+std::string error_message(const std::exception& error, const CLI::App& command) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
-    return command.get_name() + ": takes more memory than there is for it";
+    return command.get_name() + ": not enough memory";
   }
   if (const auto* file = dynamic_cast<const fs::filesystem_error*>(&error)) {
-    return fmt::format("{}: cannot be read or written: {}; name another, or let raycheck do so",
+    return fmt::format("{}: cannot be read or written: {}; change its permissions, or give another",
                        file->path1().string(), file->code().message());
   }
   const auto* input = dynamic_cast<const scene::InvalidInput*>(&error);
@@ -143,11 +143,10 @@ std::string said_of(const std::exception& error, const CLI::App& command) {
 }
 
 /// The message of an internal error; `words`: the command line.
-std::string said_of_ours(const std::exception& error, std::span<char* const> words) {
+std::string internal_error_message(const std::exception& error, std::span<char* const> words) {
   std::string text = fmt::format(
-      "raycheck: internal error: {}\nThis is a fault of raycheck, not of what it judges; it gives "
-      "no "
-      "verdict. Please report it with this command:\n ",
+      "raycheck: internal error: {}\nThis is a bug in raycheck, not in the code that it judges; "
+      "there is no verdict. Report it with this command:\n ",
       error.what());
   for (const char* word : words) text += " " + single_quoted(word);
   const auto* ours = dynamic_cast<const properties::InternalError*>(&error);
@@ -165,20 +164,20 @@ int outcome_of(const Command& command, std::span<char* const> words) {
   } catch (const scene::Interrupted&) {
     return end_without_report(*command.app);
   } catch (const std::exception& error) {
-    // After a signal, errors mean nothing.
+    // After a signal, errors may be consequences of it.
     if (interrupted()) return end_without_report(*command.app);
     const bool is_ours = dynamic_cast<const std::logic_error*>(&error) != nullptr &&
                          dynamic_cast<const std::invalid_argument*>(&error) == nullptr;
     if (is_ours) {
-      print_error(said_of_ours(error, words));
+      print_error(internal_error_message(error, words));
       return kExitInternal;
     }
-    print_error(fmt::format("raycheck: {}\n", said_of(error, *command.app)));
+    print_error(fmt::format("raycheck: {}\n", error_message(error, *command.app)));
     return kExitBadInput;
   }
 }
 
-/// What the parser says in place of parsing: help, or what is wrong.
+/// Prints the parser's help or error message.
 int exit_of(const CLI::ParseError& said, const CLI::App& app) {
   std::ostringstream help, refusal;
   const bool is_help = app.exit(said, help, refusal) == 0;
@@ -206,7 +205,7 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
   hold_standard_streams();
   catch_signals();
   if (const std::string defect = scene::arithmetic_defect(); !defect.empty()) {
-    print_error("raycheck: " + defect + ": no bound would hold\n");
+    print_error("raycheck: " + defect + ": error bounds would not hold\n");
     return kExitBadInput;
   }
   CLI::App app;
@@ -231,7 +230,7 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
     for (const Command& command : commands) {
       if (command.app->parsed()) return outcome_of(command, {argv, static_cast<std::size_t>(argc)});
     }
-    print_error(fmt::format("raycheck: {} is a command of another program; start it by raycheck\n",
+    print_error(fmt::format("raycheck: this program lacks the command {0}; run `raycheck {0}`\n",
                             app.get_subcommands().front()->get_name()));
     return kExitBadInput;
   } catch (const ClosedPipe&) {

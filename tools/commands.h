@@ -14,7 +14,7 @@ class App;
 
 namespace raycheck::tools {
 
-/// What a command does once its options are given; its exit code.
+/// Runs a command whose options are given; returns its exit code.
 using CommandRun = std::function<int()>;
 
 /// A command that is linked into a program.
@@ -22,14 +22,14 @@ struct LinkedCommand {
   std::string_view name;
   CommandRun (*add)(CLI::App& command);
 };
-/// The same with its options.
+/// A command with its options.
 struct Command {
   CLI::App* app;
   CommandRun run;
 };
 /// Describes raycheck, and adds all commands to it; linked ones get their options.
 std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked);
-/// A program: reads its arguments, prints its report, returns its exit code.
+/// Reads the arguments of a program, prints its report, returns its exit code.
 int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linked);
 
 // clang-format off
@@ -37,15 +37,15 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
 /// gives it its options, PROGRAM is the raycheck-PROGRAM that has it.
 #define RAYCHECK_COMMANDS(ROW) \
   ROW(check, check, "Judge methods on every pixel of a scene")                                      \
-  ROW(properties, study, "Try the laws on random cases, shrinking what breaks them")                \
+  ROW(properties, study, "Try the laws on random cases, and shrink cases that break them")          \
   ROW(explain, study, "Derive one ray step by step, exactly and by every method")                   \
-  ROW(stress, study, "Judge methods, each stage alone, on families of cases of growing severity")   \
+  ROW(stress, study, "Judge each stage of methods separately, on cases of growing severity")        \
   ROW(tradeoff, study, "Compare methods by certified error and measured time on the same inputs")   \
-  ROW(worst, study, "Search for the input on which a method's certified error is worst")            \
-  ROW(merge, study, "Report on a campaign whose shards were done one by one, on any machines")      \
-  ROW(image, study, "Write the picture of a scene, every pixel of it decided exactly")              \
+  ROW(worst, study, "Search for the input on which a method's certified error is largest")          \
+  ROW(merge, study, "Report on a campaign whose shards ran separately, on any machines")            \
+  ROW(image, study, "Write the picture of a scene, with every pixel decided exactly")               \
   ROW(view, study, "Show a scene, its rays and where methods go wrong, in a page for a browser")    \
-  ROW(plan, study, "Show what a scene needs and what can be left out, and measure what that saves") \
+  ROW(plan, study, "Show which work a scene does not need, and measure the time that this saves")   \
   ROW(grade, grade, "Grade submissions by a rubric; without any, try the rubric")                   \
   ROW(try, grade, "Grade your own submission by a rubric, as your instructors will")                \
   ROW(rubric, grade, "Print or copy a rubric that comes with raycheck; without a name, list them")  \
@@ -77,14 +77,14 @@ constexpr const CommandRow* find_command(std::string_view name) {
 /// The program that answers --help, --version and unknown commands.
 inline constexpr std::string_view kAnswersForAll = find_command("check")->program;
 
-// What the exit codes of every command mean.
+// The exit codes of every command.
 inline constexpr int kExitNothingFound = 0;
 inline constexpr int kExitDiscrepancy = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitNothingChecked = 4;
-/// raycheck itself fails: as EX_SOFTWARE of sysexits.h.
+/// A bug in raycheck: EX_SOFTWARE of sysexits.h.
 inline constexpr int kExitInternal = 70;
-/// Plus the signal: the one that interrupted it, or SIGPIPE if nobody reads its output.
+/// Plus the signal: the one that interrupted it, or SIGPIPE if the output pipe is closed.
 inline constexpr int kExitOfSignal = 128;
 
 }  // namespace raycheck::tools

@@ -23,7 +23,7 @@ CLI::Validator report_of(const std::vector<std::string>& kinds) {
         const std::string kind = text.substr(0, equals);
         if (equals == std::string::npos || equals + 1 == text.size() ||
             std::ranges::find(kinds, kind) == kinds.end()) {
-          return fmt::format("'{}' is not KIND=FILE, KIND one of {}", text, fmt::join(kinds, ", "));
+          return fmt::format("'{}' is not KIND=FILE with KIND in {}", text, fmt::join(kinds, ", "));
         }
         return "";
       },
@@ -36,23 +36,22 @@ void add_gate(CLI::App& command, GateArguments& arguments, std::vector<std::stri
   for (const GateFormat& one : gate_formats()) formats.emplace_back(one.name);
   add_format(command, arguments.format, formats);
   command
-      .add_option(
-          "--report", arguments.reports,
-          fmt::format("write this report, too: KIND is one of {}; several times for several",
-                      fmt::join(formats, ", ")))
+      .add_option("--report", arguments.reports,
+                  fmt::format("also write this report: KIND is one of {}; may be repeated",
+                              fmt::join(formats, ", ")))
       ->check(report_of(formats));
   CLI::Option* const baseline =
       command
           .add_option("--baseline", arguments.baseline,
-                      "known discrepancies, one per line: only others fail")
+                      "a file of known discrepancies, one per line: only new ones fail")
           ->type_name("FILE");
   command
       .add_flag("--update-baseline", arguments.updates,
-                "write the baseline: everything found is known from now on")
+                "write the baseline, so that everything found counts as known")
       ->needs(baseline);
   command
       .add_flag("--strict-baseline", arguments.strict,
-                "fail, too, if the baseline has mended discrepancies")
+                "also fail if discrepancies of the baseline are mended")
       ->needs(baseline);
 }
 
@@ -62,7 +61,7 @@ GateFiles::GateFiles(const GateArguments& arguments)
     const bool is_there = std::filesystem::exists(arguments.baseline);
     if (!is_there && !arguments.updates) {
       throw std::invalid_argument(fmt::format(
-          "--baseline {}: there is no such file; --update-baseline makes it", arguments.baseline));
+          "--baseline {}: no such file; --update-baseline creates it", arguments.baseline));
     }
     if (is_there) {
       try {

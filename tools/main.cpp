@@ -32,9 +32,7 @@ int main(int argc, char** argv) {
   const std::string program(row != nullptr ? row->program : kAnswersForAll);
   const fs::path path = found(self.parent_path(), program);
   execv(path.c_str(), argv);
-  std::fprintf(
-      stderr,
-      "raycheck: %s: %s; %s is a program that has to be built, or installed, with raycheck\n",
-      path.c_str(), std::strerror(errno), program.c_str());
+  std::fprintf(stderr, "raycheck: %s: %s; build or install the program %s with raycheck\n",
+               path.c_str(), std::strerror(errno), program.c_str());
   return kExitBadInput;
 }

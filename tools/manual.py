@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes man pages, and completions for bash, of what raycheck's --help says.
+"""Writes man pages, and completions for bash, from the output of raycheck's --help.
 
   manual.py RAYCHECK FOLDER   below FOLDER, as they are installed below share
 """
@@ -9,18 +9,18 @@ import re
 import subprocess
 import sys
 
-TEXT = " " * 30  # before what --help says of an option
+TEXT = " " * 30  # before the description of an option in --help
 EXIT_STATUS = (
-    ("0", "Nothing found; what is excused by a witness is shown."),
+    ("0", "Nothing found; answers that are excused by a witness are shown."),
     ("1", "A defect."),
     ("2", "Bad usage or input; the message names the option, or file, line, field and value."),
     ("4", "Nothing found, but nothing or too little was judged, or something is undecided."),
-    ("130, 143, 129", "Interrupted; the report covers what was judged until then."),
-    ("141", "Nobody reads the report any more."))
+    ("130, 143, 129", "Interrupted; the report covers the part that was judged."),
+    ("141", "The reader of the report closed the pipe."))
 
 
 def help_of(program, *command):
-    """A sentence, and by section pairs: an option with its value, and what is said of it."""
+    """A sentence, and by section pairs of an option with its value and its description."""
     shown = subprocess.run([program, *command, "--help"], text=True, check=True, capture_output=True)
     lines = shown.stdout.splitlines()
     sections = {"Positionals": [], "Options": []}
@@ -38,12 +38,12 @@ def help_of(program, *command):
 
 
 def names(rows):
-    """What each of the options is called."""
+    """The names of the options."""
     return " ".join(head.split()[0].replace(",", " ") for head, _ in rows)
 
 
 def roff(text):
-    """Text none of whose lines is a request, with hyphens that can be searched for."""
+    """Text without lines that are requests, with hyphens that can be searched for."""
     text = text.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq")
     return re.sub(r"^\.", r"\\&.", text, flags=re.M)
 

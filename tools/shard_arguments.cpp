@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// To be changed with whatever changes what units have, or what their cases are, between releases.
+/// Change this when the content of units, or their cases, change between releases.
 constexpr std::string_view kUnitShape = "units 3";
 
 bool is_of_units(const CLI::Option& option) {
@@ -48,9 +48,8 @@ void add_files(const fs::path& path, std::map<std::string, std::string>& files) 
   }
   if (!fs::is_regular_file(path, error) || files.contains(path.string())) return;
   if (files.size() == kMostFiles) {
-    throw scene::InvalidInput(
-        "out", "",
-        fmt::format("there are more than {} files in the folders that are named", kMostFiles));
+    throw scene::InvalidInput("out", "",
+                              fmt::format("the given folders hold more than {} files", kMostFiles));
   }
   files[path.string()] = digest({file_bytes(path)});
 }
@@ -84,10 +83,10 @@ CampaignIdentity identity_of(const CLI::App& command, Judged judged) {
 void add_shards(CLI::App& command, ShardArguments& arguments) {
   command
       .add_option("--out", arguments.out,
-                  "keep each unit of the work in this folder, and do only what is missing there")
+                  "keep each unit of work in this folder, and do only those missing there")
       ->type_name("FOLDER");
   add_shards_inside(command, arguments,
-                    "what SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or CI_NODE_INDEX says, else all");
+                    "from SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or CI_NODE_INDEX, else all");
 }
 
 void add_shards_inside(CLI::App& command, ShardArguments& arguments,
@@ -97,12 +96,12 @@ void add_shards_inside(CLI::App& command, ShardArguments& arguments,
   command
       .add_option(
           "--shard", arguments.shard,
-          fmt::format("of N workers the K-th: K/N, or auto/N for the K that a scheduler says; "
+          fmt::format("do the share of worker K of N: K/N, or auto/N to take K from the scheduler; "
                       "default: {}; `raycheck merge FOLDER...` reports",
                       by_default))
       ->type_name("K/N")
       ->needs(out);
-  command.add_option("--merged", arguments.merged, "what merge merges")->group("")->excludes(out);
+  command.add_option("--merged", arguments.merged, "folders to merge")->group("")->excludes(out);
 }
 
 std::unique_ptr<Units> units_of(const ShardArguments& arguments, Judged judged) {
@@ -132,12 +131,12 @@ int shard_done(const ShardArguments& arguments, const Units& units, bool was_int
        {"--format", "--report", "--view", "--certificates", "--save", "--corpus", "--baseline"}) {
     const CLI::Option* const option = arguments.command->get_option_no_throw(name);
     if (option == nullptr || option->count() == 0) continue;
-    print_error(fmt::format("raycheck: {} is for merge: a shard reports nothing\n", name));
+    print_error(fmt::format("raycheck: {} has no effect here: give it to raycheck merge\n", name));
   }
   if (!was_interrupted) {
-    print_error(fmt::format("raycheck: shard {} of {} is done; once all are: raycheck merge {}{}\n",
-                            shard.number, shard.of, arguments.out,
-                            runs_candidates(units.campaign()) ? " --run-candidates" : ""));
+    print_error(fmt::format(
+        "raycheck: shard {} of {} is done; once all are done: raycheck merge {}{}\n", shard.number,
+        shard.of, arguments.out, runs_candidates(units.campaign()) ? " --run-candidates" : ""));
   }
   return exit_code(was_interrupted, false, true);
 }

@@ -21,7 +21,7 @@ struct ShardArguments {
   std::vector<std::string> merged;
 };
 void add_shards(CLI::App& command, ShardArguments& arguments);
-/// The same for a command whose --out also takes the results; `by_default`: which shard it is.
+/// The same for a command whose --out also takes the results; `by_default`: the default shard.
 void add_shards_inside(CLI::App& command, ShardArguments& arguments,
                        const std::string& by_default = "all");
 
@@ -29,8 +29,8 @@ struct NamedOption {
   const char* name;
   bool has_value;
 };
-/// Options that no unit depends on: how a report is shown, how fast, and what isolates a candidate.
-/// `merge` takes them itself, not from the campaign.
+/// Options that units do not depend on: the form of the report, threads, isolation of candidates.
+/// `merge` takes them from its own command line, not from the campaign.
 inline constexpr NamedOption kReportOptions[] = {{"--format", true},
                                                  {"--report", true},
                                                  {"--view", true},
@@ -46,8 +46,8 @@ inline constexpr NamedOption kReportOptions[] = {{"--format", true},
                                                  {"--update-baseline", false},
                                                  {"--strict-baseline", false}};
 
-/// Options that units depend on: all that a shard may write into its folder, besides what stands
-/// without a name, and that `merge` takes from one.
+/// Options that units depend on: a shard writes them into its folder, with the positional
+/// arguments, and `merge` takes them from one.
 inline constexpr NamedOption kUnitOptions[] = {
     {"--filter", true},       {"--cases", true},       {"--seed", true},
     {"--rays", true},         {"--source", true},      {"--intersect", true},
@@ -62,13 +62,13 @@ inline constexpr NamedOption kUnitOptions[] = {
     {"--strict", false},      {"--all", false}};
 
 using Judged = std::span<const Implementation>;
-/// The units asked for, told on standard error; null: nothing is kept. They depend on what those
-/// who are judged were built of.
+/// The units selected by the options, reported on standard error; null: nothing is kept. They
+/// depend on the sources of the judged candidates.
 /// Domain: arguments of add_shards() that are parsed.
 std::unique_ptr<Units> units_of(const ShardArguments& arguments, Judged judged = {});
-/// Whether a campaign's report runs others' code, too: candidates, or submissions.
+/// Whether a campaign's report also runs candidates or submissions.
 bool runs_candidates(const CampaignIdentity& campaign);
-/// The exit code of a shard that is not all, told on standard error.
+/// Reports on standard error that a shard is done; returns its exit code.
 int shard_done(const ShardArguments& arguments, const Units& units, bool was_interrupted);
 
 }  // namespace raycheck::tools

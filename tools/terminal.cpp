@@ -146,7 +146,7 @@ std::string as_log_shows(const std::string& text) {
   return shown;
 }
 
-/// One line on standard error that says how far long work has come, after the first second. If
+/// One line on standard error with the progress of long work, after the first second. If
 /// standard error is not a terminal, it prints a line for each finished part instead.
 class ProgressLine {
  public:

@@ -19,7 +19,7 @@ bool interrupted();
 /// The first signal that was caught; 0 if none.
 int caught_signal();
 
-/// Thrown if nobody reads standard output any more.
+/// Thrown if the reader of standard output has closed the pipe.
 struct ClosedPipe {};
 bool has_written_out();
 
@@ -30,8 +30,8 @@ bool stdout_takes_colours();
 /// Standard error may be closed or full: that must not lose the report.
 void print_error(const std::string& text);
 void print_warnings(const std::vector<std::string>& warnings);
-/// A lost report must not look like a good one: throws ClosedPipe, std::runtime_error, or, where
-/// after an interrupt nobody reads for a second, scene::Interrupted. `colours`: keeps the views'.
+/// A lost report must not look like a good one: throws ClosedPipe, std::runtime_error, or, if after
+/// an interrupt the output is blocked for a second, scene::Interrupted. `colours`: keeps colours.
 void print_report(const std::string& report, bool colours = false);
 /// Likewise for lines that the log of a GitHub workflow is to execute.
 void print_commands(const std::string& commands);

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Confirms the certificates of raycheck without raycheck, by rational numbers alone.
+"""Checks the certificates of raycheck without raycheck, using only rational numbers.
 
 usage: verify_certificates.py FILE...          (docs/certificates.md describes the format)
 
-Everything is recomputed from the integers of the inputs; what a certificate states is only compared
-with it. Ends with 0 when nothing is refuted, with 1 when something is, with 2 on a file that cannot
-be read, or at its first line that is no certificate.
+Everything is recomputed from the integers of the inputs, and compared with the statements of the
+certificate. Exit code: 0 if all are confirmed or not certified, 1 if one is refuted, 2 if a file
+cannot be read or at its first line that is not a certificate.
 """
 
 import json
@@ -15,12 +15,12 @@ from math import isqrt
 
 U = Fraction(1, 2**53)  # the unit of relative errors, where floats have another:
 FORMATS = {"double": (53, -1074), "single": (24, -149)}  # digits, and the exponent of the least
-NARROW = Fraction(1, 2**60)  # brackets are no wider, relative to what they bracket
+NARROW = Fraction(1, 2**60)  # the largest relative width of brackets
 TOLERANCE = Fraction(1, 1000)  # of a stated error: it is an upper bound, and printed to 3 digits
 ROOT_BITS = (320, 5000)  # of square roots that decide on changed inputs: if not the first, the last
-MOST_SECTORS = 256  # of a plane, in which a vector is looked at
+MOST_SECTORS = 256  # of a plane, examined one by one
 INFINITE = Fraction(2) ** 2046  # the square of an error that counts as infinite
-SOME_SPHERE = "a sphere"  # what a picture shows that does not tell which
+SOME_SPHERE = "a sphere"  # the answer of a picture that does not show which one
 CONVENTIONS = {
     "rows": ("bottom-first", "top-first"),
     "samples": ("edges", "centres"),
@@ -31,11 +31,11 @@ CONVENTIONS = {
 
 
 class Refuted(Exception):
-    """What a certificate says is not so, or its brackets do not show it."""
+    """A statement of a certificate is false, or its brackets do not prove it."""
 
 
 class Undecided(Refuted):
-    """Brackets are too wide to show what is so."""
+    """Brackets are too wide to decide a statement."""
 
 
 def require(fact, what):
@@ -44,7 +44,7 @@ def require(fact, what):
 
 
 class Malformed(Exception):
-    """A line is no certificate."""
+    """A line is not a certificate."""
 
 
 # The required form of a line, checked before any computation: each shape is a function of a value
@@ -53,8 +53,8 @@ class Malformed(Exception):
 LONGEST = 4000  # digits: products of four doubles have fewer
 EXPONENTS = range(-1074, 1024)  # of doubles
 BRACKET_EXPONENTS = range(-(2**14), 2**14)  # of products of four doubles, and of roots, to more bits
-PLAIN_DIGITS = 19  # of integers that are no strings: of 64 bits, as pixels have
-WORDS = ("nan", "inf", "-inf", SOME_SPHERE)  # in place of a number
+PLAIN_DIGITS = 19  # of integers that are not strings: 64 bits, as for pixels
+WORDS = ("nan", "inf", "-inf", SOME_SPHERE)  # instead of a number
 
 
 def leaf(holds, what):
@@ -196,7 +196,7 @@ def plain_integer(digits):
 
 
 def certificate_of(line):
-    """What a line of a file says."""
+    """The certificate in a line of a file."""
     try:
         certificate = json.loads(line.decode("utf-8"), parse_int=plain_integer)
     except UnicodeDecodeError:
@@ -211,7 +211,7 @@ def certificate_of(line):
     else:
         CERTIFIED(certificate, "certificate")
         if len(certificate["got"]) not in QUANTITIES[certificate["quantity"]]:
-            raise Malformed("certificate.got has more or fewer numbers than the quantity")
+            raise Malformed("certificate.got has the wrong number of numbers for the quantity")
     return certificate
 
 
@@ -354,9 +354,9 @@ def stated_ends(bracket):
 
 
 def bracket(stated):
-    """A bracket narrow enough to speak of one number: an Interval, or that number."""
+    """A bracket narrow enough to stand for one number: an Interval, or that number."""
     low, high = stated_ends(stated)
-    require(low <= high, "a bracket's ends are exchanged")
+    require(low <= high, "the low end of a bracket is above its high end")
     require(high - low <= NARROW * max(abs(low), abs(high)), "a bracket is too wide")
     return low if low == high else Interval(low, high)
 
@@ -429,11 +429,11 @@ def ray_of(inputs, conventions, root):
     return None
 
 
-# Compares what a certificate states with what was computed.
+# Compares the statements of a certificate with computed values.
 
 
 class Meeting:
-    """How a ray meets a sphere, recomputed and compared with what is stated of it."""
+    """How a ray meets a sphere, recomputed and compared with the statements."""
 
     def __init__(self, ray, sphere, stated, conventions):
         self.ray, self.radius = ray, number(sphere["radius"])
@@ -445,9 +445,9 @@ class Meeting:
                 (low, high), (x_low, x_high) = stated_ends(stated[name]), ends(x)
                 width = 0 if ray.is_given else NARROW * max(abs(low), abs(high))
                 is_stated = low <= x_low and x_high <= high and high - low <= width
-                require(is_stated, f"{name} is not the one stated")
+                require(is_stated, f"{name} differs from the stated one")
         self.root = root_met(b, c, discriminant, conventions)
-        require(self.root == stated["root"], "the root that is met is not the one stated")
+        require(self.root == stated["root"], "the root of the hit differs from the stated one")
         other = {"smaller": "larger", "larger": "smaller", None: None}[self.root]
         self.s = self.bracket(stated.get("s"), self.root, a, b, c)
         self.other_s = self.bracket(stated.get("other_s"), other, a, b, c)
@@ -490,14 +490,14 @@ def rounded(x, precision="double"):
 
 def require_exact(stated, computed, precision):
     """The stated numbers are the computed ones, rounded to nearest."""
-    require(len(stated) == len(computed), "there are more or fewer exact values than stated")
+    require(len(stated) == len(computed), "the number of exact values differs from the stated one")
     size = max((abs(end) for x in computed for end in ends(x)), default=0)
     for double, x in zip(stated, computed):
         low, high = ends(x)
         require(high - low <= NARROW * size, "the brackets are too wide for the exact value")
         value = float(double) if isinstance(double, str) else rounded(number(double))
         in_format = rounded(low, precision) <= value <= rounded(high, precision)
-        require(in_format, "the exact value is not the one stated")
+        require(in_format, "the exact value differs from the stated one")
 
 
 def require_error(stated, squares, unit):
@@ -511,7 +511,7 @@ def require_error(stated, squares, unit):
         slack = TOLERANCE * max(error, unit)
         if (error <= slack or (error - slack) ** 2 <= low) and high <= (error + slack) ** 2:
             return
-    raise Refuted("the error is not the one stated")
+    raise Refuted("the error differs from the stated one")
 
 
 def relative_sq(gap_sq, size_sq):
@@ -583,7 +583,7 @@ def measured(certificate, ray, meetings, got):
         return exact, lambda: [((square_root(proof["norms"][0], norm_sq(got)) - 1) / U) ** 2]
     else:
         (met,) = meetings
-        require(met.root, "the sphere is not met")
+        require(met.root, "the ray misses the sphere")
         exact = met.point()
     if quantity == "parameter":
         return [met.s], lambda: ulps_sq(got[0], met.s, certificate["precision"])
@@ -599,39 +599,39 @@ def measured(certificate, ray, meetings, got):
 
 
 def confirm_met(certificate, met, got):
-    """class, root: what is right or wrong."""
+    """Checks a wrong class or root."""
     wrong, answered = certificate["wrong"], bool(certificate["got"])
     require_exact(certificate["exact"], [met.s] if met.root else [], certificate["precision"])
     if certificate["quantity"] == "class":
         stated = {"missed": (True, False), "false hit": (False, True)}[wrong]
-        require((bool(met.root), answered) == stated, f"it is no {wrong}")
+        require((bool(met.root), answered) == stated, f"it is not a case of: {wrong}")
         return
-    require(wrong == "wrong root" and met.root, "there is no root to miss")
+    require(wrong == "wrong root" and met.root, "the ray misses, so the root cannot be wrong")
     gap_sq, apart_sq = (got[0] - met.other_s) ** 2, (met.s - met.other_s) ** 2
     require(16 * gap_sq < apart_sq, "the answer is not at the other root")
 
 
 def confirm_nearest(certificate, meetings):
     exact = [int(x) for x in numbers(certificate["exact"])]
-    # A picture may show a sphere without telling which: that is right if any is met.
+    # A picture may show a sphere of unknown number: that is right if the ray hits any.
     is_untold = certificate["got"] == [SOME_SPHERE]
     got = [] if is_untold else [int(x) for x in numbers(certificate["got"])]
-    require(not (exact and is_untold), "a sphere is met, and a sphere was said")
-    require(exact or got or is_untold, "nothing is met, and nothing was said")
+    require(not (exact and is_untold), "the ray hits a sphere, as was answered")
+    require(exact or got or is_untold, "the ray misses all spheres, as was answered")
     wrong = {(1, 1): "wrong sphere", (1, 0): "missed", (0, 1): "false hit",
              (0, 0): "false hit"}[len(exact), len(got)]
-    require(wrong == certificate["wrong"], "it is wrong in another way")
+    require(wrong == certificate["wrong"], "the answer is wrong in another way than stated")
     if not exact:
-        require(not any(met.root for met in meetings), "a sphere is met")
+        require(not any(met.root for met in meetings), "the ray hits a sphere")
         return
-    require(all(k in range(len(meetings)) for k in exact + got), "there is no such sphere")
+    require(all(k in range(len(meetings)) for k in exact + got), "a sphere number is out of range")
     first = meetings[exact[0]]
-    require(first.root, "the sphere is not met")
+    require(first.root, "the ray misses the sphere")
     for k, met in enumerate(meetings):
         same = met.centre == first.centre and met.radius == first.radius
         if met.root and (k in got or not same):
             low, high = ends(met.s)[0], ends(first.s)[1]
-            require(low > high if k in got else low >= high, "another sphere is met before")
+            require(low > high if k in got else low >= high, "the ray hits another sphere first")
 
 
 # A wrong decision is excused by inputs close by for which it is right; without any it is a defect.
@@ -639,7 +639,7 @@ def confirm_nearest(certificate, meetings):
 
 
 def named_inputs(inputs, of_many_spheres):
-    """Where each input is that may change: what holds it, and its key there, by its name."""
+    """The place of each input that may change, by its name: the containing object and its key."""
     holders = [("", inputs["ray"] if "ray" in inputs else inputs["camera"])]
     for k, sphere in enumerate(inputs["spheres"]):
         holders.append((f"spheres[{k}]." if of_many_spheres else "", sphere))
@@ -655,7 +655,7 @@ def named_inputs(inputs, of_many_spheres):
 
 
 def change_inputs(certificate, change):
-    """The inputs, each as change(its name, its number) makes it."""
+    """The inputs, each replaced by change(its name, its number)."""
     inputs = json.loads(json.dumps(certificate["inputs"]))
     is_choice = certificate["quantity"] == "nearest sphere"
     for name, (holder, key) in named_inputs(inputs, is_choice).items():
@@ -699,7 +699,7 @@ class Dual:
         self.value, self.slopes = value, slopes
 
     def linear(self, value, mine, other=None, theirs=0):
-        """A value that changes by so much of each."""
+        """A value with its derivatives."""
         slopes = {name: mine * slope for name, slope in self.slopes.items()}
         for name, slope in (other.slopes if isinstance(other, Dual) else {}).items():
             slopes[name] = theirs * slope + slopes.get(name, 0)
@@ -765,7 +765,7 @@ def reach_of(s, certificate, ray, amount, bits, bound):
 
 
 def is_answer_right(certificate, ray, changed, changed_ray, bits):
-    """Whether a ray and a sphere that were changed meet as was answered, or not at all."""
+    """Whether a changed ray and sphere meet, or miss, as was answered."""
     conventions, amount = certificate["conventions"], Fraction(certificate["excuse"]["amount"])
     (sphere,) = changed["spheres"]
     a, b, c, discriminant = equation(changed_ray, sphere["centre"], sphere["radius"])
@@ -790,7 +790,7 @@ def is_answer_right(certificate, ray, changed, changed_ray, bits):
 
 
 def is_choice_right(certificate, changed, ray, bits):
-    """Whether a ray and spheres that were changed meet first what was said. Ties do."""
+    """Whether changed rays and spheres have the answered sphere first; ties count."""
     conventions, got = certificate["conventions"], certificate["got"]
     met = {}
     for k, sphere in enumerate(changed["spheres"]):
@@ -814,14 +814,14 @@ def confirm_witness(certificate, ray):
     """The answer is right for the inputs of its witness."""
     excuse, shares = certificate["excuse"], {}
     amount = Fraction(excuse["amount"])
-    require(amount == Fraction(certificate["neighbourhood"]), "the neighbourhood is another")
+    require(amount == Fraction(certificate["neighbourhood"]), "the neighbourhood is not the amount")
     for entry in excuse["witness"]:
         name, share = entry["input"], Fraction(float.fromhex(entry["share"]))
         require(abs(share) <= amount, "the witness changes an input by more than its amount")
         require(name not in shares, "the witness changes an input twice")
         shares[name] = share
     known = named_inputs(certificate["inputs"], certificate["quantity"] == "nearest sphere")
-    require(set(shares) <= set(known), "the witness changes what is not an input")
+    require(set(shares) <= set(known), "the witness changes something that is not an input")
     changed = change_inputs(certificate, lambda name, x: x * (1 + shares.get(name, 0)))
 
     def is_right(bits):
@@ -838,7 +838,7 @@ def confirm_witness(certificate, ray):
     require(found, "the answer is not right for the inputs of its witness")
 
 
-# Mean-value forms over the box of all nearby inputs prove that there are none. Inputs matter only
+# Mean-value forms over the box of all nearby inputs prove that none is right. Inputs matter only
 # through T = C - L, g, r and s, in multiples of g. Each function below takes these four and returns
 # its value and its derivatives by them.
 
@@ -998,7 +998,7 @@ def off_form(axis, T, g, r, s):
 
 
 def unit_vector(quarters, t):
-    """A direction of the plane: a quarter turn for t from 0 to 1, after so many others."""
+    """A direction of the plane: a quarter turn for t from 0 to 1, after full `quarters`."""
     x, y = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
     for _ in range(quarters):
         x, y = -y, x
@@ -1105,7 +1105,7 @@ BY_WITNESS, PROVED, NOT_PROVED = (
 
 
 def confirm_standing(certificate, ray):
-    """What is shown of a wrong decision; None where nothing is claimed that can be."""
+    """The proved standing of a wrong decision; None if the certificate claims nothing provable."""
     excuse = certificate["excuse"]
     if excuse is None:
         is_choice = certificate["quantity"] == "nearest sphere"
@@ -1120,13 +1120,13 @@ def confirm_standing(certificate, ray):
 
 
 def confirm(certificate):
-    """What a wrong decision is proved to come to, or None. Raises Refuted unless the certificate's
-    inputs prove what it states."""
+    """The proved standing of a wrong decision, or None. Raises Refuted unless the inputs prove the
+    statements of the certificate."""
     inputs, proof = certificate["inputs"], certificate["proof"]
     conventions, quantity = certificate["conventions"], certificate["quantity"]
     for name, values in CONVENTIONS.items():
-        require(conventions[name] in values, f"there is no such convention of {name}")
-    require(certificate["pixel"] == inputs.get("pixel"), "the pixel is another")
+        require(conventions[name] in values, f"unknown convention of {name}: {conventions[name]}")
+    require(certificate["pixel"] == inputs.get("pixel"), "the pixel is not that of the inputs")
     ray = ray_of(inputs, conventions, stated_roots(proof))
     spheres, stated = inputs.get("spheres", []), proof.get("spheres", [])
     require(len(spheres) == len(stated), "a sphere's proof is missing")
@@ -1143,7 +1143,7 @@ def confirm(certificate):
     require(certificate["wrong"] is None, "an error is measured, not a decision")
     precision, unit = certificate["precision"], "ulp" if quantity == "parameter" else "u"
     named = unit if precision == "double" else unit + " of float"
-    require(certificate["unit"] == named, "the unit is another")
+    require(certificate["unit"] == named, "the unit does not match the quantity and the precision")
     exact, squares = measured(certificate, ray, meetings, got)
     require_exact(certificate["exact"], exact, precision)
     size = 1 if unit == "ulp" else 2 ** (FORMATS["double"][0] - FORMATS[precision][0])
@@ -1165,7 +1165,7 @@ def title(certificate):
 
 
 def judge(certificate):
-    """What becomes of a certificate, why, and what a wrong decision comes to."""
+    """The verdict on a certificate, the reason, and the standing of a wrong decision."""
     if not certificate["certified"]:
         return "not certified", certificate["reason"], None
     try:
@@ -1173,13 +1173,13 @@ def judge(certificate):
     except Refuted as reason:
         return "REFUTED", str(reason), None
     except ArithmeticError as problem:
-        return "REFUTED", f"its numbers cannot be computed with: {problem}", None
+        return "REFUTED", f"computing with its numbers fails: {problem}", None
     except (AttributeError, LookupError, TypeError, ValueError):
-        raise Malformed("it lacks what a proof of its quantity needs") from None
+        raise Malformed("it lacks values that the proof of its quantity needs") from None
 
 
 def visible(text):
-    """The text, in which nothing acts on a terminal."""
+    """The text without control characters."""
     return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
 
 
@@ -1218,7 +1218,7 @@ if __name__ == "__main__":
     try:
         if sys.stdout is None:
             raise OSError("standard output is closed")
-        sys.stdout.reconfigure(errors="backslashreplace")  # of what its encoding has not
+        sys.stdout.reconfigure(errors="backslashreplace")  # for characters that its encoding lacks
         sys.exit(main(sys.argv[1:]))
     except (Malformed, OSError) as problem:
         print(f"verify_certificates.py: {visible(str(problem))}", file=sys.stderr)

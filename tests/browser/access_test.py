@@ -1,4 +1,4 @@
-"""axe-core finds nothing: with camera, given rays, findings and dial, and on the pages of a grade; dark and light; narrow and wide."""
+"""axe-core finds no violations: with camera, given rays, findings and dial, and on the pages of a grade; dark and light; narrow and wide."""
 import unittest
 
 import pages
@@ -33,7 +33,7 @@ class Accessibility(PageTest):
         self.browser.command("Emulation.clearDeviceMetricsOverride")
         self.browser.command("Emulation.setEmulatedMedia", features=[])
 
-    def test_what_is_broken_is_found(self):
+    def test_broken_pages_are_found(self):
         self.browser.open(temporary("broken.html", "<!doctype html><title>x</title><p style='color: #ddd; background: #fff'>pale words</p><img src='data:,'><input>"))
         found = " ".join(self.violations()) + " "
         for rule in ("color-contrast", "image-alt", "label", "html-has-lang"):

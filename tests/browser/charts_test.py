@@ -1,4 +1,4 @@
-"""Charts of error: names beside methods, what the choices show, hover and focus, the table; for everyone (axe-core)."""
+"""Charts of error: names beside methods, choices, hover and focus, the table; accessible (axe-core)."""
 import unittest
 
 import access_test
@@ -59,7 +59,7 @@ class Charts(PageTest):
         self.choose("severity", 0)
         self.assertNotIn("at severity", self.text("#chart-heading"))
 
-    def test_choices_are_told_and_stay_where_they_were_made(self):
+    def test_choices_are_shown_and_persist(self):
         self.open(tradeoff())
         self.run_script("document.querySelector('#chart-facet').focus()")
         self.choose("facet", self.facet("Rays on distance, surface, up"))
@@ -69,20 +69,20 @@ class Charts(PageTest):
         self.assertEqual(self.text("#chart-heading"), "Rays on distance, surface, up: median pixel point error against run time")
         self.assertEqual(sorted(self.names()), ["direct", "lecture"])
 
-    def test_pointing_and_focus_tell_figures(self):
+    def test_pointing_and_focus_show_figures(self):
         self.open(stress())
         for event in ("pointerover", "focusin"):
             self.run_script("""document.querySelector("#chart-methods .chip").dispatchEvent(new Event(arguments[0], { bubbles: true }))""", event)
             self.assertTrue(self.text("#chart-readout").startswith("quadratic: 99.9% parameter error in ulp by severity: 0: "))
             self.assertEqual(self.run_script("return document.querySelectorAll('#chart-drawing .faded text').length"), 3)
 
-    def test_a_method_without_a_run_time_is_told_of(self):
+    def test_a_method_without_a_run_time_is_listed(self):
         path = candidate("kept.py", MISSES)
         self.open(chart_of("tradeoff", "--family", "distance", "--method", "cross", "--cases", "20", "--candidate", f"command:python3 {path}"))
         self.assertEqual(self.names(), ["cross"])
         self.assertRegex(self.text("#chart-absent"), r"^Not drawn: command:python3 .*kept\.py \(not timed: it runs in a sandbox")
 
-    def test_small_charts_are_of_every_family_and_lead_there(self):
+    def test_small_charts_show_every_family_and_link_to_it(self):
         self.open(stress())
         self.assertEqual(self.run_script("return [...document.querySelectorAll('.multiple span')].map((one) => one.textContent)"), ["distance", "surface", "scale"])
         self.run_script("document.querySelectorAll('.multiple')[1].click()")
@@ -108,7 +108,7 @@ class Charts(PageTest):
 
 @unittest.skipUnless(access_test.AXE.exists(), "there is no axe-core here: ./run packages ci")
 class ChartsForEveryone(access_test.Accessibility):
-    test_what_is_broken_is_found = test_pages_of_a_grade_in_every_look = None  # as for the other pages
+    test_broken_pages_are_found = test_pages_of_a_grade_in_every_look = None  # as for the other pages
 
     def test_every_kind_of_page_in_every_look(self):
         for page in (tradeoff(), stress()):

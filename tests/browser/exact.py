@@ -1,5 +1,5 @@
-"""The steps from a camera or a ray to its hit, in decimals of so many digits that every double is exact and nothing that
-matters cancels."""
+"""The steps from a camera or a ray to its hit, in decimals with enough digits that every double is exact and cancellation
+does not matter."""
 import decimal
 import math
 from decimal import Decimal

@@ -1,4 +1,4 @@
-"""Every shipped scene as a page: it opens, is small, and shows from the eye what `raycheck image` does."""
+"""Every shipped scene as a page: it opens, is small, and its view from the eye agrees with `raycheck image`."""
 import pages
 from eye import EyeTest
 from pages import EXAMPLES, page_of, said
@@ -8,7 +8,7 @@ MOST_BYTES_LARGE = 10_000_000
 
 
 class Examples(EyeTest):
-    def test_every_scene_opens_and_is_seen_from_the_eye_as_it_is(self):
+    def test_every_scene_opens_and_is_right_from_the_eye(self):
         for scene in EXAMPLES:
             with self.subTest(scene.name):
                 page = page_of(scene)

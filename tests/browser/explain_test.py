@@ -1,4 +1,4 @@
-"""What a page tells of a ray, of 39 hard ones: the text of `raycheck explain`, what can be copied, the microscope."""
+"""A page's text about 39 hard rays: the output of `raycheck explain`, the texts to copy, the microscope."""
 import dataclasses
 import functools
 import json
@@ -69,7 +69,7 @@ def explained(arguments):
     return json.loads(ran("explain", *arguments, "--format", "json"))
 
 
-# Presses every button that copies, and returns what the reader is given to copy, by the button's id.
+# Presses every copy button, and returns the copied texts by the button's id.
 COPY = """const buttons = [...document.querySelectorAll("#panel .copy button")];
   for (const button of buttons) button.click();
   const texts = () => buttons.map((button) => [button.id, button.parentElement.querySelector("textarea")?.value]);
@@ -81,7 +81,7 @@ COPY = """const buttons = [...document.querySelectorAll("#panel .copy button")];
 
 @dataclasses.dataclass
 class Told:
-    """What the page tells of one ray."""
+    """The page's text about one ray."""
     name: str
     arguments: tuple  # of explain
     length: Decimal  # of the direction
@@ -118,7 +118,7 @@ class HardRays(PageTest):
             yield Told(f"{path.name} {selection}", arguments, direction.norm(), exact, text, microscope, cls.browser.run(COPY))
         cls.check_page()
 
-    def test_the_panel_and_the_command_have_what_explain_prints(self):
+    def test_the_panel_and_the_command_agree_with_explain(self):
         for told in self.told:
             with self.subTest(told.name):
                 self.assertEqual(told.text, ran("explain", *told.arguments))
@@ -126,7 +126,7 @@ class HardRays(PageTest):
                 self.assertEqual(program, "raycheck")
                 self.assertEqual(told.text, ran(*words))
 
-    def test_the_scene_is_one_that_check_takes(self):
+    def test_check_accepts_the_scene(self):
         texts = {told.copied["copy-toml"] for told in self.told}
         self.assertEqual(len(texts), len(GIVEN) + len(CAMERAS))
         for text in texts:
@@ -139,10 +139,10 @@ class HardRays(PageTest):
                 steps = rounded_steps(told.arguments)
                 for name, value in told.exact.items():
                     components = [float(x) for x in (value if isinstance(value, Vector) else [value])]
-                    if name != "d^2" or steps[name] != [0]:  # of a tangent, where no digits are enough
+                    if name != "d^2" or steps[name] != [0]:  # of a tangent: no number of digits suffices
                         self.assertEqual(components, steps[name], name)
 
-    def test_the_microscope_has_every_answer_where_it_is(self):
+    def test_the_microscope_has_every_answer_in_its_place(self):
         marks = 0
         for told in self.told:
             if told.microscope is None or "s" not in told.exact:

@@ -1,12 +1,12 @@
 """The view from the eye, as the figure draws it, beside the certified picture of `raycheck image`."""
 from pages import PageTest, ran, said, temporary
 
-BACKGROUND = (16, 18, 24)  # of a pixel that sees no sphere
+BACKGROUND = (16, 18, 24)  # of a pixel without a sphere
 MOST_DIFFERING = 0.05  # of the pixels at outlines
 
 
 def certified(scene, width, height, rows, sphere_colours):
-    """Rows, j = 0 first, of the sphere that each pixel sees, -1 for none, as `raycheck image` paints them."""
+    """Rows, j = 0 first, of each pixel's nearest sphere, -1 for background, as painted by `raycheck image`."""
     path = temporary("certified.ppm")
     ran("image", scene, "--size", f"{width},{height}", "--out", path)
     magic, size, greatest, data = path.read_bytes().split(b"\n", 3)
@@ -61,8 +61,8 @@ DRAWN = """const [width, height] = arguments;
 
 class EyeTest(PageTest):
     def check_eye(self, scene, width, height):
-        """The open page's view from the eye of so many pixels, as if the scene had them: wherever it differs from the
-        certified picture there is, in the pixel or beside it, an outline, and at most outlines it does not."""
+        """The open page's view from the eye with this number of pixels, as if the scene had them: it differs from the
+        certified picture only at outlines or beside them, and only at few of these."""
         rows, colours = self.run_script("""const { camera, spheres } = raycheckPage.store.scene().figure;
           return [camera.rows, spheres.colour];""")
         drawn = self.run_script(DRAWN, width, height)
@@ -82,7 +82,7 @@ class EyeTest(PageTest):
         return count
 
     def check_seen(self, scene):
-        """What the page says that its pixels see is what `raycheck image` shows."""
+        """The nearest spheres in the page are those of `raycheck image`."""
         camera, runs, colours = self.run_script("""const { figure, seen } = raycheckPage.store.scene();
           return [figure.camera, seen, figure.spheres.colour];""")
         shown = certified(scene, camera["width"], camera["height"], camera["rows"], colours)

@@ -1,4 +1,4 @@
-"""The view from the eye of what is hard to draw: far, tiny, huge, behind, around the eye; mirrored and turned cameras."""
+"""The view from the eye of spheres that are hard to draw: far, tiny, huge, behind, around the eye; mirrored and turned cameras."""
 import pages
 from eye import EyeTest
 from pages import page_of, temporary
@@ -58,14 +58,14 @@ def scene_text(changes, conventions, spheres):
 
 
 class Eye(EyeTest):
-    def test_the_view_from_the_eye_is_the_certified_picture_but_at_outlines(self):
+    def test_the_view_from_the_eye_is_the_certified_picture_except_at_outlines(self):
         for name, (*case, seen) in CASES.items():
             with self.subTest(name):
                 scene = temporary(f"{name}.toml", scene_text(*case))
                 self.open(page_of(scene, "--method", "cross"))
                 self.assertEqual(self.check_eye(scene, *SIZE), seen)
 
-    def test_a_sphere_too_far_to_be_drawn_is_not_passed_over_in_silence(self):
+    def test_a_sphere_too_far_to_be_drawn_is_reported(self):
         scene = temporary("too-far.toml", scene_text({}, {}, [("[0, 0, -1e32]", 5e31)]))
         self.open(page_of(scene, "--method", "cross"))
         note = self.run_script("""raycheckPage.store.set({ layers: { hits: false, roots: false, names: false, rays: "none" } });
@@ -74,7 +74,7 @@ class Eye(EyeTest):
           look.dispatchEvent(new Event("change", { bubbles: true }));
           return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>
             done(document.querySelector("#figure-view [role=status]").textContent))));""")
-        self.assertIn("1e30 times as far as the nearest is not drawn", note)
+        self.assertIn("1e30 times as far as the nearest are not drawn", note)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""A Firefox with a screen that nobody sees (Xvfb), driven in its own protocol, Marionette.
+"""A Firefox with a virtual screen (Xvfb), driven by its protocol Marionette.
 
 The protocol: https://firefox-source-docs.mozilla.org/testing/marionette/Protocol.html
 """
@@ -19,7 +19,7 @@ PREFERENCES = {"webgl.force-enabled": True, "marionette.port": 0, "datareporting
 
 
 class Firefox:
-    """One window of a browser of its own. Errors of the protocol are RuntimeErrors."""
+    """One window of a separate browser. Errors of the protocol are RuntimeErrors."""
 
     def __init__(self):
         self.folder = tempfile.TemporaryDirectory(prefix="raycheck-firefox-")
@@ -90,5 +90,5 @@ class Firefox:
         self.ask("WebDriver:Navigate", url=f"file://{path}")
 
     def run(self, script, *arguments):
-        """What the body of a function `script` returns, or the promise that it returns brings."""
+        """The result, or awaited promise, of a function with the body `script`."""
         return self.ask("WebDriver:ExecuteScript", script=script, args=list(arguments))["value"]

@@ -1,4 +1,4 @@
-"""Pages in Firefox: they open, ask for nothing, tell and draw the same."""
+"""Pages in Firefox: they open, make no requests, and show the same."""
 import shlex
 import unittest
 
@@ -34,7 +34,7 @@ class InFirefox(unittest.TestCase):
     def text(self, selector):
         return self.browser.run("return document.querySelector(arguments[0]).textContent", selector)
 
-    def test_a_page_tells_what_explain_does(self):
+    def test_a_page_agrees_with_explain(self):
         for scene in SCENES:
             with self.subTest(scene.name):
                 self.open(page_of(scene))

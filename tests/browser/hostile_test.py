@@ -1,4 +1,4 @@
-"""Text that would act if it were more than text: names of files, what candidates say, what a scene holds."""
+"""Text that would do harm as HTML: names of files, messages of candidates, contents of scenes."""
 import shutil
 import subprocess
 
@@ -22,7 +22,7 @@ SAYS = "def intersect(ray, sphere, asked):\n    raise ValueError({!r})\n"
 
 class HostileText(PageTest):
     def page(self, *arguments):
-        """A page made in the folder of this run, whose paths are then as short as they are told."""
+        """A page made in the folder of this run, so that its paths are short."""
         out = temporary("hostile.html")
         made = subprocess.run([Shared.program, "view", *arguments, "--out", out], cwd=Shared.folder, text=True, capture_output=True)
         self.assertEqual(made.returncode, 0, made.stderr)
@@ -35,7 +35,7 @@ class HostileText(PageTest):
         return name
 
     def check_plain(self, plain):
-        """No element is made of what is told, nor has any been in a page of plain text."""
+        """Texts do not make elements: the page has only those of a page of plain text."""
         self.assertEqual(self.run_script(FOREIGN), plain)
         self.assertFalse(self.run_script("return 'alerted' in window"))
 
@@ -64,11 +64,11 @@ class HostileText(PageTest):
                 if not any(mark in name for mark in BIDI):
                     self.assertEqual(shown, name.rsplit("/", 1)[-1])
 
-    def test_what_a_candidate_says_is_text(self):
+    def test_a_candidates_message_is_text(self):
         path = candidate(f"<b>&amp;{BIDI}.py", SAYS.format(SPOKEN), SPOKEN.replace(" ", ""))
         self.check_candidate(f'command:python3 {path.name} "{NAME}"', "<b>", ALERT)
 
-    def test_what_a_candidate_says_at_length_is_text(self):
+    def test_a_candidates_long_message_is_text(self):
         path = candidate("long.py", SAYS.format(LONG), "long")
         self.check_candidate(f'command:python3 {path.name} "{LONG}"', "<b><b>", LONG)
 
@@ -81,7 +81,7 @@ class HostileText(PageTest):
         self.assertEqual(self.run_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
 
     def test_nothing_but_the_page_itself_runs(self):
-        """The policy holds: what is put into a page afterwards neither runs nor loads."""
+        """The policy works: elements added later neither run nor load."""
         page = self.page(self.scene_named("plain.toml"))
         text = page.read_text()
         attack = f"""<script>window.alerted = 1;</script><img src=x onerror="window.alerted = 2"><img src="file:///etc/hostname">

@@ -1,4 +1,4 @@
-"""Scenes of many pixels and many spheres: their pages keep what they can show, and say what they left out."""
+"""Scenes of many pixels and many spheres: their pages show a part, and report the rest as left out."""
 import random
 
 import pages
@@ -21,7 +21,7 @@ def large_scene(name, side, spheres):
 
 
 class Large(EyeTest):
-    def test_a_large_scene_opens_and_says_what_was_left_out(self):
+    def test_a_large_scene_opens_and_reports_what_was_left_out(self):
         for name, (side, spheres) in SIZES.items():
             with self.subTest(name):
                 self.check_large(large_scene(name, side, spheres), side, spheres)
@@ -35,18 +35,18 @@ class Large(EyeTest):
         told = self.text("footer")
         for sentence in left_out:
             self.assertIn(sentence, told)
-        steps = [sentence for sentence in left_out if f" of {side * side} rays; `raycheck view --pixel I,J` asks for others" in sentence]
+        steps = [sentence for sentence in left_out if f" of {side * side} rays are shown; `raycheck view --pixel I,J` shows others" in sentence]
         self.assertEqual(len(steps), 1, left_out)
         self.assertEqual(drawn < spheres, any("spheres are drawn" in sentence for sentence in left_out))
         if spheres <= MOST_TOLD_APART:
             self.assertGreater(self.check_eye(scene, 300, 300), 0)
 
-    def test_what_was_left_out_is_shown_when_asked_for(self):
+    def test_panels_that_were_left_out_can_be_requested(self):
         self.open(page_of(large_scene("asked", *SIZES["many-pixels"]), "--pixel", "123,456"))
         self.assertEqual(self.selection()["pixel"], [123, 456])
         self.assertTrue(self.text("#explain-text").startswith("pixel (123, 456)"))
 
-    def test_where_there_is_no_panel_the_page_says_what_asks_for_it(self):
+    def test_without_a_panel_the_page_shows_the_command_for_it(self):
         self.open(page_of(large_scene("asked", *SIZES["many-pixels"])))
         self.run_script("raycheckPage.store.set({ selection: { pixel: [123, 457], sphere: null } })")
         self.assertIn("--pixel 123,457", self.text("#no-panel"))

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Tests of pages are held to broken pages: python3 tests/browser/mutants.py PROGRAM [NAME ...] fails where one passes.
+"""Tests the tests of pages: python3 tests/browser/mutants.py PROGRAM [NAME ...] fails if a test passes on a broken page.
 
-By hand, for it takes minutes. In the place of the program the tests are given this file again, which runs the program and
-then breaks the page that it wrote, in one place, the policy's hashes with it.
+Run by hand, as it takes minutes. The tests are given this file instead of the program: it runs the program and then breaks
+the written page in one place, and updates the policy's hashes.
 """
 import base64
 import hashlib
@@ -13,7 +13,7 @@ import subprocess
 import sys
 
 TESTS = pathlib.Path(__file__).resolve().parent
-# Of each: the test that is to fail, and what of the page becomes what.
+# For each: the test that must fail, the replaced text of the page, and its replacement.
 MUTANTS = {
     "error in the console": ("examples", "await runThree();", 'await runThree(); console.error("x");'),
     "a request": ("examples", "await runThree();", 'await runThree(); new Image().src = "http://127.0.0.1:9/";'),
@@ -63,7 +63,7 @@ def sha256(text):
 
 
 def broken(page, old, new):
-    """The page with its one place, if it has that, changed; the policy allows what was changed."""
+    """The page with the text replaced, if it has it; the policy allows the change."""
     changed = page.replace(old, new)
     for pattern in (r"<script>(.*?)</script>\n</body>", r"<style>(.*?)</style>"):
         before, after = (re.search(pattern, text, re.DOTALL)[1] for text in (page, changed))

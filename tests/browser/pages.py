@@ -1,4 +1,4 @@
-"""What the tests of pages share: the program, the pages that it makes, and one browser for all tests of a file.
+"""Shared by the tests of pages: the program, the pages that it makes, and one browser for all tests of a file.
 
 A file of tests is run as `python3 FILE PROGRAM [unittest's arguments]`. It exits with 0, with 1 where a test failed, and
 with 77 where one was skipped, which it says in a sentence. No test asserts a time unless RAYCHECK_BROWSER_TIMES=1.
@@ -15,9 +15,9 @@ import webdriver
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 EXAMPLES = sorted((ROOT / "scene/examples").iterdir())
-NPM = ROOT / "build/npm/node_modules"  # what `./run packages ci` puts there
+NPM = ROOT / "build/npm/node_modules"  # made by `./run packages ci`
 MOST_SECONDS = 3  # that a page may take to open
-SKIPPED = 77  # as ctest knows it
+SKIPPED = 77  # ctest's exit code for a skipped test
 
 # Resolves once the page is ready and has been drawn, with the milliseconds since it was asked for.
 READY = """return window.raycheckPage.ready.then(() => new Promise((done) =>
@@ -33,7 +33,7 @@ class Shared:
 
 
 def ran(*arguments):
-    """What a run of the program prints; it exits with 1 where it found something, with 4 where there was nothing to judge."""
+    """The output of a run of the program; it exits with 1 if it found something, with 4 if there was nothing to judge."""
     result = subprocess.run([str(Shared.program), *map(str, arguments)], cwd=ROOT, text=True, capture_output=True)
     if result.returncode not in (0, 1, 4):
         raise RuntimeError(f"raycheck {' '.join(map(str, arguments))}: {result.stderr}")
@@ -41,7 +41,7 @@ def ran(*arguments):
 
 
 def temporary(name, text=None):
-    """A path in the folder of this run; written, where there is a text."""
+    """A path in the folder of this run; with a text, the file is written."""
     path = Shared.folder / name
     if text is not None:
         path.write_text(text)
@@ -68,7 +68,7 @@ def page_of(*arguments, option="--out"):
 
 
 class PageTest(unittest.TestCase):
-    """Every page that a test opens asks for nothing, and leaves the console empty."""
+    """Every page that a test opens makes no requests, and leaves the console empty."""
 
     page_open = None
     expected_problems = 0

@@ -1,4 +1,4 @@
-"""The page's JavaScript: how much of it there is, and what ESLint says of it, which runs in the browser."""
+"""The page's JavaScript: its size, and the messages of ESLint, which runs in the browser."""
 import json
 import re
 import unittest
@@ -14,7 +14,7 @@ BROKEN = "let a = 1;\nvar b = a;\nif (b == undeclared) document.body.innerHTML =
 
 
 def lines_of_code(module):
-    """All but empty lines and those of comments."""
+    """All lines except empty ones and comments."""
     return [line for line in module.read_text().splitlines() if line.strip() and not line.lstrip().startswith("//")]
 
 
@@ -38,7 +38,7 @@ class Lint(PageTest):
     def setUp(self):
         self.browser.open(temporary("blank.html", "<!doctype html><title>blank</title>"))
 
-    def test_what_is_broken_is_found(self):
+    def test_broken_code_is_found(self):
         found = " ".join(self.complaints(BROKEN, "module"))
         for rule in ("prefer-const", "no-var", "eqeqeq", "no-undef", "no-restricted-syntax"):
             self.assertIn(rule, found)
@@ -49,7 +49,7 @@ class Lint(PageTest):
                 self.assertEqual(self.complaints(module.read_text(), "module"), [])
 
     def test_the_modules_together(self):
-        """As they are in a page: no name is missing, none is there for nobody."""
+        """As they are in a page: no name is missing or unused."""
         page = page_of(ROOT / "scene/examples/first-camera.toml").read_text()
         script = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)[-1]
         self.assertGreater(len(script), 10_000)

@@ -22,7 +22,7 @@ class Use(PageTest):
         self.browser.click_at("#picture-view", ((i + 0.5) / width - 0.5) * across, ((row + 0.5) / height - 0.5) * down)
 
     def check_shown(self, pixel):
-        """Everything speaks of that pixel."""
+        """All parts of the page show that pixel."""
         self.assertEqual(self.selection()["pixel"], pixel)
         place = f"pixel ({pixel[0]}, {pixel[1]})"
         self.assertTrue(self.text("#headline .place").startswith(place), self.text("#headline .place"))
@@ -38,8 +38,8 @@ class Use(PageTest):
                     self.picture_click(i, row)
                     self.check_shown([i, row if is_top_first else 8 - row])
 
-    def test_the_pictures_own_colours_agree_with_what_a_click_there_is_told(self):
-        """Of every pixel of the certified picture: lit, where the panel of it says hit."""
+    def test_the_pictures_colours_agree_with_the_panels(self):
+        """Every pixel of the certified picture is lit if and only if its panel has a hit."""
         for scene in (TOP_FIRST, BOTTOM_FIRST):
             self.open(page_of(scene))
             lit = self.run_script("""const image = document.querySelector("#picture-view img");
@@ -57,7 +57,7 @@ class Use(PageTest):
                 j = row if scene == TOP_FIRST else 8 - row
                 self.assertEqual(colour != background, hits[f"{i},{j}"], (scene.name, i, row))
 
-    def test_arrow_keys_walk_as_the_picture_lies(self):
+    def test_arrow_keys_move_in_the_pictures_directions(self):
         for scene, up in ((TOP_FIRST, -1), (BOTTOM_FIRST, 1)):
             for target in ("#picture-view", ".figure-stage"):
                 with self.subTest(f"{scene.name} {target}"):
@@ -96,11 +96,11 @@ class Use(PageTest):
                     self.check_shown([i, row if scene == TOP_FIRST else 8 - row])
 
     def viewer(self):
-        """From where the figure is seen, and how far its window reaches."""
+        """The viewpoint of the figure, and the extent of its window."""
         return self.run_script("""return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>
           done(raycheckPage.figure.panes[0].viewer))));""")
 
-    def test_the_figure_is_turned_moved_and_looked_at_from_nearer(self):
+    def test_the_figure_is_turned_moved_and_zoomed(self):
         """By mouse and by keys; neither chooses another pixel, and the wheel scrolls the page until the figure has the focus."""
         self.open(page_of(TEN))
         before, chosen = self.viewer(), self.selection()
@@ -152,14 +152,14 @@ class Use(PageTest):
             self.run_script(go, address)
             self.check_shown(findings[-1]["pixel"])
 
-    def test_where_something_goes_wrong_the_headline_says_which_method_and_where(self):
+    def test_the_headline_names_the_wrong_method_and_its_step(self):
         self.open(page_of(FAR))
         self.run_script("raycheckPage.store.set({ selection: { pixel: [9, 8] }, methodShown: 'quadratic' })")
         for word in ("quadratic", "goes wrong at", "6.7e+07 ulp"):
             self.assertIn(word, self.text("#headline"))
         self.assertEqual(self.run_script("return [...document.querySelectorAll('.wrong-step')].map((one) => one.dataset.symbol)")[0], "d^2")
 
-    def test_a_method_is_shown_alone_and_all_again(self):
+    def test_one_method_or_all_are_shown(self):
         self.open(page_of(FAR))
         self.choose("#pixel-i", "9")
         self.choose("#pixel-j", "8")
@@ -177,7 +177,7 @@ class Use(PageTest):
         self.browser.click("#method-all")
         self.assertEqual(self.run_script("return raycheckPage.store.methodShown"), None)
 
-    def test_the_divider_parts_the_pictures(self):
+    def test_the_divider_separates_the_pictures(self):
         self.open(page_of(FAR))
         for percent in (0, 37, 100):
             self.choose("#divider", str(percent))
@@ -244,7 +244,7 @@ class Use(PageTest):
 
 
 class WithoutWebGL(unittest.TestCase):
-    """As above, of a browser that has no WebGL."""
+    """As above, in a browser without WebGL."""
 
     def test_a_page_still_has_all_but_the_view_in_space(self):
         if reason := webdriver.missing():

@@ -15,7 +15,7 @@ SCRIPT_SECONDS = 600  # a backstop: pages open in seconds, on a busy machine in 
 
 
 def missing(needs=("chromedriver", "chromium google-chrome"), packages="chromium chromium-driver"):
-    """Which program is not there, as a sentence; None: all are, each by one of its names."""
+    """A sentence about a missing program; None if all are installed, each by one of its names."""
     for names in map(str.split, needs):
         if not any(map(shutil.which, names)):
             return f"there is no {' or '.join(names)} here: apt-get install {packages}"
@@ -23,7 +23,7 @@ def missing(needs=("chromedriver", "chromium google-chrome"), packages="chromium
 
 
 class Browser:
-    """One window of a browser of its own. Errors of the protocol are RuntimeErrors."""
+    """One window of a separate browser. Errors of the protocol are RuntimeErrors."""
 
     def __init__(self, *more_arguments):
         self.driver = subprocess.Popen([shutil.which("chromedriver"), "--port=0"], text=True,
@@ -72,11 +72,11 @@ class Browser:
         return self.ask("POST", "/goog/cdp/execute", {"cmd": name, "params": parameters})
 
     def run(self, script, *arguments):
-        """What the body of a function `script` returns, or the promise that it returns brings."""
+        """The result, or awaited promise, of a function with the body `script`."""
         return self.ask("POST", "/execute/sync", {"script": script, "args": list(arguments)})
 
     def open(self, path):
-        """Opens a file; what was logged before is forgotten."""
+        """Opens a file, and clears the log."""
         for log in ("browser", "performance"):
             self.log(log)
         self.ask("POST", "/url", {"url": "file://" + str(path)})
@@ -85,17 +85,17 @@ class Browser:
         return self.ask("POST", "/se/log", {"type": name})
 
     def problems(self):
-        """Errors and warnings that the console was told since the page was opened, but for those of graphics drivers
-        on how fast they are."""
+        """Errors and warnings in the console since the page was opened, except those of graphics drivers about their
+        speed."""
         return [entry["message"] for entry in self.log("browser")
                 if entry["level"] in ("SEVERE", "WARNING") and "GL Driver Message (OpenGL, Performance" not in entry["message"]]
 
     def requests(self):
-        """The addresses outside the page that it has asked for since it was opened, itself first."""
+        """The addresses that the page has requested since it was opened, itself first."""
         return self.addresses("Network.requestWillBeSent", "request")
 
     def answered(self):
-        """Those of them that the page's policy let through. Either of these forgets what both know."""
+        """Those of them that the page's policy allowed. Either of these calls clears the log of both."""
         return self.addresses("Network.responseReceived", "response")
 
     def addresses(self, event, what):
@@ -118,7 +118,7 @@ class Browser:
             {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]}]})
 
     def drag(self, selector, x, y):
-        """Drags from an element's middle, so many pixels right and down."""
+        """Drags from an element's middle by these pixels right and down."""
         origin = self.find(selector)
         self.run("arguments[0].scrollIntoView({block: 'center'})", origin)
         self.ask("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [

@@ -151,8 +151,7 @@ Outcome run_throwing(const std::string& arguments, int operation = 0) {
 void expect_internal(const Outcome& outcome) {
   EXPECT_EQ(outcome.exit_code, 70) << outcome.err;
   EXPECT_EQ(outcome.out, "");
-  expect_parts(outcome.err,
-               {"raycheck: internal error: ", "injected\nThis is a fault of raycheck"});
+  expect_parts(outcome.err, {"raycheck: internal error: ", "injected\nThis is a bug in raycheck"});
 }
 
 TEST(InternalErrors, OfLawsAreChargedToNoCandidate) {

@@ -1,4 +1,4 @@
-// Every command that the documentation shows is run, and prints what is shown.
+// Runs every command in the documentation and compares its output with the one shown.
 
 #include "tests/tools/program.h"
 #include "tests/tools/report/picture.h"
@@ -9,7 +9,7 @@ namespace {
 /// A command in a fenced block, and the lines shown below it.
 struct Shown {
   std::string where;
-  std::string program;  ///< "./run" or "python3"; of a session, none.
+  std::string program;  ///< "./run" or "python3"; empty in a session.
   std::string arguments;
   std::vector<std::string> lines;
 };
@@ -53,8 +53,8 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 /// A page that a command makes.
 const std::regex kPage(R"( --(out|view) (\S+\.html)\b)");
 
-/// Runs a command; pages and pictures that it writes go elsewhere, and pictures are what the
-/// documentation shows.
+/// Runs a command; its pages and pictures are written elsewhere, and pictures are compared with
+/// those of the documentation.
 Outcome run_shown(const Shown& shown) {
   const std::string folder = temporary_folder("shown") + "/", option = " --out " + kPictures;
   std::smatch page;
@@ -79,12 +79,11 @@ Outcome run_shown(const Shown& shown) {
   return result;
 }
 
-/// Times differ from run to run, the number of threads and what keeps a candidate from machine to
-/// machine.
+/// Replaces values that differ between runs (times) or machines (threads, isolation).
 std::string without_times(std::string line) {
   static const std::pair<std::regex, const char*> kTimes[] = {
-      {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
-       "T ms to plan, T ms the image"},
+      {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms for the image)"),
+       "T ms to plan, T ms for the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
       {std::regex(" +- +- +-  "), "  -  -  -  "},                        // one that is not timed
       {std::regex(" +ms with +ms without"), " ms with  ms without"},     // above them
@@ -97,7 +96,7 @@ std::string without_times(std::string line) {
   return line;
 }
 
-/// On a terminal this is one line that goes, and documents show what stays there.
+/// On a terminal this is one transient line, which documents do not show.
 const std::regex kProgress("^submissions: [0-9]+ of [0-9]+ (tried|graded): .*");
 
 std::vector<std::string> lasting_lines_of(const std::string& text) {
@@ -160,7 +159,7 @@ void expect_prints_what_is_shown(bool (*is_looked_at)(const std::string& path), 
 
 bool is_of_the_gallery(const std::string& path) { return has(path, "/docs/gallery/"); }
 
-// Suites of their own run beside each other.
+// Separate suites run in parallel.
 TEST(LongDocumentation, shows_what_the_program_prints) {
   expect_prints_what_is_shown([](const std::string& path) { return !is_of_the_gallery(path); }, 6);
 }
@@ -169,10 +168,10 @@ TEST(LongGallery, shows_what_the_program_prints) {
   expect_prints_what_is_shown(is_of_the_gallery, 1);
 }
 
-constexpr std::size_t kMostPictureBytes = 100'000;  ///< Of a page; a clone has them all.
+constexpr std::size_t kMostPictureBytes = 100'000;  ///< Of a page: every clone contains them.
 
-/// The pictures of pages, as docs/pictures.py finds them: of pages that a command of the same
-/// document makes.
+/// The pictures of pages, as docs/pictures.py finds them: each page is made by a command of the
+/// same document.
 TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
   static const std::regex kPicture(R"(<!-- picture (\{.*?\}) -->\s*!\[[^\]]+\]\(([^)]+)\))");
   std::set<fs::path> shown_pictures;
@@ -210,18 +209,18 @@ TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
   }
 }
 
-TEST(Documentation, lists_the_laws_and_the_packages_there_are) {
+TEST(Documentation, lists_all_laws_and_packages) {
   const Outcome outcome = run_python("docs/generate.py --lists --check '" RAYCHECK_BINARY "'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-TEST(Documentation, shows_newcomers_a_candidate_that_is_there) {
+TEST(Documentation, shows_newcomers_an_existing_candidate) {
   const std::string shown = contents(RAYCHECK_SOURCE_DIR "/examples/first/candidate.cpp");
   EXPECT_TRUE(has(contents(RAYCHECK_SOURCE_DIR "/README.md"), "```cpp\n" + shown + "```"));
 }
 
-/// Who reads on from README.md finds every page: none is missing there, and no link leads nowhere.
-TEST(Documentation, has_every_page_in_the_readme_and_no_link_that_leads_nowhere) {
+/// README.md links every page, and all links exist.
+TEST(Documentation, links_every_page_in_the_readme_and_has_no_dead_links) {
   const fs::path root = RAYCHECK_SOURCE_DIR;
   const std::string readme = contents(root / "README.md");
   for (const auto& entry : fs::directory_iterator(root / "docs")) {
@@ -240,8 +239,8 @@ TEST(Documentation, has_every_page_in_the_readme_and_no_link_that_leads_nowhere)
   }
 }
 
-/// Files by their paths or their ends, and folders with a slash behind.
-TEST(Documentation, of_contributors_names_files_and_folders_that_there_are) {
+/// Files by their paths or the ends of these, and folders with a trailing slash.
+TEST(Documentation, of_contributors_names_existing_files_and_folders) {
   const fs::path root = RAYCHECK_SOURCE_DIR;
   std::vector<std::string> all;
   for (const char* room : {"docs", "examples", "fast", "library", "packaging", "properties",
@@ -278,7 +277,7 @@ std::map<std::string, std::set<std::string>> tests_by_suite() {
   return suites;
 }
 
-TEST(Documentation, of_security_names_tests_that_there_are_and_every_hostile_suite) {
+TEST(Documentation, of_security_names_existing_tests_and_every_hostile_suite) {
   const std::string page = contents(RAYCHECK_SOURCE_DIR "/SECURITY.md");
   const auto suites = tests_by_suite();
   static const std::regex kName(R"(`((\w+)\.\w+)`)");
@@ -341,7 +340,7 @@ TEST(LongStudentsSession, students_check_three_functions_by_one_command) {
   expect_session(fs::path(RAYCHECK_SOURCE_DIR) / "docs/students.md", 4);
 }
 
-/// A pair of a certificate, [integer, exponent], as the hexadecimal floats of the lists have it.
+/// A pair [integer, exponent] of a certificate as a hexadecimal float.
 double number_of(const json& pair) {
   const double integer =
       pair[0].is_string() ? std::stod(pair[0].get<std::string>()) : pair[0].get<double>();

@@ -1,4 +1,4 @@
-// Every option of every command takes what it allows, and says of all else what that is.
+// Every option of every command accepts valid values, and refuses others with a clear message.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -10,7 +10,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// Those of all programs.
+/// The commands of all programs.
 constexpr tools::LinkedCommand kAllCommands[] = {
 #define RAYCHECK_LINKED(name, program, sentence) {#name, tools::add_##name},
     RAYCHECK_COMMANDS(RAYCHECK_LINKED)
@@ -28,9 +28,8 @@ bool takes_a_number(const CLI::Option& option) {
   return type.find("INT") != std::string::npos || type.find("FLOAT") != std::string::npos;
 }
 
-/// The same as expect_refused() of a line whose words single quotes may surround. What needs no
-/// candidate, nor files beside the program, is asked in a copy of this process, which starts faster
-/// than a program.
+/// The same as expect_refused() for a line whose words may be in single quotes. Commands that need
+/// neither a candidate nor files beside the program run in a fork of this process, which is faster.
 void expect_refused_here(const std::string& line, const std::string& why) {
   const std::string command = line.substr(0, line.find(' '));
   const bool needs_files_beside_it = command == "grade" || command == "merge" || command == "try";
@@ -60,7 +59,7 @@ void expect_refused_here(const std::string& line, const std::string& why) {
   EXPECT_EQ(contents(out), "") << line;
 }
 
-/// What an option says of a value; empty where it takes it.
+/// The message by which an option refuses a value; empty if it accepts it.
 std::string refusal(CLI::Option& option, const std::string& value) {
   option.clear();
   try {
@@ -72,7 +71,7 @@ std::string refusal(CLI::Option& option, const std::string& value) {
   return "";
 }
 
-TEST(HostileOptions, of_numbers_take_numbers_alone) {
+TEST(HostileOptions, of_numbers_accept_only_numbers) {
   Program program;
   int numbers = 0;
   for (const tools::Command& command : program.commands) {
@@ -82,7 +81,7 @@ TEST(HostileOptions, of_numbers_take_numbers_alone) {
       for (const std::string value :
            {"-1", "-0.5", "18446744073709551616", "1e300000", "nan", "-nan", "inf", "-inf", "", " ",
             "all", "1,all", "1x", "0x", "1 2", "1\x1b", "\xff", "--1"}) {
-        // The largest integers are whole numbers like others where errors are bounded.
+        // Bounds on errors accept the largest integers, too.
         if (value == "18446744073709551616" && option->get_type_name().find("FLOAT") == 0 &&
             refusal(*option, "1e300").empty()) {
           continue;
@@ -102,7 +101,7 @@ TEST(HostileOptions, of_numbers_take_numbers_alone) {
 const std::string kTenSpheres = "scene/examples/ten-spheres.toml";
 const std::string kOfGivenRays = " scene/examples/lecture-examples.toml";
 
-/// What commands need to come to what an option says.
+/// The arguments that commands need before an option is checked.
 const std::map<std::string, std::string> kNeeded = {
     {"check", kTenSpheres},
     {"explain", kTenSpheres + " --pixel 3,3"},
@@ -126,8 +125,8 @@ std::string without(const std::string& option, std::string arguments) {
   return arguments.erase(at, arguments.find(' ', at + option.size() + 1) - at);
 }
 
-/// A name of nothing, and a file that nobody can write.
-TEST(HostileOptions, are_called_in_errors_as_they_are_given) {
+/// A name that does not exist, and a file that cannot be written.
+TEST(HostileOptions, have_the_same_names_in_errors_as_on_the_command_line) {
   Program program;
   const std::string units = temporary_folder("options") + "/units";
   run("properties --filter frame --rays direct --cases 1 --out " + units, 0);
@@ -155,7 +154,7 @@ TEST(HostileOptions, are_called_in_errors_as_they_are_given) {
   EXPECT_GE(texts, 60);
 }
 
-TEST(HostileOptions, that_nothing_uses_are_refused) {
+TEST(HostileOptions, that_are_unused_are_refused) {
   for (const char* option : {"--timeout 1", "--read .", "--include .", "--bounds cross",
                              "--image-change 0", "--t-threshold 0", "--sandbox none"}) {
     const std::string name = std::string(option).substr(0, std::string(option).find(' '));
@@ -164,7 +163,7 @@ TEST(HostileOptions, that_nothing_uses_are_refused) {
   }
 }
 
-/// Command lines, where FAR is a scene and OUT an option of a file, and what is said of each.
+/// Command lines, where FAR is a scene and OUT an option of a file, and their messages.
 const std::pair<const char*, const char*> kRefused[] = {
     {"", "subcommand"},
     {"chekc", "there is no command 'chekc'"},
@@ -211,13 +210,13 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"stress --cases 1 --family distance --severity 9999", "--severity 9999..9999: the severities"},
     {"stress --family distance --severity 4294967296", "give a whole number from 0 to 2147483647"},
     {"stress --family distance --severity -1", "--severity -1: give a whole number from 0"},
-    // Implementations of others.
+    // Candidates.
     {"worst --family distance", "give --method or --candidate"},
-    {"worst --family distance --candidate a:b --candidate c:d", "give it once"},
+    {"worst --family distance --candidate a:b --candidate c:d", "worst takes only one"},
     {"worst --family distance --method cross --candidate a:b", "excludes"},
     {"stress --family distance --candidate 'renderer:sh {scene} {image}'",
-     "it draws pictures; this command asks for single answers"},
-    {"image FAR OUT --candidate a:b", "only --what error shows an implementation"},
+     "it only draws pictures; this command needs single answers"},
+    {"image FAR OUT --candidate a:b", "only --what error shows a candidate or method"},
     {"check FAR --candidate mine", "candidate mine: give library:PATH.so, source:PATH, command:"},
     {"check FAR --candidate elsewhere:mine", "candidate elsewhere:mine: there is no elsewhere:"},
     {"check FAR --candidate library:", "give library:PATH.so"},
@@ -259,7 +258,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"rubric lecture8", "lecture8: raycheck has no rubric of this name; it has lecture7"},
     {"rubric lecture7/frame", "rubric lecture7/frame: raycheck has no rubric"},
     {"rubric --out somewhere", "--out requires NAME"},
-    // Numbers; none is of octal digits.
+    // Numbers; octal digits are not accepted.
     {"properties --cases 010", "give a whole number from 1 to 1000000000, not '010'"},
     {"properties --cases 0x10", "not '0x10'"},
     {"properties --cases 0", "--cases"},
@@ -267,12 +266,12 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --pixels some", "--pixels some"},
     {"check FAR --threads 0", "--threads"},
     {"check FAR --top 5000", "--top"},
-    // Pixels and sizes say what there is.
+    // Pixels and sizes: messages give the range.
     {"explain FAR --pixel 16,3", "has 16 x 16 pixels; give a column up to 15 and a row up to 15"},
     {"explain FAR --pixel 0,0 --sphere 9", "the scene's spheres are numbered 0 to 0"},
     {"view FAR --format json --pixel 16,0", "pixel"},
     {"view FAR --format json --pixel 1,0 --sphere 1", "sphere 1"},
-    {"view FAR --format json --sphere 0", "--sphere: goes with --pixel"},
+    {"view FAR --format json --sphere 0", "--sphere: also give --pixel"},
     {"image FAR OUT --size 5", "--size 5"},
     {"image FAR OUT --size 5,0", "--size"},
     {"image FAR OUT --size 1,5", "camera.width"},
@@ -290,30 +289,30 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"tradeoff --view nowhere/page.html", "nowhere/page.html"},
     {"stress --view /proc/none/page.html", "/proc/none/page.html"},
     {"view FAR --out FAR", "--out"},
-    {"image FAR --out x.gif", "a picture's name ends in .png or .ppm"},
+    {"image FAR --out x.gif", "the name of a picture must end in .png or .ppm"},
     {"image FAR --out nowhere/a.png", "--out nowhere/a.png: cannot be written"},
     {"image FAR --out scene/examples", "--out scene/examples: cannot be written"},
     {"check FAR --certificates nowhere/x", "--certificates nowhere/x: cannot be written"},
-    {"check FAR --certificates scene", "there is something that is not a file"},
+    {"check FAR --certificates scene", "the path exists and is not a regular file"},
     {"check nowhere.toml --certificates x.png", "nowhere.toml"},
-    // They are tried before the work.
+    // Files are opened before the work.
     {"worst --method cross --family rays --cases 1000000000 --save /proc/x.toml",
      "--save /proc/x.toml: cannot be written"},
     {"stress --family distance --method cross --cases 1000000000 --view /proc/x.html",
      "--view /proc/x.html: cannot be written"},
     {"tradeoff --cases 1000000000 --view /proc/x.html", "--view /proc/x.html: cannot be written"},
-    // Values that are empty, as variables of scripts are.
-    {"check ''", "SCENE: is given without a value; give one, or leave the option out"},
-    {"rubric ''", "NAME: is given without a value"},
-    {"properties --cases 5 --replay ''", "--replay: is given without a value"},
-    {"properties --cases 5 --filter ''", "--filter: is given without a value"},
-    {"check FAR --rays ''", "--rays: is given without a value"},
-    {"check FAR --candidate ''", "--candidate: is given without a value"},
-    {"check FAR --certificates ''", "--certificates: is given without"},
-    {"image FAR --out ''", "--out: is given without a value"},
-    {"grade lecture7.toml --out ''", "--out: is given without a value"}};
+    // Empty values, as from unset variables of scripts.
+    {"check ''", "SCENE: the value is empty; give one, or leave the option out"},
+    {"rubric ''", "NAME: the value is empty"},
+    {"properties --cases 5 --replay ''", "--replay: the value is empty"},
+    {"properties --cases 5 --filter ''", "--filter: the value is empty"},
+    {"check FAR --rays ''", "--rays: the value is empty"},
+    {"check FAR --candidate ''", "--candidate: the value is empty"},
+    {"check FAR --certificates ''", "--certificates: the value is empty"},
+    {"image FAR --out ''", "--out: the value is empty"},
+    {"grade lecture7.toml --out ''", "--out: the value is empty"}};
 
-TEST(HostileOptions, that_ask_for_what_there_is_not_say_which_and_why) {
+TEST(HostileOptions, that_name_missing_things_are_refused_with_the_reason) {
   for (const auto& [line, why] : kRefused) {
     const std::string in_place = std::regex_replace(line, std::regex("OUT"), "--out x.png");
     expect_refused_here(
@@ -324,9 +323,8 @@ TEST(HostileOptions, that_ask_for_what_there_is_not_say_which_and_why) {
   expect_refused_here("check " + flat, flat + ":4: camera.up");
   const std::string wide =
       temporary_file("wide.txt", "camera 0 0 10 0 0 0 0 1 0 -5\nbounds -1 1 -1 1\nres 2000000 4\n");
-  expect_refused_here(
-      "image '" + wide + "' --out x.png",
-      wide + ": camera.width = 2000000: is more than a picture takes, which is 1000000");
+  expect_refused_here("image '" + wide + "' --out x.png",
+                      wide + ": camera.width = 2000000: exceeds the limit of 1000000 pixels");
   for (const char* left : {"/nowhere", "/x.png", "/x.gif"}) {
     EXPECT_FALSE(fs::exists(RAYCHECK_SOURCE_DIR + std::string(left))) << left;
   }

@@ -1,4 +1,4 @@
-// The pages and completions say what the program says of itself.
+// Man pages and completions agree with the program's help.
 
 #include "tests/tools/program.h"
 
@@ -9,7 +9,7 @@ std::string manual(const std::string& name) {
   return contents(std::string(RAYCHECK_MANUAL) + "/" + name);
 }
 
-/// The names that a text has of long options, as a man page or a shell's script spells them.
+/// The names of long options in a text, as spelled in a man page or a shell script.
 std::set<std::string> long_options(std::string text) {
   text = std::regex_replace(text, std::regex("\\\\-"), "-");
   static const std::regex name("(?:^|[^-a-z])(--[a-z][-a-z]*)");
@@ -20,7 +20,7 @@ std::set<std::string> long_options(std::string text) {
   return names;
 }
 
-/// What --help lists: the names of an option begin its line, one after the other.
+/// The options in --help: the names of an option begin its line, one after the other.
 std::set<std::string> options_of(const std::string& command) {
   const std::string help = run(command + " --help").out;
   static const std::regex line("\\n  ((?:--?[a-z][-a-z]*,?)+)");
@@ -43,7 +43,7 @@ TEST(Manual, HasAPageForEveryCommandWithEveryOption) {
   }
 }
 
-TEST(Manual, IsSetWithoutWarnings) {
+TEST(Manual, IsTypesetWithoutWarnings) {
   if (!is_installed("groff")) GTEST_SKIP() << "groff is not installed";
   for (const auto& entry : fs::directory_iterator(std::string(RAYCHECK_MANUAL) + "/man/man1")) {
     const std::string page = quoted(entry.path());

@@ -1,11 +1,11 @@
-// `new`: adapters that compile at once, and say what is missing when they are judged.
+// `new`: adapters that compile at once, and report missing functions when they are judged.
 
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
 
-TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
+TEST(New, writes_an_adapter_that_compiles_and_reports_missing_functions) {
   const std::string folder = temporary_folder("new");
   for (const auto& [language, candidate] : {std::pair("cpp", "source:" + folder + "/mine.cpp"),
                                             {"c", "source:" + folder + "/mine.c"},
@@ -14,7 +14,7 @@ TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
                                             {"node", "command:node " + folder + "/mine.mjs"}}) {
     const std::string words = std::string("new mine --language ") + language + " --out " + folder;
     expect_parts(run(words, 0).out, {"mine", "raycheck properties --candidate"});
-    expect_parts(run(words, 2).err, {"is there already"});
+    expect_parts(run(words, 2).err, {"already exists"});
     if (std::string(language) == "node" && !is_installed("node")) continue;
     if (std::string(language) == "java") {
       if (!is_installed("javac")) continue;
@@ -27,13 +27,14 @@ TEST(New, writes_an_adapter_that_compiles_and_says_what_is_missing) {
   }
 }
 
-TEST(New, refuses_names_that_are_none_in_every_language) {
+TEST(New, refuses_invalid_names_in_every_language) {
   for (const char* name : {"1st", "a-b", "../up", "''"}) {
     run(std::string("new ") + name, 2);
   }
   const std::string java = " --language java --out " + temporary_folder("reserved");
   for (const char* name : {"int", "true", "record", "RaycheckCandidate"}) {
-    expect_refused("new " + (name + java), std::string("NAME ") + name + ": is a word of java");
+    expect_refused("new " + (name + java),
+                   std::string("NAME ") + name + ": is a reserved word of java");
   }
   run("new integer" + java, 0);
 }

@@ -6,7 +6,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// What the names of this process's temporary files begin with. They are removed when it ends.
+/// The prefix of this process's temporary files, which are removed when it ends.
 class TemporaryNames {
  public:
   ~TemporaryNames() {
@@ -24,7 +24,7 @@ class TemporaryNames {
   std::string prefix_ = "raycheck_" + std::to_string(getpid()) + "_";
 };
 
-/// What the program is told by its surroundings, it is told by tests alone.
+/// Removes the variables of the environment that change the program's behaviour.
 const bool kIsAlone = [] {
   for (const char* name : {"GITHUB_ACTIONS", "NO_COLOR"}) unsetenv(name);
   return true;
@@ -35,7 +35,7 @@ std::string temporary_path(const std::string& name) {
   return testing::TempDir() + names.prefix() + name;
 }
 
-/// `when`: SIGINT is sent once it holds; null: none is.
+/// `when`: SIGINT is sent once it holds; null: never.
 Outcome start(const std::string& program, const std::string& arguments,
               const std::function<bool()>& when = nullptr) {
   // Threads may wait for programs at once.

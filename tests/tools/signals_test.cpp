@@ -1,26 +1,26 @@
-// SIGINT, SIGTERM and SIGHUP in the middle of every command, readers that go away, and the largest
-// numbers that are taken, in memory that is not large.
+// SIGINT, SIGTERM and SIGHUP in the middle of every command, readers that close the pipe, and the
+// largest accepted numbers with little memory.
 
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// How the program is run, and what comes in its way.
+/// How the program is run, and disturbed.
 struct Circumstances {
   int signal = 0;
   double signal_after = 0;        ///< Seconds, once it catches signals.
   std::uint64_t memory = 0;       ///< Bytes of address space; 0: no limit.
-  bool stalled = false;           ///< Nobody reads its output, which is lost.
+  bool stalled = false;           ///< Its output is not read, and is lost.
   std::string stays_in = "/tmp";  ///< TMPDIR
 };
 
 struct LimitedOutcome {
-  int exit_code = -1;  ///< Of one that a signal ends: minus the signal.
+  int exit_code = -1;  ///< Minus the signal, if a signal ended it.
   std::string out, err;
   bool caught = false;         ///< It was seen to catch signals.
-  bool was_signalled = false;  ///< It was still there when the signal was due.
-  double seconds_after = 0;    ///< What it computed from the signal to the end.
+  bool was_signalled = false;  ///< It was still running when the signal was due.
+  double seconds_after = 0;    ///< CPU time from the signal to the end.
 };
 
 using Clock = std::chrono::steady_clock;
@@ -29,10 +29,10 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// What is still there so long after its signal is killed; machines are loaded at times.
+/// A process that runs this long after its signal is killed; machines may be loaded.
 constexpr double kMostSecondsInAll = 120;
 
-/// What a process and its threads have computed.
+/// The CPU time of a process and its threads.
 double cpu_seconds(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string text;
@@ -99,16 +99,16 @@ LimitedOutcome run_limited(const std::vector<std::string>& arguments, const Circ
   return outcome;
 }
 
-/// Two seconds are promised, in which two threads may compute.
+/// The promise is two seconds, in which two threads may compute.
 constexpr double kMostSecondsToEnd = 4;
 
-/// A command line of a command that takes long, or at least as long as it can. BIG and MANY stand
-/// for scenes, UNITS for a folder of units, OUT for a file or folder that is to be written.
+/// A command line that takes long, or as long as possible. BIG and MANY stand for scenes, UNITS for
+/// a folder of units, OUT for a file or folder to be written.
 struct Line {
   std::string name;
   std::vector<std::string> arguments;
   bool is_json = true;
-  bool is_quick = false;  ///< It may be over before it is seen to catch signals.
+  bool is_quick = false;  ///< It may end before it catches signals.
 };
 
 const std::string kSilent = "command:python3 tests/candidates/hostile.py sleep";
@@ -171,7 +171,7 @@ void write_scene(const std::string& path, int side, int spheres) {
   }
 }
 
-/// What command lines read, for all of them.
+/// The input files of all command lines.
 struct ReadByLines {
   std::string folder = temporary_folder("read"), big = folder + "/big.toml",
               many = folder + "/many.toml", units = folder + "/units";
@@ -199,7 +199,7 @@ double moment(std::size_t line, int signal) {
 
 class HostileSignals : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_nothing_left_behind) {
+TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_leave_nothing) {
   const Line& line = lines()[GetParam()];
   const ReadByLines& scenes = ReadByLines::once();
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
@@ -225,7 +225,7 @@ TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_nothing_left_behi
     const json report = line.is_json ? json::parse(outcome.out, nullptr, false) : json();
     EXPECT_FALSE(report.is_discarded()) << outcome.out.substr(0, 200);
     if (!outcome.was_signalled || outcome.exit_code < 128) {
-      // It was done, or had nothing more to do than to say so.
+      // It was done, or only had to print its report.
       EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1 || outcome.exit_code == 4)
           << outcome.exit_code << outcome.err;
       continue;
@@ -248,7 +248,7 @@ TEST(HostileSignalsToAll, are_tried_on_every_command) {
   }
 }
 
-TEST(HostileSignalsToAll, of_which_an_ignored_hangup_stays_ignored) {
+TEST(HostileSignalsToAll, keep_an_ignored_hangup_ignored) {
   std::signal(SIGHUP, SIG_IGN);
   const LimitedOutcome outcome =
       run_limited({"plan", kTen}, {.signal = SIGHUP, .signal_after = 0.01});
@@ -256,7 +256,7 @@ TEST(HostileSignalsToAll, of_which_an_ignored_hangup_stays_ignored) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
-TEST(HostileReaders, that_go_away_end_a_command_as_sigpipe_would) {
+TEST(HostileReaders, that_close_the_pipe_end_a_command_as_sigpipe_would) {
   const std::string temporary = temporary_folder("tmp");
   const auto piped = [&](const std::string& command) {
     return run_bash("export TMPDIR='" + temporary + "'\n'" RAYCHECK_BINARY "' " + command +
@@ -272,7 +272,7 @@ TEST(HostileReaders, that_go_away_end_a_command_as_sigpipe_would) {
   EXPECT_EQ(names_in(temporary), std::vector<std::string>{});
 }
 
-TEST(HostileReaders, that_do_not_read_keep_no_command_from_its_end) {
+TEST(HostileReaders, that_do_not_read_cannot_block_a_command) {
   const LimitedOutcome outcome =
       run_limited({"check", kTen, "--all", "--format", "json"},
                   {.signal = SIGTERM, .signal_after = 3, .stalled = true});
@@ -286,7 +286,7 @@ constexpr std::uint64_t kMemory = 0;  // its shadow needs all addresses
 constexpr std::uint64_t kMemory = std::uint64_t{1} << 30;
 #endif
 
-/// An interrupt comes after so long, where work does not end before.
+/// An interrupt comes after this time, unless the work ends before.
 constexpr double kSeconds = 0.5;
 
 LimitedOutcome run_in_memory(const std::vector<std::string>& arguments) {
@@ -341,7 +341,7 @@ TEST(HostileSizes, of_pictures_times_spheres_are_not_timed_beyond_a_limit) {
   EXPECT_TRUE(has(outcome.err, "nothing is timed: spheres: they reach into 157286400 bands"));
 }
 
-TEST(HostileSizes, of_cases_and_of_scenes_take_no_more_memory_the_longer_it_takes) {
+TEST(HostileSizes, of_cases_and_of_scenes_take_bounded_memory) {
   const std::string path = temporary_file("all.toml", camera_text(kMostSide, kMostSide) + kSphere);
   const std::vector<std::vector<std::string>> all = {
       {"tradeoff", "--cases", "1000000000"},
@@ -359,14 +359,14 @@ TEST(HostileSizes, of_cases_and_of_scenes_take_no_more_memory_the_longer_it_take
   }
 }
 
-TEST(HostileSizes, are_named_where_memory_is_short) {
+TEST(HostileSizes, are_reported_when_memory_is_short) {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "its shadow needs all addresses";
 #endif
   std::string spheres;
   for (int k = 0; k < 50000; ++k) spheres += kSphere;
   const std::string path = temporary_file("many.toml", camera_text(16, 16) + spheres);
-  // Less than it takes for such a scene, more than to start it: its libraries take what they take.
+  // Too little for such a scene, but enough to start the program with its libraries.
   constexpr std::uint64_t kStep = std::uint64_t{4} << 20, kMost = std::uint64_t{4} << 30;
   std::uint64_t memory = kStep;
   while (memory < kMost && run_limited({"--version"}, {.memory = memory}).exit_code != 0) {
@@ -374,7 +374,7 @@ TEST(HostileSizes, are_named_where_memory_is_short) {
   }
   const LimitedOutcome outcome = run_limited({"check", path}, {.memory = memory + kStep});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.exit_code;
-  EXPECT_EQ(outcome.err, "raycheck: check: takes more memory than there is for it\n");
+  EXPECT_EQ(outcome.err, "raycheck: check: not enough memory\n");
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
-// What surrounds the program: a standard output that is closed or full, a machine without apt-get
-// (where `./run` is in a folder with few programs beside bash), names and files with bytes that act
-// on terminals or are not UTF-8, and files that are missing.
+// The program's environment: a standard output that is closed or full, a machine without apt-get
+// (where `./run` has few programs besides bash), names and files with control characters or bytes
+// that are not UTF-8, and missing files.
 
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
 
-/// A command without the file or folder that it writes, and what that begins with.
+/// A command without the file or folder that it writes, and the first words of that file.
 struct WrittenReport {
   const char* arguments;
   const char* begins;
@@ -27,7 +27,7 @@ Outcome run_to(const std::string& where, const std::string& arguments) {
   return run_bash("exec '" RAYCHECK_BINARY "' " + arguments + where);
 }
 
-TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
+TEST(UnwrittenReport, is_reported_and_files_are_complete) {
   const std::string path = temporary_file("written", "");
   for (const char* const where : {" >&-", " <&- >&-", " >/dev/full"}) {
     for (const auto& [arguments, begins] : kWrittenReports) {
@@ -44,15 +44,15 @@ TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
   }
 }
 
-/// Nor do errors go to a file.
-TEST(UnwrittenReport, leaves_files_alone_where_errors_cannot_be_said) {
+/// Errors do not go to a file either.
+TEST(UnwrittenReport, leaves_files_unchanged_when_errors_cannot_be_printed) {
   const std::string path = temporary_file("written", "");
   const Outcome outcome = run_to(" >&- 2>&-", kWrittenReports[0].arguments + ("'" + path + "'"));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(contents(path).find(kWrittenReports[0].begins), 0u) << contents(path);
 }
 
-/// Of a CMake that has nothing to build, and of a raycheck that prints its arguments.
+/// A fake CMake that has nothing to build, and a fake raycheck that prints its arguments.
 const std::string kRun = R"bash(
 set -e
 cd "$(mktemp -d)"
@@ -80,7 +80,7 @@ Outcome run_without_apt(const std::string& setting, int exit_code) {
   return run_bash("source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun, exit_code);
 }
 
-TEST(RunScript, names_the_packages_where_nothing_installs_them_and_goes_on_where_they_are_there) {
+TEST(RunScript, names_missing_packages_and_goes_on_if_they_are_installed) {
   expect_parts(run_without_apt("unset RAYCHECK_PACKAGES", 2).err,
                {" libflint-arb-dev or libflint-dev>=3 ", "RAYCHECK_PACKAGES=have"});
   const Outcome result = run_without_apt("export RAYCHECK_PACKAGES=have", 0);
@@ -88,9 +88,8 @@ TEST(RunScript, names_the_packages_where_nothing_installs_them_and_goes_on_where
   EXPECT_EQ(result.err, "building for the first time: a few minutes\n");
 }
 
-TEST(RunScript, asks_nothing_until_something_of_the_program_changes) {
-  // A CMake that leaves a file behind where it is asked, and changes after each of which the
-  // program is run.
+TEST(RunScript, does_not_ask_cmake_until_the_program_changes) {
+  // A fake CMake that leaves a file behind when it is called; after each change the program is run.
   const Outcome result = run_without_apt(R"bash(export RAYCHECK_PACKAGES=have
 more="chmod find rm sleep touch"
 then='
@@ -118,7 +117,7 @@ done'
             "rm build/release/raycheck-check.built: CMake\n:: nothing\n");
 }
 
-TEST(RunScript, takes_an_older_package_for_none_where_it_holds_less) {
+TEST(RunScript, rejects_older_packages_that_hold_less) {
   if (!is_installed("dpkg")) GTEST_SKIP() << "packages are of another kind here";
   const Outcome result = run_without_apt(
       "unset RAYCHECK_PACKAGES\nmore=dpkg\n"
@@ -127,7 +126,7 @@ TEST(RunScript, takes_an_older_package_for_none_where_it_holds_less) {
   EXPECT_TRUE(has(result.err, " calls libflint-arb-dev or libflint-dev>=3, "));
 }
 
-/// A copy of an example under a name that is no UTF-8, and acts on a terminal.
+/// A copy of an example under a name with control characters that is not UTF-8.
 class HostileNames : public testing::Test {
  protected:
   HostileNames() {
@@ -139,7 +138,7 @@ class HostileNames : public testing::Test {
 
   std::string scene(const std::string& file) const { return " '" + folder_ + "/" + file + "' "; }
 
-  /// Nothing that is printed acts on a terminal, or is no UTF-8 (which JSON is the judge of).
+  /// The output has no control characters and is UTF-8 (as parsed by JSON).
   static void expect_plain(const Outcome& outcome) {
     for (const std::string& text : {outcome.out, outcome.err}) {
       EXPECT_FALSE(has(text, "\x1b"));
@@ -196,7 +195,7 @@ TEST(HostileKeywords, are_shown) {
   }
 }
 
-/// A byte that ends texts elsewhere ends no sentence.
+/// A NUL, which ends C strings, does not cut messages.
 TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
   const auto file = [](const std::string& name, const std::string& text) {
     return "'" + temporary_file(name, text) + "'";
@@ -207,10 +206,10 @@ TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
                  "nul.toml:1: bounds = \"cross\\x00x\": must not contain NUL\n");
   expect_refused("check scene/examples/driver-b.txt --baseline " +
                      file("known", "a; b; c; d; %4" + nul + "1\n"),
-                 "line 1: '%4\\x00' is not % and two hexadecimal digits\n");
+                 "line 1: '%4\\x00': expected % and two hexadecimal digits\n");
 }
 
-TEST(HostileInput, that_has_no_end_is_refused) {
+TEST(HostileInput, without_end_is_refused) {
   const std::string device = "/dev/zero: cannot be read: it is a device; give a file";
   expect_refused("check /dev/zero", device);
   expect_refused("plan /dev/zero", device);

@@ -1,5 +1,5 @@
-// Pieces of work, a kernel each, always the same, on one thread; a kernel is timed only after its
-// answers were found right.
+// Kernels: fixed pieces of work on one thread; a kernel is timed only after its answers were found
+// right.
 //   --target=NAME   is taken by choose_target; all else is Google Benchmark's
 //   --check         checks the answers of every kernel and says how the program was built
 //   --count         under valgrind --tool=callgrind --collect-atstart=no, dumps one count a kernel
@@ -279,10 +279,10 @@ std::vector<Kernel> kernels() {
   return result;
 }
 
-/// What a count depends on besides the code; counts.py compares it with the baseline's.
+/// The build, on which counts depend besides the code; counts.py compares it with the baseline's.
 std::string built_by() {
 #ifndef RAYCHECK_HAS_CALLGRIND
-  return "built without valgrind/callgrind.h";
+  return "a build without valgrind/callgrind.h";
 #endif
 #ifdef __clang__
   const std::string compiler = "clang++ " __clang_version__;
@@ -328,7 +328,7 @@ void time_kernel(benchmark::State& state, const Kernel& kernel) {
 int main(int argc, char** argv) {
   const std::string_view mode = argc == 2 ? argv[1] : "";
   const bool checks = mode == "--check", counts = mode == "--count";
-  // What is counted is held to Highway's widest target that valgrind runs and most machines have.
+  // Counts use Highway's widest target that valgrind runs and most machines have.
   if (!tools::choose_target(argc, argv, checks || counts ? "AVX2" : "")) return 2;
   const std::vector<Kernel> all = kernels();
   if (checks) {

@@ -71,7 +71,7 @@ scene::Scene tangent_row(double above, const scene::Point3& look_at = {0, 0, -1}
   return scene;
 }
 
-/// The same, exactly tangent, of positions that are no double-doubles.
+/// The same, exactly tangent, with positions that are not double-doubles.
 scene::Scene tangent_by_edges() {
   scene::Scene scene = tangent_row(0);
   scene.camera->bottom = 0;
@@ -90,7 +90,7 @@ scene::Scene moved(double x) {
   return scene;
 }
 
-/// The same seen through a narrow window from so many times as far.
+/// The same seen through a narrow window from a distance larger by this factor.
 scene::Scene from_afar(double times) {
   scene::Scene scene = in_view(100);
   scene::Camera& camera = *scene.camera;
@@ -204,7 +204,7 @@ std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::Intersec
   properties::Trial trial(the_case, candidate);
   for (const properties::Law& law : properties::laws()) {
     if (!law.judges_values || !law.tells_stability) continue;
-    // Some of many rays graze: there less stable methods keep no bound.
+    // Some of many rays graze: there less stable methods exceed their bounds.
     if (law.quantity == properties::Quantity::kParameter && !intersect.not_kept.empty()) continue;
     if (!apply(law, trial).holds()) {
       return candidate.name + " breaks the law " + std::string(law.name);

@@ -18,7 +18,7 @@ namespace raycheck::tools {
 /// A sphere that covers about a tenth of camera_of()'s image.
 inline constexpr scene::Sphere kBenchSphere = {{0.1, 0.3, 0.2}, 2.5};
 
-/// The camera, alone in its scene.
+/// A scene with only the camera.
 scene::Scene camera_of(std::int64_t width, std::int64_t height);
 /// The camera, 64 x 64 pixels, and kBenchSphere.
 scene::Scene scene_in_view();
@@ -52,8 +52,8 @@ std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::Intersec
                           const scene::Scene& scene);
 
 /// Takes --target=NAME (AVX2, SSE4, EMU128 and so on) out of a benchmark's arguments: Highway then
-/// runs that target, or else `otherwise`, and no better. False, once it has said so, where this
-/// machine has no such target.
+/// runs that target, or else `otherwise`, and no better. False, after a message, if this machine
+/// does not have the target.
 bool choose_target(int& argc, char** argv, std::string_view otherwise = "");
 
 }  // namespace raycheck::tools

@@ -128,7 +128,7 @@ struct Prepared {
 
 enum class By { kCertified, kUncertified, kEmbree };
 
-/// Fills a frame; tells how it was decided.
+/// Fills a frame; returns how it was decided.
 using FillFrame = std::function<reference::DecidedBy(Frame&)>;
 
 FillFrame fill_by(By by, const Prepared& prepared) {

@@ -34,7 +34,7 @@ def skip(reason):
 
 
 def checked(program):
-    """Has the program check its answers; what it was built by."""
+    """Runs the program's check of its answers; returns its compiler and build type."""
     run = subprocess.run([program, "--check"], env=ENVIRONMENT, text=True, capture_output=True)
     if run.returncode != 0:
         sys.exit("bench_kernels: " + run.stderr.strip())
@@ -60,19 +60,19 @@ def counted(program):
 
 
 def compared(before, now):
-    """Prints a line a kernel; the sentences of what must not be."""
+    """Prints a line per kernel; returns messages about changed counts."""
     wrong = []
     for name in sorted(before.keys() | now.keys()):
         if name not in now:
-            wrong.append(f"{name}: in the baseline, but no kernel any more")
+            wrong.append(f"{name}: in the baseline, but the kernel no longer exists")
         elif name not in before:
-            wrong.append(f"{name}: {now[name]:,} instructions, and no baseline")
+            wrong.append(f"{name}: {now[name]:,} instructions, but not in the baseline")
         else:
             more = now[name] / before[name] - 1
             print(f"{name:32}{before[name]:>14,}{now[name]:>14,}{more:>+9.2%}")
             if more > MOST_MORE:
                 wrong.append(f"{name}: {now[name]:,} instructions, {more:.1%} more than the "
-                             f"baseline's {before[name]:,}; {MOST_MORE:.0%} are let pass")
+                             f"baseline's {before[name]:,}; at most {MOST_MORE:.0%} are allowed")
     return wrong
 
 

@@ -40,12 +40,12 @@ Draft prepare(const Implementation& implementation, const ScenesOfFormats& scene
   return draft;
 }
 
-/// The mistakes that explain the errors of an external implementation: in a picture, which was kept
-/// and is asked for again, or in the answers about some rays.
+/// The mistakes that explain the errors of a candidate: in its picture, which is kept and asked for
+/// again, or in its answers about some rays.
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
   if (report.implementation.methods || report.verdict.holds()) return {};
-  // Of pictures mistakes assume every root >= 0.
+  // Mistakes in pictures are tried only if every root >= 0 counts.
   if (report.implementation.draws() && !report.conventions.valid.is_usual()) return {};
   const Candidate candidate = report.implementation.make();
   try {
@@ -58,7 +58,7 @@ std::vector<properties::Explanation> explained(const CandidateReport& report,
     const Case rays = some.from(0, std::min<std::uint64_t>(kChunk, some.rays_judged()));
     return properties::explanations(properties::answer_causes(std::span(&rays, 1), candidate));
   } catch (const properties::NoAnswer&) {
-    return {};  // the verdict says that it gives no answer
+    return {};  // the verdict reports the missing answer
   } catch (const scene::Interrupted&) {
     return {};
   }
@@ -89,9 +89,9 @@ scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>
   return loaded;
 }
 
-/// Without pairs of methods that would do the same as an earlier one on this scene: those that
-/// differ in the ray method alone where it has no camera, in the intersection method alone where it
-/// has no spheres.
+/// Without pairs of methods that do the same as an earlier one on this scene: those that differ
+/// only in the ray method if it has no camera, only in the intersection method if it has no
+/// spheres.
 std::vector<Implementation> without_equals(const std::vector<Implementation>& implementations,
                                            const scene::Scene& scene) {
   if (implementations.size() == 1) return implementations;
@@ -160,7 +160,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control, Units*
           fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
     });
   } catch (const scene::Interrupted&) {
-    // The answer is what was judged so far.
+    // The report covers the part that was judged.
   }
   report.interrupted = control.interrupted();
   if (units != nullptr && !units->are_all()) return report;

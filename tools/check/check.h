@@ -43,7 +43,7 @@ struct ExcludedOfSphere {
   }
 };
 
-/// What an interval or culling costs: the exact hits of a scene without it, and with it.
+/// The hits lost by an interval or culling: the exact hits of a scene without it, and with it.
 struct ExcludedHits {
   std::vector<ExcludedOfSphere> spheres;
   std::vector<ExcludedHit> worst;  ///< Those farthest along their rays, in radii.
@@ -60,9 +60,9 @@ inline constexpr std::size_t kKeptExcluded = 10;
 
 struct CheckOptions {
   std::string path;
-  /// What a driver file has to be of, where there are no renderers; empty: what it shows.
+  /// The dialect of a driver file, if there are no renderers; empty: detected from the file.
   std::optional<scene::Dialect> dialect;
-  /// Renderers are given files of the form that they have; else of the scene's own dialect.
+  /// Renderers are given files in their own form; else in the scene's dialect.
   bool keeps_forms = false;
   std::vector<Implementation> implementations;
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
@@ -80,23 +80,22 @@ struct LeftOut {
 
 struct CandidateReport {
   std::string name;
-  std::string lasting_name;  ///< By which a baseline knows it (lasting_names).
+  std::string lasting_name;  ///< Its name in baselines (lasting_names).
   Implementation implementation;
   scene::Conventions conventions;  ///< Under which it was judged.
   /// The format that it was judged in.
   scene::Precision precision = scene::Precision::kDouble;
   /// How many numbers of the scene had to be rounded to that format.
   std::size_t rounded_numbers = 0;
-  std::size_t made_unit = 0;  ///< Given directions, for one that demands unit ones.
-  std::optional<scene::Scene>
-      asked;              ///< The scene that it was asked about, where not the given one.
+  std::size_t made_unit = 0;          ///< Given directions, for one that demands unit ones.
+  std::optional<scene::Scene> asked;  ///< The scene that it was asked about, if not the given one.
   std::string not_asked;  ///< Why it was not judged: the format cannot hold the scene; or empty.
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
   bool given_rays = false;    ///< It makes no rays: its answers about raycheck's own are judged.
   properties::Verdict verdict;
   ExcludedHits excluded;  ///< What its t_min, t_max and culling cost; empty if it has none.
   std::vector<LeftOut> left_out;
-  std::vector<properties::Explanation> explanations;  ///< For external ones only.
+  std::vector<properties::Explanation> explanations;  ///< Only for external candidates.
   properties::FailureSearch search;                   ///< For the questions that it fails on.
 
   /// For a candidate without defects or undecided answers, the first kind of question that was
@@ -110,7 +109,7 @@ struct CandidateReport {
   bool excludes_hits() const {
     return !conventions.valid.is_usual() && excluded.all().excluded > 0;
   }
-  /// Whether enough was judged to say that there is no defect, undecided answers aside,
+  /// Whether enough was judged to exclude defects, undecided answers aside,
   bool is_judged() const { return inside_domain && verdict.compared() > 0 && !too_few_judged(); }
   /// and whether nothing is undecided.
   bool is_enough_judged() const { return is_judged() && !is_undecided(); }
@@ -121,7 +120,7 @@ struct CheckReport {
   scene::Scene scene;
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< For shading alone.
+  std::vector<std::string> not_needed;    ///< Only for shading.
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;
@@ -135,7 +134,7 @@ struct CheckReport {
   const scene::Scene& scene_of(const CandidateReport& candidate) const {
     return candidate.asked ? *candidate.asked : scene;
   }
-  /// A count of verdicts, of all candidates together.
+  /// A count of all candidates' verdicts together.
   template <class... Arguments>
   std::uint64_t sum(std::uint64_t (properties::Verdict::*which)(Arguments...) const,
                     Arguments... arguments) const {
@@ -155,8 +154,9 @@ struct CheckReport {
 };
 
 /// Judges the candidates on a scene file; the report does not depend on the number of threads. With
-/// `units`, only what is missing of their shard; if they are not all, nothing is reported.
-/// Throws what the reader throws.
+/// `units`, only the missing units of the shard; if it is not the whole campaign, the report is
+/// empty.
+/// Throws as the reader.
 CheckReport check(const CheckOptions& options, const properties::RunControl& control = {},
                   Units* units = nullptr);
 
@@ -173,16 +173,16 @@ inline constexpr View<CheckReport> kCheckViews[] = {
 
 /// Why too little was judged to say anything; empty if enough was.
 std::string too_few_text(const CandidateReport& candidate);
-/// What was left out, a line for each reason, with the candidate's name where not all left it out.
+/// What was left out, a line for each reason, with the candidate's name unless it concerns all.
 std::vector<std::string> left_out_lines(const CheckReport& report);
 
 /// Certificates of each candidate's worst discrepancies, as in check_json: one per line.
 std::string check_certificates(const CheckReport& report);
 
-/// What a page is to show besides the findings of a report.
+/// Options of a page besides the findings of a report.
 struct CheckPageOptions {
   std::vector<Selection> wanted;  ///< Shown first.
-  bool is_of_methods = false;     ///< Methods were chosen: panels show their steps only.
+  bool is_of_methods = false;     ///< Methods were chosen: panels show only their steps.
 };
 
 /// The scene of a report as a page, with its worst discrepancies and largest errors beside it: one

@@ -41,7 +41,7 @@ int run_check(CheckArguments& arguments) {
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   Gate gate = check_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
-  if (report.ratchet) gate = check_gate(report);  // which the baseline is part of
+  if (report.ratchet) gate = check_gate(report);  // now with the baseline
   print_warnings(report.warnings);
   files.write(kCheckViews, report, gate);
   if (certificates) certificates->write(check_certificates(report));
@@ -64,24 +64,24 @@ CommandRun add_check(CLI::App& command) {
       .add_option("SCENE", arguments.options.path, "a TOML scene, or a driver file of the course")
       ->required();
   command.add_option("--dialect", judged.dialect,
-                     "of a driver file: A, B or C; where a candidate is a renderer, of the files "
+                     "of a driver file: A, B or C; if a candidate is a renderer, of the files "
                      "that it is given: also 2017 to 2020, auto (what it reads), or a form such as "
                      "B:17:no-light (default: the scene's own, else B)");
   CLI::Option* const rays =
       command.add_option("--rays", judged.rays, "the method that makes rays (default: direct)");
   CLI::Option* const intersect =
       command.add_option("--intersect", judged.intersect,
-                         "the method that intersects them, several times for several (default: "
+                         "the method that intersects rays; may be repeated (default: "
                          "cross)");
   add_external(command, judged.external);
   add_renderer(command, judged.external);
   command.add_flag("--all", arguments.all, "every pair of methods")
       ->excludes(rays, intersect, command.get_option("--candidate"));
-  command.add_option("--pixels", arguments.pixels, "all, or how many, spread evenly")
+  command.add_option("--pixels", arguments.pixels, "all, or a number of pixels, spread evenly")
       ->capture_default_str();
   add_top(command, arguments.options.top);
   add_max_ulp(command, arguments.options.max_error,
-              "errors above are discrepancies (default: the method's documented bound)");
+              "errors above this are discrepancies (default: the method's documented bound)");
   add_strict(command, arguments.options.strict);
   add_threads(command, arguments.threads, "the report");
   add_shards(command, arguments.shards);

@@ -80,7 +80,7 @@ void add_check_of(Quantity quantity, const Tally& tally, Gate& gate, const Check
     check.text = text_of(report, candidate, defects);
   } else if (tally.cases == 0) {
     check.outcome = GateOutcome::kLeftOut;
-    check.summary = "nothing to compare";
+    check.summary = "there was nothing to compare";
   }
 }
 

@@ -87,7 +87,7 @@ namespace {
 
 using properties::Discrepancy;
 
-/// What was asked about: the scene, or the ray given in place of a pixel.
+/// The subject of a question: the scene, or the ray given instead of a pixel.
 struct Asked {
   scene::Scene scene;
   Discrepancy discrepancy;

@@ -25,19 +25,19 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   return candidate.implementation.name_in(is_of_rays ? Stage::kRays : Stage::kIntersection);
 }
 
-/// What would make a candidate's wrong answers right, in a sentence; or empty.
+/// The mistakes that explain a candidate's wrong answers, in a sentence; or empty.
 std::string looks_like(const std::vector<properties::Explanation>& explanations) {
   std::string text;
   for (const properties::Explanation& one : explanations) {
     if (one.explained == 0 || one.sentence == properties::kNotNumbers) continue;
-    text += fmt::format("{}{} ({} of {} wrong answers are right that way)",
-                        text.empty() ? "It looks as if " : "; or ", one.sentence, one.explained,
+    text += fmt::format("{}{} (explains {} of {} wrong answers)",
+                        text.empty() ? "Probable mistake: " : "; or ", one.sentence, one.explained,
                         one.errors);
   }
   return text.empty() ? text : text + ".";
 }
 
-/// Where to show a discrepancy without a place of its own: one of the camera, or a failure.
+/// Where to show a discrepancy that has no place: one of the camera, or a failure.
 Selection anywhere_in(const scene::Scene& scene) {
   if (!scene.camera) return {{}, std::size_t{0}, {}};
   return {scene::Pixel{scene.camera->width / 2, scene.camera->height / 2}, {}, {}};
@@ -85,7 +85,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
   return findings;
 }
 
-/// Candidates shown in one view: raycheck's together, each of the others alone.
+/// Candidates shown in one view: raycheck's methods together, every external one separately.
 using Group = std::vector<const CandidateReport*>;
 
 std::vector<Group> groups_of(const CheckReport& report) {
@@ -102,14 +102,14 @@ std::vector<Group> groups_of(const CheckReport& report) {
   return groups;
 }
 
-/// Of the first of those listed, behind its place, of all discrepancies.
+/// A remark on the first discrepancy listed, placed after its location.
 std::string worst_of(std::uint64_t listed, std::uint64_t all) {
   if (all == 1) return ", the only discrepancy here";
   return fmt::format(", the worst of {} discrepancies here; {} listed", all,
                      listed == 1 ? "one place is" : fmt::format("{} places are", listed));
 }
 
-/// How many places are listed, of how many discrepancies, and how many largest errors.
+/// The numbers of listed places, of discrepancies, and of largest errors.
 std::string found_text(std::uint64_t listed, std::uint64_t all, std::uint64_t errors) {
   std::string text;
   if (all > 0) {
@@ -128,7 +128,7 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
   document.title = std::filesystem::path(report.path).filename();
   if (report.rays_judged < report.rays_in_scene) {
     document.left_out.push_back(
-        fmt::format("{}: findings are of {} of {} rays; `raycheck check --view` judges them all",
+        fmt::format("{}: findings cover {} of {} rays; `raycheck check --view` judges all of them",
                     document.title, report.rays_judged, report.rays_in_scene));
   }
   for (const Group& group : groups_of(report)) {

@@ -53,7 +53,7 @@ std::string worst_text(const Tally& tally, Quantity quantity) {
   return text;
 }
 
-/// What was compared of a candidate, a row per quantity.
+/// The comparisons of a candidate, a row per quantity.
 std::string quantities_table(const CandidateReport& candidate) {
   Table table(
       {"quantity", ">cases", "class errors", ">median", ">max", ">bound", "unit", "worst at"});
@@ -67,7 +67,7 @@ std::string quantities_table(const CandidateReport& candidate) {
   return table.text();
 }
 
-/// What an interval of parameters, or culling, costs.
+/// The hits that an interval of parameters, or culling, excludes.
 std::string excluded_text(const CandidateReport& candidate) {
   if (candidate.conventions.valid.is_usual()) return "";
   const ExcludedHits& excluded = candidate.excluded;
@@ -89,7 +89,7 @@ std::string excluded_text(const CandidateReport& candidate) {
 std::string precision_text(const CandidateReport& candidate) {
   std::string text;
   if (candidate.made_unit > 0) {
-    text = fmt::format("  demands unit directions: {} of the scene made unit, and judged as such\n",
+    text = fmt::format("  demands unit directions: {} normalised before judging\n",
                        count_text(candidate.made_unit, "direction"));
   }
   if (candidate.precision == scene::Precision::kDouble) return text;
@@ -103,17 +103,17 @@ std::string precision_text(const CandidateReport& candidate) {
 std::string failures_text(const properties::FailureSearch& search) {
   if (search.batches == 0) return "";
   std::string text =
-      fmt::format("  failed on {}, retried in halves: {} to blame found (at most {} are sought)",
+      fmt::format("  failed on {}, retried in halves: {} found to fail (at most {} are sought)",
                   count_text(static_cast<std::uint64_t>(search.batches),
                              search.batches == 1 ? "batch" : "batche"),
                   count_text(static_cast<std::uint64_t>(search.found), "question"),
                   properties::kMostFailuresSought);
-  if (search.together > 0) text += fmt::format(", {} only fail together", search.together);
-  if (search.not_sought > 0) text += fmt::format(", {} more failed unsought", search.not_sought);
+  if (search.together > 0) text += fmt::format(", {} fail only as a whole", search.together);
+  if (search.not_sought > 0) text += fmt::format(", {} more not retried", search.not_sought);
   return text + "\n";
 }
 
-/// A line that tells how to ask that question again, if a command can.
+/// A line with the command that asks this question again, if there is one.
 std::string replay_text(const CheckReport& report, const CandidateReport& candidate,
                         const properties::Discrepancy& discrepancy) {
   const scene::Scene& scene = *discrepancy.failed.scene;
@@ -148,8 +148,8 @@ std::string failed_question_text(const CheckReport& report) {
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
       if (!discrepancy.failed.scene) continue;
       const std::string comment =
-          fmt::format("{} fails on it: {}", candidate.name, place_text(discrepancy.place));
-      return "\na question that fails, as a scene for `raycheck check`:\n" +
+          fmt::format("{} fails here: {}", candidate.name, place_text(discrepancy.place));
+      return "\na failing question, as a scene for `raycheck check`:\n" +
              indented(scene::write_toml(*discrepancy.failed.scene, comment), "  ") +
              replay_text(report, candidate, discrepancy);
     }
@@ -171,7 +171,7 @@ std::string candidate_text(const CheckReport& report, const CandidateReport& can
                         conventions_text(candidate.conventions));
   }
   if (candidate.given_rays) {
-    text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
+    text += "  makes no rays from this origin: was given raycheck's rays, correctly rounded\n";
   }
   text += precision_text(candidate) + excluded_text(candidate) + quantities_table(candidate);
   const char* const answers = implementation.draws() ? "pixels" : "answers";
@@ -185,7 +185,7 @@ struct RankedDiscrepancy {
   properties::Discrepancy discrepancy;
 };
 
-/// Defects first; each candidate's worst before any second worst.
+/// Defects first; the worst of each candidate before the second worst of any.
 std::vector<RankedDiscrepancy> worst_of_all(const CheckReport& report) {
   std::vector<RankedDiscrepancy> ranked;
   for (const CandidateReport& candidate : report.candidates) {
@@ -211,19 +211,19 @@ std::string too_few_text(const CandidateReport& candidate) {
     return fmt::format("  not judged here: {}\n", candidate.not_asked);
   }
   if (!candidate.inside_domain) {
-    return "  not judged here: a length of the scene lies outside the domain that is judged\n";
+    return "  not judged here: a length of the scene lies outside the judged domain\n";
   }
   const auto too_few = candidate.too_few_judged();
   if (!too_few) return "";
   return fmt::format(
-      "  too few judged: of {}, question \"{}\", no answer is right without an excuse\n",
+      "  too few judged: {}: no answer is right without an excuse where \"{}\" is expected\n",
       info(too_few->first).name, name(too_few->second));
 }
 
 std::vector<std::string> left_out_lines(const CheckReport& report) {
   std::vector<std::string> lines;
   if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
-    lines.push_back(fmt::format("{} of {} pixels: only {} were asked for",
+    lines.push_back(fmt::format("{} of {} pixels: only {} were selected",
                                 report.rays_in_scene - report.rays_judged, report.rays_in_scene,
                                 report.rays_judged));
   }

@@ -41,7 +41,7 @@ void keep_worst(std::vector<ExcludedHit>& worst) {
   if (worst.size() > kKeptExcluded) worst.resize(kKeptExcluded);
 }
 
-/// For the rays and spheres of a trial, by the truth alone; empty where every root >= 0 counts.
+/// For the rays and spheres of a trial, from the exact answers; empty if every root >= 0 counts.
 ExcludedHits excluded_hits(properties::Trial& trial) {
   ExcludedHits found;
   const scene::Conventions& conventions = trial.conventions();
@@ -78,7 +78,7 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, const Candidate
   ChunkVerdict found;
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
-    // That others than renderers make no images goes without saying.
+    // Candidates other than renderers make no images: not worth a line.
     if (law.per == Per::kImage && !candidate.image) continue;
     Verdict verdict = trials.apply(law);
     if (!verdict.reason_left_out().empty())
@@ -138,7 +138,7 @@ void Judgement::run(const RunControl& control, Units* units, std::uint64_t& rays
                     const std::function<void()>& tell) {
   const std::uint64_t rays = scenes_.given().rays_judged();
   const std::uint64_t chunks = (rays + kChunk - 1) / kChunk;
-  const auto at_once = static_cast<std::uint64_t>(  // chunks of a unit
+  const auto at_once = static_cast<std::uint64_t>(  // chunks per unit
       properties::pieces_of_unit(static_cast<std::int64_t>(chunks)));
   using Unit = std::vector<ChunkVerdicts>;
   run_units<Unit>(

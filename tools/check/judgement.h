@@ -36,7 +36,7 @@ struct Draft {
   ReasonsLeftOut left_out;
 };
 
-/// A scene in the formats that candidates are asked in.
+/// A scene in the formats of the candidates.
 class ScenesOfFormats {
  public:
   struct InFormat {
@@ -44,7 +44,7 @@ class ScenesOfFormats {
     /// Its rays; empty if the format cannot hold the scene.
     std::optional<properties::SceneCases> cases;
   };
-  /// In its own format, and in those of these.
+  /// In the given format, and in those of these candidates.
   ScenesOfFormats(const scene::Scene& given, std::optional<std::int64_t> pixels,
                   const std::vector<Implementation>& implementations) {
     const auto add = [&](properties::InputFormat format) {
@@ -67,16 +67,16 @@ class ScenesOfFormats {
 struct ChunkVerdict;
 using ChunkVerdicts = std::vector<ChunkVerdict>;  ///< On each.
 
-/// Judges the rays of drafts chunk by chunk. Every thread has its own candidates; chunks share only
-/// the plans, and their verdicts are merged in the order of the rays.
+/// Judges the rays of drafts chunk by chunk. Every thread has separate candidates; chunks share
+/// only the plans, and their verdicts are merged in the order of the rays.
 class Judgement {
  public:
   /// The arguments must outlive it.
   Judgement(std::optional<double> max_error, const ScenesOfFormats& scenes,
             std::vector<Draft>& drafts);
 
-  /// Counts the rays judged, and reports progress after each chunk. `units`: null, or where some
-  /// chunks each are kept.
+  /// Counts the rays judged, and reports progress after each chunk. `units`: null, or where the
+  /// results of chunks are kept.
   void run(const properties::RunControl& control, Units* units, std::uint64_t& rays_judged,
            const std::function<void()>& tell);
 

@@ -36,7 +36,7 @@ struct Subject {
 };
 
 /// The double nearest to a number that can be enclosed at any precision; 0 if its closed form is 0,
-/// which no enclosure can show.
+/// which enclosures cannot prove.
 double rounded(const std::function<Enclosure(int)>& enclose, const ClosedForm& closed_form) {
   if (closed_form.is_zero()) return 0;
   constexpr int kMostBits = 1 << 14;
@@ -189,7 +189,7 @@ SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
   return report;
 }
 
-/// The scene under the conventions, and in the format, of who is asked.
+/// The scene under the conventions, and in the format, of the candidate.
 scene::Scene asked_scene(const ExplainOptions& options, const std::optional<Candidate>& other,
                          std::size_t& rounded_numbers) {
   scene::Scene scene = options.scene;
@@ -228,7 +228,7 @@ void report_all_rays(const Case& the_case, const std::optional<Candidate>& other
   if (other) add(*other, nullptr);
 }
 
-/// Everyone's answers about the case's one sphere.
+/// All methods' answers about the case's one sphere.
 void report_all_intersections(const Case& the_case, const fast::PixelRayMethod& rays,
                               const std::optional<Candidate>& other, ExplainReport& report) {
   SharedTruths truths(the_case);

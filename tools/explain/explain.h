@@ -16,13 +16,13 @@
 
 namespace raycheck::tools {
 
-/// What is explained: one ray of a scene (a camera's pixel or a given one) and one sphere, if any.
+/// The explained ray of a scene (a camera's pixel or a given one), and one sphere, if any.
 struct ExplainOptions {
   scene::Scene scene;
   std::optional<scene::Pixel> pixel;  ///< If the scene has a camera.
   std::optional<std::size_t> sphere;  ///< Empty: the one met first, or else the first.
-  const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Whose rays the intersections get.
-  /// An external implementation, whose conventions all explanations use; null: none.
+  const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Makes the rays to intersect.
+  /// An external candidate, whose conventions all explanations use; or null.
   std::shared_ptr<const Implementation> other = nullptr;
 };
 
@@ -32,18 +32,18 @@ struct Step {
   std::string formula;
   std::vector<reference::ClosedForm> closed_form;  ///< One, or three coordinates.
   std::vector<double> rounded;  ///< Correctly rounded; empty if the closed form is an input.
-  std::optional<double> condition = {};  ///< kappa by the scene's numbers; for axes the worst.
-  std::optional<double> condition_alone = {};  ///< kappa by the step's direct operands.
+  std::optional<double> condition = {};        ///< kappa with respect to the scene's numbers.
+  std::optional<double> condition_alone = {};  ///< kappa with respect to the step's operands.
 };
 
-/// A method's value at a step, and how far it is off.
+/// A method's value at a step, and its error.
 struct MethodStep {
   std::string symbol;
   std::vector<double> value;    ///< Empty if it has none (a miss).
   std::optional<double> error;  ///< From the exact value; empty if either is a miss.
   std::string_view unit;        ///< Of its errors.
-  /// The error of this step alone, computed from the method's own values of the steps before, taken
-  /// as exact; empty if it has none.
+  /// The error of only this step, whose operands are the method's values of earlier steps, taken as
+  /// exact; empty if it has none.
   std::optional<double> error_alone = {};
 };
 
@@ -52,13 +52,13 @@ struct MethodReport {
   std::vector<MethodStep> steps;
   bool is_other = false;            ///< Not one of raycheck's own.
   bool intersects = false;          ///< An intersection method; only then are the next four valid.
-  bool makes_ray = false;           ///< The ray of a pixel, which it is otherwise given.
+  bool makes_ray = false;           ///< It makes the pixel's ray; else it is given that.
   std::optional<double> parameter;  ///< Empty: a miss.
   std::optional<double> ulp_error;  ///< Empty unless both hit.
   scene::Precision precision = scene::Precision::kDouble;  ///< The format of that ulp.
-  /// What the laws find wrong first with its answers; empty: nothing.
+  /// The first discrepancy that the laws find in its answers, if any.
   std::optional<properties::Discrepancy> wrong = {};
-  std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: none.
+  std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: all are right.
 
   /// How it gave no answer, after these steps; empty: it did.
   std::string failure() const {
@@ -80,7 +80,7 @@ struct RootLeftOut {
 /// The exact answer about one sphere.
 struct SphereReport {
   reference::Intersection intersection;
-  bool is_hit = false;                ///< Under the conventions, which tell what counts.
+  bool is_hit = false;                ///< Under the conventions, which define which roots count.
   std::vector<RootLeftOut> left_out;  ///< Those before the one that counts, if any.
   std::optional<double> parameter;
   std::vector<double> point;
@@ -90,7 +90,7 @@ struct SphereReport {
 
 struct ExplainReport {
   scene::Scene scene;               ///< In the format of `other`.
-  std::size_t rounded_numbers = 0;  ///< That had to be rounded.
+  std::size_t rounded_numbers = 0;  ///< The number of scene numbers that had to be rounded.
   std::optional<scene::Pixel> pixel;
   scene::Ray ray;  ///< If it is given.
   std::string rays_method;
@@ -99,8 +99,8 @@ struct ExplainReport {
   std::shared_ptr<const Implementation> other;
   std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
   std::vector<SphereReport> spheres;
-  /// For that sphere with every root >= 0 counting, if the conventions differ: raycheck's own
-  /// methods are judged by it.
+  /// For that sphere with every root >= 0 counting, if the conventions differ: raycheck's methods
+  /// are judged by it.
   std::optional<SphereReport> by_every_root;
   std::optional<std::size_t> nearest;
 
@@ -118,17 +118,17 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& options
 /// 17 significant digits; several numbers in parentheses.
 std::string digits_text(double value);
 std::string numbers_text(const std::vector<double>& values);
-/// "off by 3 ulp (0.5 alone)"; empty without an error.
+/// "off by 3 ulp (0.5 in this step)"; empty without an error.
 std::string off_text(const MethodStep& step);
-/// "condition number 4.2, of this step alone 1"; empty without one.
+/// "condition number 4.2, of this step 1"; empty without one.
 std::string condition_text(const Step& step);
-/// What the text says of one method: "s = 6 (0x1.8p+2), off by 0.2 ulp".
+/// The text about one method: "s = 6 (0x1.8p+2), off by 0.2 ulp".
 std::string method_verdict(const MethodReport& method, const ExplainReport& report,
                            bool colours = false);
 /// The part of it after the answer, ", off by 0.2 ulp, a false hit (excused)"; all of it for a
 /// method that makes rays. Domain: it did not fail.
 std::string answer_remarks(const MethodReport& method);
-/// What is added at the step where a method goes wrong; usually empty.
+/// A remark for the step where a method goes wrong; usually empty.
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report);
 
 inline constexpr View<ExplainReport> kExplainViews[] = {

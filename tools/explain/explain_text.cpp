@@ -95,14 +95,14 @@ std::string numbers_text(const std::vector<double>& values) {
 
 std::string off_text(const MethodStep& step) {
   return (step.error ? fmt::format("off by {} {}", error_text(step.error), step.unit) : "") +
-         (step.error_alone ? fmt::format(" ({} alone)", error_text(step.error_alone)) : "");
+         (step.error_alone ? fmt::format(" ({} in this step)", error_text(step.error_alone)) : "");
 }
 
 std::string condition_text(const Step& step) {
   if (!step.condition) return {};
   return fmt::format("condition number {}{}", error_text(step.condition),
                      step.condition_alone
-                         ? fmt::format(", of this step alone {}", error_text(step.condition_alone))
+                         ? fmt::format(", of this step {}", error_text(step.condition_alone))
                          : "");
 }
 
@@ -124,7 +124,7 @@ std::string answer_remarks(const MethodReport& method) {
     text += fmt::format(", {} {}", info(wrong.quantity).name, wrongness_text(wrong));
   }
   if (wrong.excluded_by) {
-    text += fmt::format(", which its own interval {} excludes", interval_text(*wrong.excluded_by));
+    text += fmt::format(", which the interval {} excludes", interval_text(*wrong.excluded_by));
   }
   const properties::Standing standing = wrong.excuse.standing();
   if (standing != properties::Standing::kDefect) text += fmt::format(" ({})", name(standing));
@@ -157,16 +157,15 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     text += fmt::format("pixel ({}, {}); {}\n", report.pixel->i, report.pixel->j,
                         conventions_text(report.scene.conventions));
   } else {
-    text += "a given ray; s counts multiples of its direction\n";
+    text += "a given ray; s is in multiples of its direction\n";
     if (!report.scene.conventions.valid.is_usual()) {
       text += conventions_text(report.scene.conventions) + "\n";
     }
   }
   if (report.rounded_numbers > 0) text += rounded_numbers_text(report.rounded_numbers) + "\n";
-  text +=
-      "exact value of each step, in closed form and correctly rounded; below it each method's\n";
+  text += "exact value of each step, in closed form and correctly rounded, then each method's\n";
   if (report.sphere && report.pixel) {
-    text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, each judged by that ray)\n",
+    text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, and judged on that ray)\n",
                         report.rays_method);
     const MethodReport& last = report.methods.back();
     if (last.is_other && last.intersects) {
@@ -198,7 +197,7 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     text += indented(isolation_text({*report.other}), "  ");
   }
   if (report.by_every_root) {
-    text += fmt::format("  raycheck's own count every root >= 0, and are judged so: exact {}\n",
+    text += fmt::format("  raycheck's methods are judged with every root >= 0: exact {}\n",
                         answer_of(*report.by_every_root));
   }
   for (const MethodReport& method : report.methods) {

@@ -21,7 +21,7 @@ constexpr std::string_view kFirstLine = "# raycheck baseline 2";
 constexpr std::string_view kEarlier = "# raycheck baseline 1";
 constexpr std::string_view kSeparator = "; ";
 
-/// A field in a line: characters that would end it, or not be seen, are written as escaped bytes.
+/// A field in a line: characters that would end it, or are invisible, are written as escaped bytes.
 std::string percent_encoded(std::string_view field) {
   constexpr std::string_view kSpelled = "%;#";
   constexpr std::size_t kMostBytes = 4;  // of a character
@@ -55,7 +55,7 @@ std::string percent_decoded(std::string_view field) {
     if (is_spelled) {
       const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
       if (digits.size() < 2 || read.ptr != digits.data() + 2) {
-        throw std::invalid_argument(fmt::format("'{}' is not % and two hexadecimal digits",
+        throw std::invalid_argument(fmt::format("'{}': expected % and two hexadecimal digits",
                                                 scene::visible_line(field.substr(0, 3))));
       }
     }
@@ -88,15 +88,15 @@ void add_line(Baseline& baseline, std::string_view line) {
   if (line.starts_with("# ")) {
     const auto heading = fields_of(line.substr(2));
     if (heading.size() != 2) {
-      throw std::invalid_argument("a heading is a law and a source: # LAW; SOURCE");
+      throw std::invalid_argument("expected a heading # LAW; SOURCE");
     }
     baseline.headings.emplace(heading[0], heading[1]);
     return;
   }
   const auto fields = fields_of(line);
   if (fields.size() != 5) {
-    throw std::invalid_argument(fmt::format(
-        "{} fields, but a discrepancy is LAW; SOURCE; KIND; PLACE; CANDIDATE", fields.size()));
+    throw std::invalid_argument(
+        fmt::format("{} fields; expected LAW; SOURCE; KIND; PLACE; CANDIDATE", fields.size()));
   }
   baseline.known.insert({fields[0], fields[1], fields[2], fields[3], fields[4]});
   baseline.headings.emplace(fields[0], fields[1]);
@@ -138,12 +138,12 @@ Baseline parse_baseline(std::string_view text) {
       if (line.starts_with("<<<<<<<") || line.starts_with("=======") ||
           line.starts_with(">>>>>>>")) {
         throw std::invalid_argument(
-            "git left a conflict here; keep either side and update the baseline");
+            "a merge conflict of git; keep either side and update the baseline");
       }
       if (line.starts_with(kEarlier)) {
         throw std::invalid_argument(
-            "it is of an earlier form, which named candidates as they were typed; remove the file "
-            "and update the baseline, which makes it anew");
+            "the file has an older format, which names candidates as they were typed; remove it, "
+            "then update the baseline, which creates it again");
       }
       add_line(baseline, line);
     } catch (const std::invalid_argument& error) {

@@ -15,16 +15,16 @@ namespace raycheck::tools {
 /// The end of the kind of an undecided discrepancy.
 inline constexpr std::string_view kUndecided = ", undecided";
 
-/// What is the same about a discrepancy in every run, whatever its numbers.
+/// The properties of a discrepancy that are the same in every run.
 struct Identity {
   std::string law;
   std::string source;     ///< Of its cases; or the scene's file (lasting_path).
   std::string kind;       ///< "class: missed"
-  std::string place;      ///< "demanding", the level of the cases; of a scene "sphere 3".
-  std::string candidate;  ///< Its name wherever it lies.
+  std::string place;      ///< "demanding", the level of the cases; for a scene "sphere 3".
+  std::string candidate;  ///< Its name, which does not depend on its folder.
   auto operator<=>(const Identity&) const = default;
 
-  /// Whether it is undecided, rather than held against the candidate.
+  /// Whether it is undecided, rather than a defect.
   bool is_undecided() const { return kind.ends_with(kUndecided); }
 };
 
@@ -33,8 +33,8 @@ std::string kind_text(const properties::DefectKind& kind);
 /// "class: missed, undecided"
 std::string undecided_text(const properties::DefectKind& kind);
 
-/// A file's path relative to the working folder, however it is typed; an absolute one elsewhere
-/// stays.
+/// A file's path relative to the working folder, however it is typed; paths outside that stay
+/// absolute.
 std::string lasting_path(const std::string& path);
 
 /// Which discrepancies a run could have found.
@@ -47,8 +47,8 @@ struct Scope {
 Scope scope_of(const Identity& identity);
 
 /// Known discrepancies, in a file with one line each that git can merge: laws and sources have
-/// headings, which stay when all below them are fixed, so that branches that fix different ones
-/// change no adjacent lines.
+/// headings, which stay when all entries below them are fixed, so that branches that fix different
+/// discrepancies do not change adjacent lines.
 struct Baseline {
   std::set<Identity> known;
   std::set<std::pair<std::string, std::string>> headings;  ///< By law and source.
@@ -58,7 +58,7 @@ struct Baseline {
 /// Errors: std::invalid_argument naming the line and what is wrong with it.
 Baseline parse_baseline(std::string_view text);
 
-/// The file: sorted, the same for the same discrepancies.
+/// The text of the file: sorted, the same for the same discrepancies.
 std::string baseline_text(const Baseline& baseline);
 
 /// The findings of a run, compared with a baseline.
@@ -69,7 +69,7 @@ struct Ratchet {
   std::vector<Identity> mended;   ///< In the baseline, and no longer wrong.
   std::vector<Identity> unasked;  ///< In the baseline, but not judged by this run.
   bool strict = false;            ///< Mended ones fail, too.
-  bool is_conclusive = true;      ///< All undecided ones are known.
+  bool is_conclusive = true;      ///< All undecided discrepancies are known.
 
   bool fails() const {
     const bool has_defects =
@@ -78,11 +78,11 @@ struct Ratchet {
   }
 };
 
-/// What a run asked, and what it found.
+/// What a run judged, and what it found.
 struct Findings {
   std::set<Scope> asked;     ///< What was judged.
-  std::set<Scope> complete;  ///< The part of it in which all errors were found.
-  std::set<Identity> found;  ///< Held against a candidate, or undecided.
+  std::set<Scope> complete;  ///< The part of `asked` in which all errors were found.
+  std::set<Identity> found;  ///< Defects, and undecided discrepancies.
   bool is_cut = false;       ///< `found` lacks some undecided ones.
 };
 

@@ -21,7 +21,7 @@ namespace {
 /// GitLab accepts files of unit tests up to 30 MB: texts are cut where the file would be larger.
 constexpr std::size_t kMostJunitBytes = 29'000'000;
 
-constexpr std::string_view kCut = "\n... (cut: the report as JSON has all)";
+constexpr std::string_view kCut = "\n... (truncated; the JSON report is complete)";
 
 /// What scene::visible leaves that XML 1.0 does not allow, and that logs of GitHub workflows
 /// interpret anywhere; an apostrophe stays.
@@ -100,7 +100,7 @@ std::string junit(const Gate& gate) {
   return text;
 }
 
-// Markdown: a table of what was judged, then what failed, as far as there is room.
+// Markdown: a table of the outcomes, then the failures, as far as there is room.
 
 /// Text inside a line of Markdown, without any markup.
 std::string inline_text(std::string_view text) {
@@ -153,7 +153,7 @@ std::string table_of(const Gate& gate) {
 
 std::string ratchet_part(const Ratchet& ratchet) {
   std::string text =
-      fmt::format("\nHeld against {}: {} known, {} new, {} mended.\n", inline_text(ratchet.file),
+      fmt::format("\nCompared with {}: {} known, {} new, {} mended.\n", inline_text(ratchet.file),
                   ratchet.known.size(), ratchet.added.size(), ratchet.mended.size());
   for (const Identity& one : ratchet.mended) {
     text += fmt::format("- mended: {}/{}, {}, at {}, {}\n", inline_text(one.law),
@@ -182,14 +182,14 @@ std::string markdown(const Gate& gate) {
       }
     }
   }
-  if (left_out > 0) text += fmt::format("\n{} more: the report as JSON has all.\n", left_out);
+  if (left_out > 0) text += fmt::format("\n{} more: see the JSON report.\n", left_out);
   return text;
 }
 
 // GitHub's workflow commands: an annotation for each failure, at its line where that is known; the
 // last one counts those left.
 
-/// GitHub shows no more annotations of a step than these.
+/// GitHub shows at most this number of annotations per step.
 constexpr std::size_t kMostAnnotations = 10;
 
 /// Text in a workflow command: characters that would end it, or a property of it, are escaped.
@@ -227,13 +227,13 @@ std::string github(const Gate& gate) {
                         shown.size() - count, gate.checks.size(), outcomes_text(gate));
   }
   if (gate.ratchet && !gate.ratchet->mended.empty()) {
-    text += fmt::format("::notice title=raycheck::{} of {} are mended: update it\n",
+    text += fmt::format("::notice title=raycheck::{} of {} are mended: update the baseline\n",
                         gate.ratchet->mended.size(), spelled(gate.ratchet->file, false));
   }
   return text + fmt::format("{}\n", outcomes_text(gate));
 }
 
-// GitLab's code quality: a JSON list, an entry for each defect that the baseline does not have.
+// GitLab's code quality: a JSON list, an entry for each defect that is not in the baseline.
 
 /// A hash of a text, the same on every machine: 32 hexadecimal digits by which readers recognise a
 /// finding. Collisions are improbable, but not secure against those who construct them.
@@ -256,7 +256,7 @@ std::string gitlab_codequality(const Gate& gate) {
   Json list = Json::array();
   for (const GateCheck& check : gate.checks) {
     if (check.outcome != GateOutcome::kFailed) continue;
-    // GitLab wants a path: where no source is known, the candidate's name.
+    // GitLab needs a path: without a known source, the candidate's name.
     const auto at = line_of(gate, check).value_or(properties::CodeLine{check.candidate});
     for (const Identity& one : check.defects) {
       if (is_known(one, gate.ratchet)) continue;

@@ -20,7 +20,7 @@ namespace raycheck::tools {
 enum class GateOutcome {
   kPassed,
   kFailed,
-  kKnown,         ///< Fails, as the baseline says.
+  kKnown,         ///< Fails, and the baseline has it.
   kInconclusive,  ///< Too little was judged, or decided, to pass.
   kLeftOut,       ///< There was nothing to judge.
 };
@@ -37,45 +37,45 @@ struct GateCheck {
   std::string name;  ///< Unique among those of the candidate: "class/tangency".
   GateOutcome outcome = GateOutcome::kPassed;
   std::string summary = {};  ///< Why it does not pass: one line.
-  std::string text = {};     ///< If it failed or is undecided, all details.
+  std::string text = {};     ///< The details of a failed or undecided check.
   std::vector<Identity> defects = {};
-  std::optional<properties::CodeLine> line = {};  ///< At which the candidate first died or threw.
+  std::optional<properties::CodeLine> line = {};  ///< Where the candidate first crashed or threw.
 };
 
 /// A report for continuous integration.
 struct Gate {
   std::string command;  ///< "check" or "properties"
-  std::string about;    ///< What was judged: the scene, or the number of cases. One line.
+  std::string about;    ///< The scene, or the number of cases. One line.
   std::vector<GateCheck> checks;
   std::map<std::string, std::string> sources;  ///< Of candidates that are files: by name.
   std::optional<Ratchet> ratchet;              ///< If there is a baseline.
-  Findings findings;                           ///< What a baseline holds of it.
+  Findings findings;                           ///< To be compared with a baseline.
 
   std::uint64_t count(GateOutcome outcome) const;
 };
 
-/// Where readers are to show a check: the line at which the candidate died, else line 1 of its
-/// source; empty where neither is known.
+/// Where viewers should show a check: the line at which the candidate crashed, else line 1 of its
+/// source; empty if neither is known.
 std::optional<properties::CodeLine> line_of(const Gate& gate, const GateCheck& check);
 
-/// What a check leaves undecided.
+/// The undecided discrepancies of a check.
 struct LeftUndecided {
   std::uint64_t answers = 0;
   std::vector<Identity> kept;
-  bool is_cut = false;  ///< Not all of it was kept, so that no baseline knows it.
+  bool is_cut = false;  ///< Some were not kept, so that a baseline cannot have all.
 };
-/// Adds a check whose defects are known, with what it comes to: known where the baseline has all
-/// that was found. Says why it is inconclusive where it is.
+/// Adds a check with its defects and sets its outcome: known if the baseline has all that was
+/// found. If it is inconclusive, adds the reason.
 GateCheck& add_check(Gate& gate, GateCheck check, const LeftUndecided& undecided);
 
 /// Whether the baseline has a discrepancy.
 bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet);
 
-/// Adds what every gate needs besides its checks: that it ran to its end and not all was left out,
-/// and unique names.
+/// Completes a gate: adds checks that fail if it was interrupted or all was left out, and makes
+/// names unique.
 void complete(Gate& gate, bool was_interrupted);
 
-/// How many checks of each candidate have each outcome.
+/// The number of checks of each candidate by outcome.
 std::map<std::string, std::array<std::size_t, kGateOutcomes>> outcomes_by_candidate(
     const Gate& gate);
 /// "12 passed, 1 failed, 2 left out"
@@ -83,7 +83,7 @@ std::string outcomes_text(const Gate& gate);
 
 /// The comparison of a run with a baseline, in lines, for people.
 std::string ratchet_text(const Ratchet& ratchet);
-/// The same as JSON; null where there is no baseline.
+/// The same as JSON; null without a baseline.
 Json ratchet_json(const std::optional<Ratchet>& ratchet);
 
 /// A format for continuous integration: its name for --format and --report, and its writer.

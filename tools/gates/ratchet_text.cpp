@@ -16,11 +16,11 @@ std::string lines_of(std::string_view what, const std::vector<Identity>& identit
 }  // namespace
 
 std::string ratchet_text(const Ratchet& ratchet) {
-  std::string text = fmt::format("held against {}: {} known, {} new, {} mended{}", ratchet.file,
+  std::string text = fmt::format("compared with {}: {} known, {} new, {} mended{}", ratchet.file,
                                  ratchet.known.size(), ratchet.added.size(), ratchet.mended.size(),
                                  ratchet.mended.empty() ? "" : " (--update-baseline)");
   if (!ratchet.unasked.empty()) {
-    text += fmt::format("; {} of the baseline not asked", ratchet.unasked.size());
+    text += fmt::format("; {} of the baseline not judged by this run", ratchet.unasked.size());
   }
   return text + "\n" + lines_of("new", ratchet.added) + lines_of("mended", ratchet.mended);
 }

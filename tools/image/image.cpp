@@ -65,7 +65,7 @@ SeenBand seen_band(const Visibility& visibility, std::int64_t width,
   return band;
 }
 
-/// A band of the picture, top line first, and what was counted in it.
+/// A band of the picture, top line first, and its counts.
 struct PaintedBand {
   std::vector<Colour> pixels;
   std::vector<std::int32_t> spheres;  ///< Those seen, each once.
@@ -143,14 +143,14 @@ properties::Candidate completed(const Implementation& implementation, const Meth
   properties::Candidate candidate = implementation.make();
   if (!candidate.intersect) {
     throw std::invalid_argument(implementation.name +
-                                ": intersects nothing, so it has no error of s");
+                                ": does not implement intersect(), so it has no error of s");
   }
   const properties::Candidate own = candidate_of(methods);
   if (!candidate.pixel_rays && !candidate.focal_rays) {
     candidate.pixel_rays = rounded(own.pixel_rays, candidate.precision);
     candidate.focal_rays = rounded(own.focal_rays, candidate.precision);
   }
-  // If it makes rays of one origin only, these are used.
+  // Rays with only one origin are used as they are.
   if (!candidate.pixel_rays) candidate.declared.origin = scene::Origin::kFocal;
   if (!candidate.focal_rays) candidate.declared.origin = scene::Origin::kPixel;
   if (!candidate.nearest) {
@@ -189,8 +189,8 @@ void require_picture(const std::string& path, const scene::Camera& camera) {
        {std::pair("width", camera.width), std::pair("height", camera.height)}) {
     if (pixels <= kMostPictureSide) continue;
     throw std::invalid_argument(
-        fmt::format("{}: camera.{} = {}: is more than a picture takes, which is {} pixels; a size "
-                    "makes another picture of the scene",
+        fmt::format("{}: camera.{} = {}: exceeds the limit of {} pixels for a picture; choose a "
+                    "smaller size",
                     path, side, pixels, kMostPictureSide));
   }
 }
@@ -200,8 +200,8 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
   const scene::Scene& scene = loaded.scene;
   if (!scene.camera) {
     throw std::invalid_argument(options.path +
-                                ": has given rays and no camera, so no picture; `raycheck check` "
-                                "judges rays one by one");
+                                ": has given rays and no camera, so it has no picture; judge the "
+                                "rays with `raycheck check`");
   }
   ImageReport report;
   report.path = options.path;

@@ -17,7 +17,7 @@
 
 namespace raycheck::tools {
 
-/// What a picture shows of a pixel.
+/// The kinds of pictures.
 enum class Picture { kSphere, kError };
 inline constexpr std::array<std::string_view, 2> kPictureNames = {"sphere", "error"};
 constexpr std::string_view name(Picture picture) {
@@ -28,8 +28,8 @@ struct ImageOptions {
   std::string path;
   std::optional<scene::Dialect> dialect;
   Picture what = Picture::kSphere;
-  Implementation implementation = {};    ///< Whose error is shown.
-  MethodPair methods = kDefaultMethods;  ///< What makes rays where it makes none.
+  Implementation implementation = {};    ///< The candidate whose error is shown.
+  MethodPair methods = kDefaultMethods;  ///< Make the rays if the candidate does not.
   std::optional<scene::Pixel> size;      ///< Pixels across and down, instead of the scene's.
 };
 
@@ -40,7 +40,7 @@ struct ErrorCounts {
   scene::Precision precision = scene::Precision::kDouble;  ///< The format whose ulp errors count.
   std::size_t rounded_numbers = 0;                         ///< Those of the scene that changed.
   /// Pixels without an answer, which are defects; in each batch of 512 at most kMostFailuresSought
-  /// are searched for, and the others asked with them count, too.
+  /// are searched for, and others of the same batch count, too.
   std::uint64_t failed = 0;
   std::string first_failure;
   std::vector<std::uint64_t> pixels;  ///< By kErrorSteps (tools/image/image_paint.h).
@@ -58,8 +58,8 @@ struct ImageReport {
   Picture what = Picture::kSphere;
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< Of what it says.
-  scene::Conventions conventions;         ///< Those that the picture is decided under.
+  std::vector<std::string> not_needed;    ///< Settings that are not needed here.
+  scene::Conventions conventions;         ///< Those of the picture.
   std::int64_t width = 0;
   std::int64_t height = 0;
   std::size_t spheres = 0;
@@ -69,7 +69,7 @@ struct ImageReport {
   std::optional<ErrorCounts> error;  ///< For Picture::kError.
   int threads = 1;
   double seconds = 0;
-  bool interrupted = false;  ///< Then there is no picture.
+  bool interrupted = false;  ///< If so, no picture was written.
 };
 
 /// Decides every pixel of a scene and writes the picture, in bands of rows: neither the picture nor

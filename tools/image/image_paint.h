@@ -12,7 +12,7 @@
 
 namespace raycheck::tools {
 
-inline constexpr Colour kBackground = {16, 18, 24};  ///< Pixels that see nothing.
+inline constexpr Colour kBackground = {16, 18, 24};  ///< Pixels without a sphere.
 inline constexpr Colour kHitColour = {255, 255, 255};
 /// Colours of wrong pixels, by standing: red, purple, pink, grey.
 inline constexpr std::array<Colour, properties::kStandingCount> kWrongColours = {{
@@ -49,7 +49,7 @@ Colour sphere_colour(std::size_t sphere);
 /// Turns lines of this width upside down.
 void flip_lines(std::vector<Colour>& pixels, std::int64_t width);
 
-/// What the pixels of whole rows see, row by row.
+/// The nearest spheres of the pixels of whole rows, row by row.
 struct SeenBand {
   std::int64_t j_begin = 0, j_end = 0;
   std::vector<std::int32_t> sphere;
@@ -70,8 +70,8 @@ using Painter =
 Painter sphere_painter(const scene::Scene& scene);
 Painter error_painter(const scene::Scene& scene, std::function<properties::Candidate()> candidate);
 
-/// A maker of candidates that answer whole pixels: where the implementation makes no rays, these
-/// methods do, and where it does not say which sphere is the nearest, its own hits tell.
+/// A maker of candidates that answer whole pixels: if the implementation makes no rays, these
+/// methods do, and if it does not return the nearest sphere, that follows from its hits.
 std::function<properties::Candidate()> answering_candidate(const Implementation& implementation,
                                                            const MethodPair& methods);
 

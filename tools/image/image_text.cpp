@@ -20,7 +20,7 @@ std::string error_table(const ErrorCounts& error) {
   for (std::size_t k = 0; k < kWrongColours.size(); ++k) {
     const auto standing = static_cast<properties::Standing>(k);
     if (standing != properties::Standing::kDefect && error.wrong[k] == 0) continue;
-    table.add({fmt::format("wrong class or sphere: {}", name(standing)), hex(kWrongColours[k]),
+    table.add({fmt::format("wrong hit class or sphere: {}", name(standing)), hex(kWrongColours[k]),
                std::to_string(error.wrong[k])});
   }
   std::string text = fmt::format("\n{} against the exact s of each pixel's nearest sphere\n{}",

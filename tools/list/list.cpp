@@ -5,7 +5,7 @@ namespace {
 
 using properties::Quantity;
 
-/// Of each proved bound.
+/// Random inputs for each proved bound.
 constexpr int kSamples = 2000;
 
 /// A promise in u or ulp of doubles, in those of the format that the method computes in.

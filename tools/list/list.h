@@ -14,7 +14,7 @@
 
 namespace raycheck::tools {
 
-/// What can be chosen, in the order of reports; the conventions are in scene/conventions.h.
+/// Methods, laws and sources, in the order of reports; conventions are in scene/conventions.h.
 struct Catalogue {
   std::span<const fast::PixelRayMethod* const> ray_methods;
   std::span<const fast::IntersectMethod* const> intersect_methods;
@@ -23,7 +23,7 @@ struct Catalogue {
 };
 Catalogue catalogue();
 
-/// What a method promises of a quantity, in u or ulp of the format that it computes in.
+/// A method's documented bound of a quantity, in u or ulp of the format that it computes in.
 struct Promise {
   std::string_view name;  ///< Of the quantity.
   double max;
@@ -35,12 +35,12 @@ std::vector<Promise> promises_of(const fast::IntersectMethod& method);
 std::string list_text(const Catalogue& catalogue, const ViewOptions& options);
 std::string list_json(const Catalogue& catalogue, const ViewOptions& options);
 
-/// How far a proved bound was used by random inputs.
+/// A proved bound, and the largest error of random inputs.
 struct ProvedBound {
   const proofs::Bound* bound;
   double observed;  ///< In its unit.
 };
-/// Every bound on an error: those proved, and those that methods promise and laws try.
+/// All bounds on errors: those that are proved, and those that methods document and laws try.
 struct BoundsReport {
   std::vector<ProvedBound> proved;
   int samples;

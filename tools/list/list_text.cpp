@@ -30,7 +30,7 @@ std::string promised_text(const Method& method) {
   });
 }
 
-/// What a dial measures, and which of its severities belong to which level.
+/// The meaning of a source's severities, and the level of each.
 std::string levels_text(const properties::CaseSource& source) {
   if (!source.severities) {
     if (source.level == properties::Level::kOrdinary) return {};
@@ -61,7 +61,7 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
   }
   text += fmt::format(
       "\nBounds hold up to condition number {}, in proportion beyond, for lengths from {:.3g} to "
-      "{:.3g} where no others are named.\n",
+      "{:.3g} unless others are given.\n",
       properties::kModerateCondition, fast::kSmallestLength, fast::kLargestLength);
   text += fmt::format(
       "Methods in float are given doubles. Candidates that declare single precision are given "

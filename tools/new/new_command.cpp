@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 
 struct Language {
   std::string_view name, extension;
-  std::string_view beside;  ///< A file of adapters() that lies beside it; empty: none does.
-  std::string_view judged;  ///< How NAME is judged.
-  /// Words that are no name in it, with spaces around; empty: NAME only names files there.
+  std::string_view beside;  ///< A file of adapters() to be copied beside it; or empty.
+  std::string_view judged;  ///< The option that judges NAME.
+  /// Reserved words, with spaces around; empty: NAME only names files in this language.
   std::string_view reserved = "";
 };
 constexpr Language kLanguages[] = {
@@ -57,7 +57,7 @@ std::string named(std::string_view text, const std::string& name) {
 std::string write_adapter(const NewArguments& arguments) {
   const auto* const language = std::ranges::find(kLanguages, arguments.language, &Language::name);
   if (language->reserved.find(" " + arguments.name + " ") != std::string_view::npos) {
-    throw std::invalid_argument(fmt::format("NAME {}: is a word of {}; give another name",
+    throw std::invalid_argument(fmt::format("NAME {}: is a reserved word of {}; give another name",
                                             arguments.name, arguments.language));
   }
   const fs::path installed = prefix() / "share/raycheck/new";
@@ -73,12 +73,12 @@ std::string write_adapter(const NewArguments& arguments) {
   }
   const fs::path out = arguments.out;
   if (fs::exists(out / file)) {
-    throw scene::InvalidInput("out", arguments.out, file + " is there already");
+    throw scene::InvalidInput("out", arguments.out, file + " already exists");
   }
   make_folder("out", out);
   for (const auto& [name, text] : texts) OutputFile("out", out / name).write(text);
   return fmt::format(
-      "wrote {}: it compiles, and says what is missing when it is judged:\n"
+      "wrote {}: it compiles; when judged, it reports the functions that are missing:\n"
       "  raycheck properties {}\n",
       (out / file).lexically_normal().string(),
       named(language->judged, (out / arguments.name).lexically_normal().string()));
@@ -88,7 +88,7 @@ std::string write_adapter(const NewArguments& arguments) {
 
 CommandRun add_new(CLI::App& command) {
   const auto given = std::make_shared<NewArguments>();
-  command.add_option("NAME", given->name, "of the adapter, a file beside your code")
+  command.add_option("NAME", given->name, "the name of the adapter, a file beside your code")
       ->required()
       ->check([](const std::string& name) {
         constexpr std::string_view kLetters =
@@ -98,10 +98,10 @@ CommandRun add_new(CLI::App& command) {
                              name.find_first_not_of(kLetters) == std::string::npos;
         return is_name ? std::string() : "must be a letter, then letters, digits and _";
       });
-  command.add_option("--language", given->language, "what your code is called from")
+  command.add_option("--language", given->language, "the language of the adapter")
       ->check(CLI::IsMember(names_of(kLanguages)))
       ->capture_default_str();
-  command.add_option("--out", given->out, "the folder that takes it")->capture_default_str();
+  command.add_option("--out", given->out, "the folder for the adapter")->capture_default_str();
   return [given] {
     print_report(write_adapter(*given));
     return kExitNothingFound;

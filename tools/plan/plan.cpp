@@ -37,14 +37,14 @@ std::vector<std::size_t> which(const scene::ScenePlan& plan, const Condition& ha
 ItemReport left_out(const scene::ScenePlan& plan, scene::LeftOut how, const char* why) {
   const auto found = which(plan, [how](const SpherePlan& s) { return s.left_out == how; });
   return {found.size(), plan.spheres.size(), "spheres",
-          found.empty() ? "there is none" : spheres_text(found) + ": " + why};
+          found.empty() ? "no such sphere" : spheres_text(found) + ": " + why};
 }
 
 ItemReport far_root(const scene::ScenePlan& plan, std::size_t asked) {
   const auto inside =
       which(plan, [](const SpherePlan& s) { return !s.left_out && s.origin_inside; });
   return {asked - inside.size(), asked, "spheres",
-          plan.conventions.root == scene::Root::kSmaller ? "it never counts: root smaller"
+          plan.conventions.root == scene::Root::kSmaller ? "never the answer: root smaller"
           : inside.empty()                               ? "no ray starts inside a sphere"
                            : "rays may start inside " + spheres_text(inside)};
 }
@@ -87,17 +87,17 @@ std::vector<ItemReport> items_of(const scene::Scene& scene, const scene::ScenePl
     pairs += static_cast<std::uint64_t>(sphere.pixels.count());
   }
   ItemReport hidden =
-      left_out(plan, scene::LeftOut::kHidden, "a ray that meets it meets another no later");
+      left_out(plan, scene::LeftOut::kHidden, "a ray that meets it meets another sphere no later");
   if (plan.wanted != scene::Wanted::kNearest) {
-    hidden.why = "only where nothing but the nearest sphere is wanted";
+    hidden.why = "only if just the nearest sphere is wanted";
   }
   const bool is_aligned = plan.eye.axis_aligned();
   return {left_out(plan, scene::LeftOut::kOutsideView, "no ray of the image meets it"),
-          left_out(plan, scene::LeftOut::kBehind, "all of it is behind where rays start"),
+          left_out(plan, scene::LeftOut::kBehind, "entirely behind where rays start"),
           std::move(hidden),
           {all - pairs, all, "pairs", "certain bounds of the spheres' outlines"},
           {pairs - std::min<std::uint64_t>(pairs, asked), pairs, "pairs",
-           "C - E along the axes and |C - E|^2 - r^2, once a sphere"},
+           "C - E along the axes and |C - E|^2 - r^2, once per sphere"},
           far_root(plan, asked),
           behind_test(plan, asked),
           scaling(plan),
@@ -140,7 +140,7 @@ PlanReport make_plan(const PlanOptions& options, const properties::RunControl& c
   } catch (const std::invalid_argument& error) {
     report.warnings.push_back(fmt::format("nothing is timed: {}", error.what()));
   } catch (const scene::Interrupted&) {
-    // The answer is what was timed so far.
+    // The report has the times so far.
   }
   report.interrupted = control.interrupted();
   constexpr auto kFilter = std::ranges::find(kPlanItems, "filter", &PlanItem::name);

@@ -19,7 +19,7 @@ struct PlanOptions {
   std::string path;
   std::optional<scene::Dialect> dialect;
   scene::Wanted wanted = scene::Wanted::kNearest;
-  std::size_t top = 20;  ///< How many spheres the text shows.
+  std::size_t top = 20;  ///< The number of spheres in the text.
 };
 
 /// An item of a plan, as named in reports, and what it leaves out.
@@ -57,17 +57,16 @@ struct ItemReport {
   std::uint64_t of = 0;
   std::string_view noun;
   std::string why;
-  std::optional<PlanTime> time = {};  ///< Empty if nothing is left out, or not wanted, or time was
-                                      ///< up.
+  std::optional<PlanTime> time = {};  ///< Empty if nothing is left out, or it was not measured.
 };
 
 struct PlanReport {
   std::string path;
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< Of what it says.
+  std::vector<std::string> not_needed;    ///< Settings that are not needed here.
   scene::Scene scene;
-  /// For scenes with a camera; given rays share nothing.
+  /// Only for scenes with a camera: given rays have no computations in common.
   std::optional<scene::ScenePlan> plan;
   std::vector<ItemReport> items;   ///< In the order of kPlanItems.
   double plan_ms = 0;              ///< To make the plan.
@@ -75,11 +74,11 @@ struct PlanReport {
   std::uint64_t pixels_timed = 0;
   reference::DecidedBy decided_by;  ///< For the pixels timed.
   std::size_t top = 0;
-  bool interrupted = false;  ///< Then some items have no times.
+  bool interrupted = false;  ///< If so, some items have no times.
 };
 
 /// Plans a scene file, and measures what each item saves; for an image that is too large
-/// (reference::kMostVisibleSide) a warning says that nothing was timed. Throws as the reader does.
+/// (reference::kMostVisibleSide) it adds a warning and times nothing. Throws as the reader does.
 PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control = {});
 
 /// Fills in the times of a report that has a scene and a plan, and what decided the pixels timed:

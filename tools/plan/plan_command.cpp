@@ -32,7 +32,7 @@ CommandRun add_plan(CLI::App& command) {
             "class: of every sphere; nearest: the nearest sphere; parameter: with its s; point: "
             "with s and Q");
   add_number(command, "--top", arguments.options.top, 0, std::numeric_limits<int>::max(),
-             "how many spheres the text shows");
+             "the number of spheres in the text");
   add_dialect(command, arguments.dialect);
   add_format(command, arguments.format, names_of(kPlanViews));
   return [given] { return run_plan(*given); };

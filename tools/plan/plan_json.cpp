@@ -50,7 +50,7 @@ std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) 
   json["spheres"] = Json::array();
   if (!report.plan) {
     json["wanted"] = nullptr;
-    json["no_plan"] = "rays that are given one by one share nothing";
+    json["no_plan"] = "given rays have no computations in common";
     return json_text(json);
   }
   json["wanted"] = scene::kWantedNames[static_cast<std::size_t>(report.plan->wanted)];

@@ -75,7 +75,7 @@ std::string spheres_table(const PlanReport& report) {
 
 std::string plan_text(const PlanReport& report, const ViewOptions& /*options*/) {
   if (!report.plan) {
-    return fmt::format("{}: {}, {}\nno plan: rays that are given one by one share nothing\n",
+    return fmt::format("{}: {}, {}\nno plan: given rays have no computations in common\n",
                        report.path, count_text(report.scene.rays.size(), "given ray"),
                        count_text(report.scene.spheres.size(), "sphere"));
   }
@@ -88,13 +88,13 @@ std::string plan_text(const PlanReport& report, const ViewOptions& /*options*/) 
       not_needed_text(report.not_needed), conventions_text(report.plan->conventions),
       scene::kWantedNames[static_cast<std::size_t>(report.plan->wanted)]);
   text += milliseconds(report.plan_ms) + " ms to plan, ";
-  text += report.image_ms ? milliseconds(*report.image_ms) + " ms the image by one core"
+  text += report.image_ms ? milliseconds(*report.image_ms) + " ms for the image on one core"
                           : "the image is not timed";
   if (report.image_ms && report.pixels_timed < all) {
     text += fmt::format(", from {} pixels", report.pixels_timed);
   }
   text += "\n";
-  if (report.interrupted) text += "INTERRUPTED: what was not timed until then has no time.\n";
+  if (report.interrupted) text += "INTERRUPTED: some items were not timed.\n";
   return text + "\n" + items_table(report) + spheres_table(report);
 }
 

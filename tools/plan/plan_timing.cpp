@@ -14,21 +14,21 @@ using reference::Visibility;
 using scene::Wanted;
 using Clock = std::chrono::steady_clock;
 
-/// About how long everything takes, one item, and what a clock resolves.
+/// Approximate time limits for everything and for one item, and the resolution of a clock.
 constexpr double kAllSeconds = 2;
 constexpr double kItemSeconds = 0.15;
 constexpr double kLeastSeconds = 20e-6;
 constexpr int kMostPasses = 9;
-/// At most this many sphere-pixel pairs are asked for at a time.
+/// Limits on the pairs of spheres and pixels computed at a time,
 constexpr double kMostPairs = 1e8;
-/// And at most this many pixels, to bound the memory.
+/// and on the pixels, to bound the memory.
 constexpr double kMostPixelsAtATime = 1 << 22;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The work that is timed: computing what is wanted of a scene's rows into arrays.
+/// The timed work: computing the wanted quantities of a scene's rows into arrays.
 class Workload {
  public:
   Workload(const scene::Scene& scene, Wanted wanted, std::int64_t rows)
@@ -92,7 +92,7 @@ class Bands {
   std::int64_t height_, rows_, count_, step_;
 };
 
-/// Seconds that some rows take, repeated as often as the clock needs.
+/// Seconds that some rows take, repeated until the clock resolves them.
 double time_rows(const Visibility& visibility, Workload& workload,
                  const std::pair<std::int64_t, std::int64_t>& rows) {
   const Clock::time_point start = Clock::now();
@@ -104,9 +104,9 @@ double time_rows(const Visibility& visibility, Workload& workload,
   return seconds_since(start) / repetitions;
 }
 
-/// Of several visibilities, what the first bands of the image take, as many as fit into the time
-/// limit and at least one: the sum of the least of several passes, in milliseconds for the whole
-/// image. They take turns, so that disturbances of the machine slow all of them.
+/// The times of several visibilities for the first bands of the image, at least one and at most
+/// those that fit into the time limit: the sum of the least of several passes, in milliseconds for
+/// the whole image. They take turns, so that disturbances of the machine slow all of them.
 struct PartTimes {
   std::vector<double> image_ms;
   std::size_t bands = 0;
@@ -146,7 +146,7 @@ double pairs_asked(const scene::ScenePlan& plan) {
   return pairs;
 }
 
-/// Seconds of the exact ray alone for some pixels spread over the image, and their number.
+/// Seconds that only the exact ray takes for some pixels spread over the image, and their number.
 std::pair<double, std::uint64_t> time_exact_pixels(const scene::Scene& scene,
                                                    const scene::ScenePlan& plan) {
   constexpr std::uint64_t kMostPixels = 4096;

@@ -28,7 +28,7 @@ constexpr std::string_view kFoundWith = "found with: ";
 constexpr std::string_view kReplay = "replay: ";
 constexpr std::string_view kPixels = "pixels:";
 
-/// What follows a word in the comments of a file; empty: nothing does.
+/// The text that follows a word in the comments of a file; or empty.
 std::string said(const std::string& text, std::string_view word) {
   std::istringstream lines(text);
   const std::string begins = "# " + std::string(word);
@@ -71,8 +71,8 @@ std::vector<fs::path> files_in(const std::string& folder) {
   return files;
 }
 
-/// A candidate's name without the folders of the files that it names, as others have it who share a
-/// corpus: "source:/home/me/tracer.cpp" is "source:tracer.cpp".
+/// A candidate's name without the folders of the files in it, so that it is the same on all
+/// machines that share a corpus: "source:/home/me/tracer.cpp" is "source:tracer.cpp".
 std::string shared_name(const std::string& candidate) {
   std::istringstream words(candidate);
   std::string shared;
@@ -108,13 +108,13 @@ std::vector<CorpusFinding> try_corpus(const PropertiesOptions& options,
     const std::string law_name = said(text, kLaw);
     const auto law = std::ranges::find(laws, law_name, &properties::Law::name);
     if (properties::find_law(law_name) == nullptr) {
-      throw scene::InvalidInput("corpus", file.string(), "names no law; a line '# law: NAME' does");
+      throw scene::InvalidInput("corpus", file.string(), "names no law; add a line '# law: NAME'");
     }
     if (law == laws.end()) continue;
     Case the_case{scene::load_scene(file.string()).scene, pixels_of(said(text, kPixels))};
     if (the_case.scene.camera && the_case.pixels.empty()) {
       throw scene::InvalidInput("corpus", file.string(),
-                                "has a camera and names no pixels; a line '# pixels: (I, J)' does");
+                                "has a camera and names no pixels; add a line '# pixels: (I, J)'");
     }
     if (the_case.scene.camera) require_inside(the_case, file);
     for (std::size_t k = 0; k < candidates.size(); ++k) {

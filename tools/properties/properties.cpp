@@ -36,8 +36,8 @@ std::vector<const Law*> filtered_laws(const std::string& filter) {
   return found;
 }
 
-/// Whether a law can tell this pair from one already tried: laws of the camera alone do not see the
-/// intersection method, those of the intersection hardly the ray method.
+/// Whether a law can distinguish this pair from one already tried: laws of the camera do not depend
+/// on the intersection method, those of the intersection hardly on the ray method.
 bool is_worth_asking(const Law& law, const Implementation& implementation, bool chosen_by_user) {
   if (chosen_by_user || !implementation.methods) return true;
   const MethodPair& pair = *implementation.methods;
@@ -46,8 +46,8 @@ bool is_worth_asking(const Law& law, const Implementation& implementation, bool 
                                 : pair.rays == kDefaultMethods.rays;
 }
 
-/// Renderers do not learn the conventions of a random case: they are judged by the default ones,
-/// but for those that they are said to follow, and not at tangents.
+/// Renderers are not given the conventions of a random case: they are judged by the defaults,
+/// except for those that they declare, and not at tangents.
 Candidate campaigner(const Implementation& implementation) {
   Candidate candidate = implementation.make();
   if (candidate.image) {
@@ -86,8 +86,8 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   return report;
 }
 
-/// What a candidate answers to cases of which it was asked before says nothing of one that keeps
-/// something between questions.
+/// Explanations are found by asking about cases again, which is misleading for a candidate that
+/// keeps state between questions.
 void leave_out_sentences_about_state(std::vector<CampaignReport>& reports) {
   std::set<std::string> keep_state;
   for (const CampaignReport& report : reports) {
@@ -98,7 +98,7 @@ void leave_out_sentences_about_state(std::vector<CampaignReport>& reports) {
   }
 }
 
-/// Of a unit of campaigns, or of a target.
+/// The result of a unit of campaigns, or of a target.
 struct UnitResult {
   std::vector<properties::CampaignPart> parts;
   std::optional<properties::WorstCase> worst;
@@ -108,7 +108,7 @@ struct UnitResult {
   }
 };
 
-/// Tells how far a campaign is: "12000 cases judged, 3 broken, 4 min left".
+/// Reports the progress of a campaign: "12000 cases judged, 3 broken, 4 min left".
 class Progress {
  public:
   Progress(std::int64_t units, const properties::RunControl& control)
@@ -161,7 +161,7 @@ PropertiesReport replay(const PropertiesOptions& options) {
   throw scene::InvalidInput("replay", "", "no candidate is called '" + parsed.candidate + "'");
 }
 
-/// The campaigns of laws and candidates, as one pass.
+/// The campaigns of all laws and candidates, in one pass.
 class Study {
  public:
   /// The options must outlive it.
@@ -219,7 +219,7 @@ class Study {
         });
   }
 
-  /// What they came to, in the order of laws.
+  /// Their results, in the order of laws.
   std::vector<CampaignReport> finished(const properties::RunControl& control) {
     std::vector<CampaignReport> reports;
     for (const Candidate& one : candidates_.local()) one.begin_anew();
@@ -241,7 +241,7 @@ class Study {
   }
 
  private:
-  /// One campaign, by its candidate and its number among that one's.
+  /// One campaign: its candidate, and its number among that candidate's campaigns.
   struct Campaign {
     const Law* law;
     std::size_t candidate, number;
@@ -277,8 +277,8 @@ class Study {
     return asked;
   }
 
-  /// Each law's quantity, where it is the law that measures it. A search has no more cases than one
-  /// of `worst` has, and as many steps for each.
+  /// A target for every law that measures a quantity. A search has at most the cases of one of
+  /// `worst`, and the same number of steps for each.
   void set_targets(const std::vector<properties::LawsOfCandidate>& asked) {
     for (std::size_t k = 0; k < order_.size(); ++k) {
       const auto& [law, candidate, number] = order_[k];
@@ -295,7 +295,7 @@ class Study {
   }
 
   const PropertiesOptions& options_;
-  bool is_chosen_;  ///< Who is judged.
+  bool is_chosen_;  ///< The user has chosen the candidates.
   std::vector<Implementation> judged_;
   std::vector<std::string> names_;
   std::vector<const Law*> laws_;
@@ -355,7 +355,7 @@ PropertiesReport run_properties(const PropertiesOptions& options,
 
 int cases_for(const PropertiesOptions& options, double seconds,
               const properties::RunControl& control) {
-  // A campaign that takes this share of what is left tells how long a larger one takes.
+  // From a campaign that takes this share of the time left, that of a larger one is estimated.
   constexpr double kShare = 0.1;
   constexpr double kMargin = 0.95;
   constexpr double kMostCases = 1e9;

@@ -39,7 +39,7 @@ struct PropertiesOptions {
 struct CorpusFinding {
   std::string file, law;
   std::string candidate, lasting_name;
-  bool was_broken = false;  ///< It is the candidate that it broke the law with when it was kept.
+  bool was_broken = false;  ///< The case was kept because this candidate broke the law on it.
   properties::Finding finding = properties::Finding::kHolds;
   std::vector<properties::DefectKind> defects;
 
@@ -60,16 +60,16 @@ struct CampaignReport {
   Implementation implementation = {};
   scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in,
   properties::Domain domain = {};                          ///< and where.
-  std::optional<properties::WorstCase> worst = {};         ///< What a target led to.
+  std::optional<properties::WorstCase> worst = {};         ///< The result of a target.
 
-  /// Whether its failure depends on what the candidate was asked before.
+  /// Whether its failure depends on earlier questions to the candidate.
   bool keeps_state() const { return result.failure && result.failure->is_of_earlier; }
 };
 
-/// An external implementation, which documents no bounds.
+/// An external candidate, which documents no bounds.
 struct BorrowedBounds {
   std::string candidate;
-  std::string methods;  ///< Whose bounds it is held to: "direct/cross".
+  std::string methods;  ///< The methods whose bounds apply to it: "direct/cross".
 };
 
 struct PropertiesReport {
@@ -81,23 +81,23 @@ struct PropertiesReport {
   bool interrupted = false;
   bool strict = false;
   std::optional<properties::Climb> target;
-  std::string time = {};           ///< That its cases fill: "10m"; empty: their number was given.
+  std::string time = {};           ///< The time that its cases fill, "10m"; empty: not given.
   std::optional<Ratchet> ratchet;  ///< If it is compared with a baseline.
 
   std::uint64_t count(properties::Finding finding) const;
   std::uint64_t failures() const { return count(properties::Finding::kBroken); }
   bool holds() const;
-  /// Whether something was judged, nothing too rarely, and everything undecided is known to the
-  /// baseline.
+  /// Whether something was judged, no law has too few judged cases, and the baseline has everything
+  /// undecided.
   bool is_conclusive() const;
 };
 
-/// Runs the campaigns, or replays one failure. With `units`, only what is missing of their shard;
-/// if they are not all, the report is empty. Throws std::invalid_argument naming the field.
+/// Runs the campaigns, or replays one failure. With `units`, only the shard's missing units; if
+/// that is not everything, the report is empty. Throws std::invalid_argument naming the field.
 PropertiesReport run_properties(const PropertiesOptions& options,
                                 const properties::RunControl& control = {}, Units* units = nullptr);
 
-/// How many cases fill a time on this machine: found by smaller campaigns of growing size.
+/// The number of cases that fill a time on this machine, estimated by campaigns of growing size.
 int cases_for(const PropertiesOptions& options, double seconds,
               const properties::RunControl& control);
 
@@ -115,7 +115,7 @@ inline constexpr View<PropertiesReport> kPropertiesViews[] = {
 /// The parts of each source, in the order of sources.
 std::vector<std::span<const properties::CampaignPart>> by_source(
     const properties::CampaignResult& result);
-/// Why too little was judged to say that a law holds.
+/// Why too few cases were judged to conclude that a law holds.
 /// Domain: a campaign with that finding.
 std::string too_few_text(const properties::CampaignResult& result);
 std::string replay_text(const CampaignReport& campaign, const std::string& replay);

@@ -33,7 +33,7 @@ double seconds_of(const std::string& text) {
   const bool is_whole = !number.empty() && number.size() < 6 &&
                         number.find_first_not_of("0123456789") == std::string::npos;
   if (!is_whole || std::stoi(number) == 0 || (unit == 3600 && !text.ends_with('h'))) {
-    throw std::invalid_argument("--for " + text + ": give a whole number of s, m or h: 90s, 10m");
+    throw std::invalid_argument("--for " + text + ": give a whole number and s, m or h: 90s, 10m");
   }
   return unit * std::stoi(number);
 }
@@ -48,7 +48,7 @@ int run_properties_command(PropertiesArguments& arguments) {
   GateFiles files(arguments.gate);
   if (!arguments.budget.empty()) {
     options.cases = cases_for(options, seconds_of(arguments.budget),
-                              run_control("how many cases", arguments.threads));
+                              run_control("number of cases", arguments.threads));
   }
   const std::unique_ptr<Units> units = units_of(arguments.shards, options.implementations);
   PropertiesReport report =
@@ -57,7 +57,7 @@ int run_properties_command(PropertiesArguments& arguments) {
   report.time = arguments.budget;
   Gate gate = properties_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
-  if (report.ratchet) gate = properties_gate(report);  // which the baseline is part of
+  if (report.ratchet) gate = properties_gate(report);  // now with the baseline
   files.write(kPropertiesViews, report, gate);
   print_view(kPropertiesViews, arguments.gate.format, report, gate);
   if (view) view->write(page(properties_document(report, run_control("page"))));
@@ -79,44 +79,44 @@ CommandRun add_properties(CLI::App& command) {
       command.add_option("--replay", options.replay, "the string that a failure printed");
   command.add_option("--rays", judged.rays, "only this method of making rays");
   command.add_option("--intersect", judged.intersect,
-                     "only this intersection method; several times for several");
+                     "only this intersection method; may be repeated");
   add_external(command, judged.external);
   add_renderer(command, judged.external);
   command.add_option("--dialect", judged.dialect,
                      "of the driver files that renderers are given: A, B, C, 2017 to 2020, auto "
                      "(what it reads), or a form such as B:17:no-light (default: B)");
   command.add_option("--source", given->sources,
-                     "only cases of this source, or of this severity (SOURCE@SEVERITY); several "
-                     "times for several");
+                     "only cases of this source, or of this severity (SOURCE@SEVERITY); may be "
+                     "repeated");
   add_named(command, "--level", options.level, properties::kLevelNames,
-            "which severities of a source are tried: ordinary, demanding (those too) or extreme "
-            "(all); default: what the candidate states, else ordinary for someone else's and "
-            "demanding for raycheck's methods");
-  // Its string names law, methods and source.
+            "the hardest cases that are tried: ordinary, demanding or extreme (default: the level "
+            "that the candidate declares, else ordinary for external candidates and demanding for "
+            "raycheck's methods)");
+  // The replay string already determines law, methods and source.
   add_shards(command, given->shards);
   for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect", "--out"}) {
     replay->excludes(command.get_option(other));
   }
   command
       .add_option("--for", given->budget,
-                  "as many cases as fill this time on this machine, 90s, 10m or 2h; the report "
-                  "says how many that is")
+                  "as many cases as take this time on this machine, 90s, 10m or 2h; the report "
+                  "gives their number")
       ->type_name("TIME")
       ->excludes(replay, command.get_option("--cases"), command.get_option("--out"));
   add_named(command, "--target", options.target, properties::kClimbNames,
-            "after the random cases, climb from the worst of them on what each law measures: its "
-            "error, its error over what the documented bound grows by, or the stability ratio rho")
+            "after the random cases, hill-climb from the worst of them to maximise each law's "
+            "error, its error over the growth of the documented bound, or the stability ratio rho")
       ->excludes(replay);
   command
       .add_option("--corpus", options.corpus,
-                  "first try the cases that this folder keeps, and keep there what breaks a law, "
-                  "shrunk: a folder to commit")
+                  "first try the cases in this folder, then add shrunk cases that break a law to "
+                  "it; commit it")
       ->type_name("FOLDER")
       ->excludes(replay);
   command
       .add_option("--keep-going", options.keep_going,
-                  "do not stop at a law's first failure: shrink up to so many that differ in "
-                  "source or kind")
+                  "do not stop at a law's first failure: shrink up to this number of failures that "
+                  "differ in source or kind")
       ->check(whole_number(1, 1000))
       ->type_name("N");
   add_strict(command, options.strict);

@@ -17,7 +17,7 @@ using properties::Finding;
 using properties::Standing;
 using Parts = std::span<const CampaignPart>;
 
-/// The most broken parts of a source for which the command to ask again is given.
+/// At most this number of broken parts of a source are given a replay command.
 constexpr std::size_t kMostReplays = 3;
 
 std::string source_of(Parts parts) { return std::string(parts.front().source.source->name); }
@@ -39,7 +39,7 @@ Identity identity_of(const CampaignReport& campaign, const CampaignPart& part, s
           std::string(name(part.source.level())), campaign.lasting_name};
 }
 
-/// What is held against a candidate, or what is left undecided beside.
+/// The defects of a candidate, or its undecided discrepancies.
 std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool is_held) {
   std::set<Identity> found;
   for (const CampaignPart& part : parts) {
@@ -111,11 +111,11 @@ void add_check_of(const CampaignReport& campaign, Parts parts, Gate& gate) {
   } else if (compared(parts) == 0) {
     check.outcome = GateOutcome::kLeftOut;
     const std::string& reason = parts.back().counts.reason;
-    check.summary = reason.empty() ? "outside the domain that is judged" : reason;
+    check.summary = reason.empty() ? "outside the judged domain" : reason;
   }
 }
 
-/// A case of the corpus, which is a source of its own; its file is where.
+/// A case of the corpus, which counts as a source; its place is the file.
 void add_check_of(const CorpusFinding& one, Gate& gate) {
   const std::string source = "corpus";
   std::vector<Identity> found;
@@ -133,11 +133,11 @@ void add_check_of(const CorpusFinding& one, Gate& gate) {
     check.summary = std::string(name(one.finding));
     return;
   }
-  check.summary = fmt::format("breaks it again ({})", check.defects.front().kind);
-  check.text = fmt::format("the case that breaks it: {}\n", one.file);
+  check.summary = fmt::format("breaks the law again ({})", check.defects.front().kind);
+  check.text = fmt::format("the case that breaks the law: {}\n", one.file);
 }
 
-/// What is said about a law as a whole, besides its sources.
+/// A check of a law as a whole, besides those of its sources.
 std::optional<GateCheck> whole_of(const CampaignReport& campaign) {
   GateCheck check;
   check.candidate = campaign.candidate;
@@ -167,7 +167,7 @@ Gate properties_gate(const PropertiesReport& report) {
       report.seed
           ? fmt::format("{} for each law and candidate, seed {}",
                         count_text(static_cast<std::uint64_t>(report.cases), "case"), *report.seed)
-          : "one case again";
+          : "replay of one case";
   gate.ratchet = report.ratchet;
   for (const CorpusFinding& one : report.corpus) {
     add_check_of(one, gate);

@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// How many cases fit on a page, one per law and candidate.
+/// At most this number of cases are on a page, one per law and candidate.
 constexpr std::size_t kMostCasesShown = 40;
 
 }  // namespace

@@ -50,7 +50,7 @@ std::string broken_text(const CampaignResult& result) {
   return text;
 }
 
-/// How far the law holds on families where it breaks later: "distance up to @2, scale up to @54".
+/// The severities up to which a broken law holds: "distance up to @2, scale up to @54".
 std::string holding_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
@@ -132,7 +132,7 @@ std::string left_out_text(const PropertiesReport& report) {
 }
 
 /// Why laws are broken: the cause of each, the one that explains most answers first, and the laws
-/// that nothing explains: "rows are upside down (20 of 20 wrong answers)" where that explains all.
+/// without a known cause: "rows are upside down (20 of 20 wrong answers)" if that explains all.
 std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   struct Cause {
     const properties::Explanation* best;
@@ -165,8 +165,8 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   return text + (unexplained.empty() ? "" : "; unexplained: " + unexplained);
 }
 
-/// What matters most about someone else's implementation, of the campaigns about it: the mistakes
-/// that explain most, or up to which level it is right, unless nothing shows that.
+/// The summary of an external candidate's campaigns: the mistakes that explain most errors, or the
+/// level up to which it is right, if that is known.
 std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
   std::optional<Level> broken, held;
   std::vector<const CampaignReport*> all_broken;
@@ -191,13 +191,13 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
         broken = std::min(broken.value_or(Level::kExtreme), part.source.level());
     }
   }
-  if (!held && !failure.empty()) return fmt::format("answers nothing: {}", failure);
-  if (!broken && !open.empty()) return fmt::format("nothing broken, but not all decided: {}", open);
+  if (!held && !failure.empty()) return fmt::format("gives no answers: {}", failure);
+  if (!broken && !open.empty()) return fmt::format("nothing broken, but undecided: {}", open);
   if (!broken && !held) {
     return is_outside ? "nothing judged: no case lies within the lengths that it declares"
                       : "nothing judged: it implements no function that these laws test";
   }
-  if (!broken) return fmt::format("right on {} cases, as far as it was asked", name(*held));
+  if (!broken) return fmt::format("right on all {} cases that were tried", name(*held));
   const std::string right =
       *broken > Level::kOrdinary
           ? fmt::format("right on {} cases; ",
@@ -206,8 +206,7 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
   return right + causes_text(all_broken);
 }
 
-/// What became of the cases kept: those that still break their law, or a candidate's that no longer
-/// do, and how many there are.
+/// The cases of the corpus that still break their law, those that no longer do, and their numbers.
 std::string corpus_text(const PropertiesReport& report) {
   std::string text;
   std::set<std::string> files;
@@ -226,7 +225,7 @@ std::string corpus_text(const PropertiesReport& report) {
                             broken, mended);
 }
 
-/// How many cases filled a time, of each source the most that a law was tried on.
+/// The number of cases that filled a time; for each source the most that a law was tried on.
 std::string time_text(const PropertiesReport& report) {
   if (report.time.empty()) return "";
   std::vector<std::pair<std::string_view, std::int64_t>> sources;
@@ -241,14 +240,15 @@ std::string time_text(const PropertiesReport& report) {
       known->second = std::max(known->second, cases);
     }
   }
-  std::string text = fmt::format("{} is --cases {}; of each source:", report.time, report.cases);
+  std::string text =
+      fmt::format("{} is --cases {}; cases of each source:", report.time, report.cases);
   for (const auto& [source, cases] : sources) {
     text += fmt::format("{} {} {}", text.back() == ':' ? "" : ",", cases, source);
   }
   return text + "\n";
 }
 
-/// A line about each of them, where several laws were tried.
+/// A line about each external candidate, if several laws were tried.
 std::string first_sentences(const PropertiesReport& report) {
   std::map<std::string, std::vector<const CampaignReport*>> by_candidate;
   for (const CampaignReport& campaign : report.campaigns) {
@@ -306,14 +306,14 @@ std::string range_text(const properties::NumberRange& range) {
   };
   const std::string span = span_text(range.span);
   const std::string certified = range.certified ? span_text(*range.certified) : "";
-  const bool is_whole = certified == span;  // What is shown of it is.
+  const bool is_whole = certified == span;  // as far as its digits show
   return fmt::format("{}: any {} breaks it too ({}{})\n", range.name,
                      range.is_any ? "valid number" : "in " + span,
                      is_whole ? "certified" : fmt::format("by {} samples", range.samples),
                      certified.empty() || is_whole ? "" : "; certified in " + certified);
 }
 
-/// A number that lies in a range of no more ulps than this matters to its last digits.
+/// A number whose range has at most 2^kNarrowBits ulps matters to its last digits.
 constexpr int kNarrowBits = 10;
 
 /// A line for each number that may be another, and one for those that matter to their last digits.
@@ -332,7 +332,7 @@ std::string ranges_text(const properties::Ranges& ranges, scene::Precision preci
   if (ranges.not_tried > 0) {
     text += fmt::format("{} not tried\n", count_text(ranges.not_tried, "more number"));
   }
-  return text.empty() ? text : "its numbers, one at a time:\n" + indented(text, "  ");
+  return text.empty() ? text : "its numbers, varied one at a time:\n" + indented(text, "  ");
 }
 
 }  // namespace
@@ -346,11 +346,12 @@ std::string failure_text(const CampaignReport& campaign, const properties::Failu
   const std::string reason = fmt::format(
       "{} the law {} with {}{}", failure.is_undecided ? "leaves undecided" : "breaks",
       campaign.law->name, campaign.candidate,
-      failure.tries > 0 ? fmt::format("\nshrunk for {} tries; may be smaller", failure.tries) : "");
+      failure.tries > 0 ? fmt::format("\nshrunk for {} tries; smaller may exist", failure.tries)
+                        : "");
   return broken_law_text(
       campaign.law->sentence, discrepancies,
       explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
-      failure.replay.empty() ? "none: climbed to" : replay_text(campaign, failure.replay),
+      failure.replay.empty() ? "none: found by climbing" : replay_text(campaign, failure.replay),
       properties::scene_text(failure.shrunk, reason));
 }
 
@@ -370,8 +371,9 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
 
 std::string too_few_text(const CampaignResult& result) {
   const auto [quantity, question] = *result.too_few_right();
-  return fmt::format("of {}, question \"{}\", fewer than {} answers are right without an excuse",
-                     info(quantity).name, name(question), result.fewest_right);
+  return fmt::format(
+      "{}: fewer than {} answers are right without an excuse where \"{}\" is expected",
+      info(quantity).name, result.fewest_right, name(question));
 }
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {

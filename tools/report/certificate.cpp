@@ -47,7 +47,7 @@ Json json_of(const std::vector<double>& numbers) {
   return list;
 }
 
-/// A picture may show a sphere without telling which.
+/// A picture may show a sphere of unknown number.
 constexpr const char* kSomeSphere = "a sphere";
 
 Json got_json(const Discrepancy& d) {
@@ -139,7 +139,7 @@ scene::Point3 point_at(const std::vector<double>& numbers, std::size_t first) {
   return {numbers.at(first), numbers.at(first + 1), numbers.at(first + 2)};
 }
 
-/// What must be shown about the ray or the axes for this discrepancy.
+/// The proposition about the ray or the axes that proves this discrepancy.
 reference::Proposition proposition_of(const Discrepancy& d,
                                       const std::vector<scene::Sphere>& spheres) {
   reference::Proposition wanted;
@@ -177,7 +177,7 @@ Json norms_json(const Discrepancy& d, const std::vector<scene::Sphere>& spheres)
   return json;
 }
 
-/// Why no proof is attempted; empty when one is.
+/// Why no proof is attempted; empty if one is.
 std::string not_provable(const Discrepancy& d, bool from_camera) {
   const properties::Law* law = properties::find_law(d.law);
   if (d.quantity == Quantity::kRefusal) return "no value is stated";
@@ -186,7 +186,7 @@ std::string not_provable(const Discrepancy& d, bool from_camera) {
     return "the law relates several answers of the method: no exact value is stated";
   }
   if (is_own && from_camera) {
-    return "a backward error is that of the very ray which the method made itself";
+    return "a backward error belongs to the ray that the method made itself";
   }
   return {};
 }
@@ -203,12 +203,12 @@ Json neighbourhood_json(const Discrepancy& d) {
 }
 
 constexpr const char* kTie =
-    "a value is 0, or equal to another, only by virtue of square roots: brackets cannot show it";
+    "a value is 0, or equal to another, because square roots cancel: brackets cannot prove it";
 
-/// Adds the inputs and their proof; returns why there is none, or empty.
+/// Adds the inputs and their proof; returns the reason if there is no proof, else empty.
 std::string add_proof(const scene::Scene& scene, const scene::Conventions& conventions,
                       const Discrepancy& d, Json& json) {
-  if (!conventions.valid.is_usual()) return "t_min, t_max or culling: no proof speaks of them";
+  if (!conventions.valid.is_usual()) return "proofs do not cover t_min, t_max or culling";
   if (auto reason = not_provable(d, scene.camera.has_value()); !reason.empty()) return reason;
   const std::vector<scene::Sphere> spheres = spheres_of(scene, d);
   const reference::Prover prover =

@@ -10,7 +10,7 @@
 
 namespace raycheck::tools {
 
-/// A proof that a discrepancy is one, in integers only: the object of docs/certificates.md, which
+/// A proof of a discrepancy, in integers only: the object of docs/certificates.md, which
 /// tools/verify_certificates.py checks. `conventions`: those that the method was judged under. If
 /// no such proof is possible, "certified" is false and "reason" says why.
 Json certificate(const scene::Scene& scene, const scene::Conventions& conventions,

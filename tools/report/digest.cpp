@@ -12,7 +12,7 @@ std::string sha256(std::string_view bytes) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> made{};
   unsigned int size = 0;
   if (EVP_Digest(bytes.data(), bytes.size(), made.data(), &size, EVP_sha256(), nullptr) != 1) {
-    throw std::runtime_error("SHA-256 is not to be had");
+    throw std::runtime_error("OpenSSL does not provide SHA-256");
   }
   return {made.begin(), made.begin() + size};
 }

@@ -28,13 +28,13 @@ std::string json_line(const Json& json);
 
 /// The start of every command's report.
 Json json_header(std::string_view command);
-/// The report of a command that was interrupted before it had anything to say.
+/// The report of a command that was interrupted before it had any results.
 std::string interrupted_json_text(std::string_view command);
 
 /// An error: a number, null, or the string "infinity".
 Json error_json(std::optional<double> error);
 
-/// What `write` makes of a value; null if there is no value.
+/// write(value); null without a value.
 template <class Value, class Write = std::identity>
 Json or_null(const std::optional<Value>& value, const Write& write = {}) {
   return value ? Json(write(*value)) : Json(nullptr);
@@ -43,7 +43,7 @@ inline Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 
-/// A list of what `write` makes of each value.
+/// The list of write(value) for each value.
 template <class Values, class Write>
 Json list_json(const Values& values, const Write& write) {
   Json list = Json::array();
@@ -60,9 +60,9 @@ Json conventions_json(const scene::Conventions& conventions);
 Json dialect_json(std::optional<scene::Dialect> dialect);
 Json pixel_json(const scene::Pixel& pixel);
 Json place_json(const properties::Place& place);
-/// The file of a scene, and the size of its image, null where it has none.
+/// The file of a scene, and the size of its image, null if it has none.
 void add_scene(Json& json, const std::string& path, const scene::Scene& scene);
-/// What was asked, of which too little was judged.
+/// The quantity and kind of question of which too little was judged.
 Json too_few_json(const std::pair<properties::Quantity, properties::Expected>& too_few);
 /// Null for a defect.
 Json excuse_json(const properties::Discrepancy& discrepancy);
@@ -70,13 +70,13 @@ Json discrepancy_json(const properties::Discrepancy& discrepancy);
 
 Json explanations_json(const std::vector<properties::Explanation>& explanations);
 
-/// What was compared for one quantity: the same object in every report.
+/// The comparisons of one quantity: the same object in every report.
 Json tally_json(properties::Quantity quantity, const properties::Tally& tally,
                 scene::Precision precision = scene::Precision::kDouble);
-/// Everything that a verdict compared.
+/// All tallies of a verdict.
 Json tallies_json(const properties::Verdict& verdict,
                   scene::Precision precision = scene::Precision::kDouble);
-/// How many discrepancies of a verdict are defects, undecided, excused, not judged.
+/// The numbers of a verdict's discrepancies that are defects, undecided, excused, not judged.
 Json standings_json(const properties::Verdict& verdict);
 
 Json decided_by_json(const reference::DecidedBy& decided_by);

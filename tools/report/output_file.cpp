@@ -22,11 +22,11 @@ OutputFile::OutputFile(std::string named_by, std::string path)
   const auto refuse = [&](const std::string& why) {
     throw scene::InvalidInput(named_by_, path_, "cannot be written: " + why);
   };
-  if (path_.empty()) refuse("it names no file");
+  if (path_.empty()) refuse("the name is empty");
   std::error_code ignored;
   const fs::file_status status = fs::status(path_, ignored);
   if (fs::exists(status)) {
-    if (!fs::is_regular_file(status)) refuse("there is something that is not a file");
+    if (!fs::is_regular_file(status)) refuse("the path exists and is not a regular file");
     if (access(path_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
   }
   // In containers every process may be number 1.
@@ -34,7 +34,7 @@ OutputFile::OutputFile(std::string named_by, std::string path)
       fmt::format("{}.{}.{:08x}.part", path_, getpid(), std::random_device()());
   errno = 0;
   file_.open(beside, std::ios::binary);
-  if (!file_) refuse(errno != 0 ? std::strerror(errno) : "it could not be opened");
+  if (!file_) refuse(errno != 0 ? std::strerror(errno) : "cannot open it");
   beside_ = beside;
 }
 
@@ -61,7 +61,7 @@ void OutputFile::place() {
 }
 
 void OutputFile::require_written() {
-  if (!file_) fail(errno != 0 ? std::strerror(errno) : "not all of it was taken");
+  if (!file_) fail(errno != 0 ? std::strerror(errno) : "only a part could be written");
 }
 
 void OutputFile::fail(const std::string& why) const {
@@ -82,7 +82,7 @@ void require_no_input(const std::string& named_by, const std::string& path,
     std::error_code error;
     if (!fs::equivalent(path, input, error)) continue;
     throw scene::InvalidInput(named_by, path,
-                              fmt::format("is {}, which is read; give another file", input));
+                              fmt::format("is the input {}; give another file", input));
   }
 }
 

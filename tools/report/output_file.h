@@ -42,11 +42,11 @@ class OutputFile {
   std::ofstream file_;
 };
 
-/// Makes a folder, and those above it, that may be there. Errors: std::invalid_argument as above.
+/// Makes a folder, and its parents, if missing. Errors: std::invalid_argument as above.
 void make_folder(const std::string& named_by, const std::filesystem::path& folder);
 
-/// Throws std::invalid_argument where an output file is one of those that the same command reads,
-/// whatever links lead there. An input that does not exist does not count.
+/// Throws std::invalid_argument if an output file is one of the inputs of the same command, also
+/// through links. Inputs that do not exist are ignored.
 void require_no_input(const std::string& named_by, const std::string& path,
                       const std::vector<std::string>& inputs);
 

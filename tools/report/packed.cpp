@@ -8,7 +8,7 @@ namespace raycheck::tools {
 namespace {
 
 constexpr int kQuickly = 1;  ///< zlib's level
-/// No deflated byte stands for more.
+/// A deflated byte expands to at most this number of bytes.
 constexpr std::size_t kMostGrowth = 1032;
 
 }  // namespace
@@ -18,7 +18,7 @@ std::string packed(const std::string& text) {
   std::string bytes(size, '\0');
   const int result = compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
                                reinterpret_cast<const Bytef*>(text.data()), text.size(), kQuickly);
-  if (result != Z_OK) throw std::runtime_error("zlib: no memory");
+  if (result != Z_OK) throw std::runtime_error("zlib: out of memory");
   bytes.resize(size);
   return bytes;
 }

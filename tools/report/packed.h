@@ -7,7 +7,7 @@ namespace raycheck::tools {
 
 /// Compressed by zlib, quickly.
 std::string packed(const std::string& text);
-/// The text of that size; empty if these are not such bytes, by zlib's own check.
+/// The text of that size; empty if the bytes are invalid, by zlib's check.
 std::string unpacked(const std::string& bytes, std::size_t size);
 
 }  // namespace raycheck::tools

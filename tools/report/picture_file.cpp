@@ -38,7 +38,7 @@ class PngEncoder : public PictureEncoder {
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     if (info_ == nullptr) {
       png_destroy_write_struct(&png_, nullptr);
-      file.fail("libpng: it cannot be used");
+      file.fail("libpng: cannot be initialised");
     }
   }
   PngEncoder(const PngEncoder&) = delete;
@@ -104,7 +104,7 @@ std::unique_ptr<PictureEncoder> encoder_for(const std::string& option, const std
   if (path.ends_with(".png")) return std::make_unique<PngEncoder>(file);
   if (path.ends_with(".ppm")) return std::make_unique<PpmEncoder>(file);
   throw std::invalid_argument(
-      fmt::format("{} {}: a picture's name ends in .png or .ppm", option, path));
+      fmt::format("{} {}: the name of a picture must end in .png or .ppm", option, path));
 }
 
 }  // namespace
@@ -162,7 +162,7 @@ class PpmWords {
     skip();
     std::int64_t value = 0;
     const auto [at, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc()) throw PictureError("its PPM has a word that is no number, or ends");
+    if (error != std::errc()) throw PictureError("its PPM lacks a number, or ends too early");
     rest_.remove_prefix(static_cast<std::size_t>(at - rest_.data()));
     return value;
   }
@@ -192,7 +192,7 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
   if (wanted && !picture.has_size(*wanted)) return picture;
   const std::int64_t largest = words.number();
   if (largest < 1 || largest > 65535) {
-    throw PictureError(fmt::format("its PPM's largest channel is {}", largest));
+    throw PictureError(fmt::format("its PPM's maximum channel is {}, not 1 to 65535", largest));
   }
   const auto count = static_cast<std::size_t>(picture.width * picture.height);
   const std::size_t size = largest < 256 ? 1 : 2;
@@ -201,7 +201,7 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
     rest = words.bytes();
     // A Windows line end has one byte more than the format allows.
     if (rest.starts_with('\n') && rest.size() == 3 * size * count + 1) rest.remove_prefix(1);
-    if (rest.size() < 3 * size * count) throw PictureError("its PPM ends before its pixels");
+    if (rest.size() < 3 * size * count) throw PictureError("its PPM lacks pixels");
   }
   const auto channel = [&] {
     std::int64_t value = 0;
@@ -214,7 +214,7 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
       rest.remove_prefix(size);
     }
     if (value < 0 || value > largest) {
-      throw PictureError(fmt::format("its PPM has the channel {} of at most {}", value, largest));
+      throw PictureError(fmt::format("its PPM has channel {}, maximum {}", value, largest));
     }
     return static_cast<std::uint8_t>((255 * value + largest / 2) / largest);
   };

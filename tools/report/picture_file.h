@@ -17,7 +17,7 @@ struct Colour {
   std::uint8_t red = 0, green = 0, blue = 0;
   bool operator==(const Colour&) const = default;
 };
-static_assert(sizeof(Colour) == 3, "pixels are written as they lie in memory");
+static_assert(sizeof(Colour) == 3, "pixels are written as laid out in memory");
 
 /// The most pixels of a picture across, and down: libpng's limit.
 inline constexpr std::int64_t kMostPictureSide = 1'000'000;
@@ -70,7 +70,7 @@ struct ReadPicture {
   }
 };
 
-/// What was read is not a picture, or is too large; what() says why.
+/// Bytes that are not a picture, or one that is too large; what() says why.
 class PictureError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

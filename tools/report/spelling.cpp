@@ -19,7 +19,7 @@ namespace {
 constexpr std::array<std::string_view, 11> kFormulasBegin = {
     "=", "+", "-", "@", "\t", "\r", "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
 
-/// In tables: there is no number.
+/// In tables: no value.
 constexpr std::string_view kNone = "-";
 
 bool is_formula(std::string_view text) {

@@ -6,8 +6,8 @@
 namespace raycheck::tools {
 
 /// Text as a cell of a CSV table, quoted if needed; what acts on a terminal is spelled out
-/// (scene/text.h). What a spreadsheet would take for a formula, since it begins with = + - @, a tab
-/// or an end of line and is no number, begins with an apostrophe instead.
+/// (scene/text.h). Text that a spreadsheet would take for a formula, since it begins with = + - @,
+/// a tab or an end of line and is not a number, is prefixed with an apostrophe.
 std::string csv_cell(std::string_view text);
 
 /// Text for HTML elements and attributes; what acts on a viewer is spelled out (scene/text.h).

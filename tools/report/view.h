@@ -10,7 +10,7 @@ struct ViewOptions {
   bool colours = false;  ///< For a terminal.
 };
 
-/// What in a text acts on its reader.
+/// Active content in a text.
 enum class ViewKind {
   kText,      ///< Nothing.
   kCommands,  ///< Lines that GitHub's workflow log interprets.

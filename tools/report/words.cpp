@@ -18,7 +18,7 @@ using properties::Excuse;
 using properties::ExcuseKind;
 using properties::Standing;
 
-/// Errors are upper bounds: below this one says no more than that; the true error may be 0.
+/// Errors are upper bounds: smaller ones are shown as below this; the true error may be 0.
 constexpr double kSmallestShown = 1e-9;
 
 /// Changes of the inputs are counted in u up to this many.
@@ -112,8 +112,8 @@ std::string explained_text(std::string_view sentence, std::uint64_t explained, s
                            std::string_view answers) {
   const bool is_formula =
       sentence != properties::kNotNumbers && sentence != properties::kKeepsState;
-  return fmt::format("{}: {} of {} wrong {}{}", sentence, explained, errors, answers,
-                     is_formula ? " are right that way" : "");
+  return fmt::format("{}: {}{} of {} wrong {}", sentence, is_formula ? "explains " : "", explained,
+                     errors, answers);
 }
 
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
@@ -157,8 +157,8 @@ std::string_view precision_words(scene::Precision precision) {
 
 std::string rounded_numbers_text(std::size_t count) {
   if (count == 0) return "";
-  return fmt::format("{} of the scene {}: asked and judged on the scene rounded to floats",
-                     count_text(count, "number"), count == 1 ? "is no float" : "are no floats");
+  return fmt::format("{} of the scene {} not floats: judged on the rounded scene",
+                     count_text(count, "number"), count == 1 ? "is" : "are");
 }
 
 std::string change_text(double relative_change, scene::Precision precision) {
@@ -203,7 +203,7 @@ std::string excuse_text(const Discrepancy& d) {
   switch (excuse.kind) {
     case ExcuseKind::kUndecided:
       return fmt::format(
-          "whether it is right for inputs changed by at most {} was neither shown nor refuted",
+          "neither proved nor refuted: right for inputs that are changed by at most {}",
           change_text(excuse.amount, d.precision));
     case ExcuseKind::kWitness:
       return witness_text(d);
@@ -221,7 +221,7 @@ std::string excuse_text(const Discrepancy& d) {
 
 namespace {
 
-/// Which question failed, as a clause; empty if none is to blame.
+/// Which question failed, as a clause; empty if that is unknown.
 std::string failed_place_text(const Discrepancy& d) {
   switch (d.failed.blame) {
     case properties::Blame::kQuestion:
@@ -230,7 +230,7 @@ std::string failed_place_text(const Discrepancy& d) {
       return fmt::format(", one of {} from {} on", count_text(d.failed.count, "question"),
                          place_text(d.place));
     case properties::Blame::kTogether:
-      return fmt::format(", {} from {} on, which are answered in parts",
+      return fmt::format(", {} from {} on, which are answered if asked in parts",
                          count_text(d.failed.count, "question"), place_text(d.place));
     default:
       return {};
@@ -266,7 +266,7 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
     }
   }
   if (d.excluded_by) {
-    text += fmt::format("  answers s = {}, which its own interval {} excludes\n",
+    text += fmt::format("  answers s = {}, which the interval {} excludes\n",
                         scene::shortest(d.got.front()), interval_text(*d.excluded_by));
   }
   if (d.condition) text += fmt::format("  condition number about {}\n", error_text(d.condition));

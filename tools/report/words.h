@@ -22,7 +22,7 @@ std::string error_text(std::optional<double> error);
 /// (0x1.8p+2)", "miss", "sphere 3", "no sphere".
 std::string answer_text(properties::Quantity quantity, std::string_view symbol,
                         const std::vector<double>& numbers);
-/// The answer in a discrepancy; "a sphere" if a picture does not tell which one.
+/// The answer in a discrepancy; "a sphere" if a picture does not show which one.
 std::string got_text(const properties::Discrepancy& discrepancy);
 std::string exact_text(const properties::Discrepancy& discrepancy);
 
@@ -46,11 +46,10 @@ std::string conventions_text(const scene::Conventions& conventions);
 /// Appended for judgement in floats: ", in single precision"; empty for doubles.
 std::string_view precision_words(scene::Precision precision);
 
-/// "4 numbers of the scene are no floats: asked and judged on the scene rounded to floats", or
-/// empty.
+/// "4 numbers of the scene are not floats: judged on the rounded scene", or empty.
 std::string rounded_numbers_text(std::size_t count);
 
-/// A relative change in units of u, or as a number if that would be many: "16 u", "1e-06".
+/// A relative change in units of u, or as a plain number if large: "16 u", "1e-06".
 std::string change_text(double relative_change,
                         scene::Precision precision = scene::Precision::kDouble);
 /// Why a discrepancy is not held against the method, with the reason; empty if it is.
@@ -63,24 +62,24 @@ std::string input_name(const properties::Discrepancy& discrepancy, std::size_t i
 std::string standings_text(
     const std::function<std::uint64_t(properties::Standing standing)>& count);
 
-/// "rows are upside down: 90 of 90 wrong pixels are right that way", without the last words where
-/// the sentence is about no formula.
+/// "rows are upside down: explains 90 of 90 wrong pixels", without "explains" if the sentence is
+/// not about a formula.
 std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
                            std::string_view answers);
 
-/// The same of all, one per line; of a sentence that explains nothing it alone.
+/// The same of all, one per line; only the sentence if it explains nothing.
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
                               std::string_view answers);
 
 /// How a discrepancy is wrong: "false hit", "off by 6.7e+07 ulp".
 std::string wrongness_text(const properties::Discrepancy& discrepancy);
-/// What a discrepancy is, in a line: "parameter, pixel (9, 8), sphere 0: off by 6.7e+07 ulp".
+/// A discrepancy in a line: "parameter, pixel (9, 8), sphere 0: off by 6.7e+07 ulp".
 std::string discrepancy_head(const properties::Discrepancy& discrepancy);
 /// A discrepancy in lines: the answer, the exact one, the error and the excuse.
 std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);
 
-/// Why a law is broken, in lines: its sentence, what is wrong and why (separate lines), how to
-/// replay it (or empty) and the shrunk case as a scene.
+/// How a law is broken, in lines: its sentence, the discrepancy and its causes (separate lines),
+/// how to replay it (or empty) and the shrunk case as a scene.
 std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,
                             std::string_view causes, std::string_view replay,
                             std::string_view scene);

@@ -46,7 +46,7 @@ void in_order(std::int64_t count, const properties::RunControl& control, const M
                                              [&](const Shared& result) { take(*result); }));
     });
   } catch (const scene::Interrupted&) {
-    // The answer is what was taken so far.
+    // Keep the results taken so far.
   }
 }
 

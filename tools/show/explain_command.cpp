@@ -26,10 +26,10 @@ ExplainOptions explain_given_ray(const ExplainArguments& arguments) {
   if (!(arguments.scene.empty() && arguments.pixel.empty() && arguments.rays.empty() &&
         arguments.dialect.empty())) {
     throw std::invalid_argument(
-        "--ray: explains a ray given by numbers; leave out SCENE, --pixel, --rays, --dialect");
+        "--ray: cannot be combined with SCENE, --pixel, --rays or --dialect");
   }
   if (arguments.sphere.empty()) {
-    throw std::invalid_argument("--ray: give the sphere too, --sphere cx,cy,cz,r");
+    throw std::invalid_argument("--ray: also give the sphere, --sphere cx,cy,cz,r");
   }
   const auto ray = parse_list("--ray", arguments.ray, 6, "origin and direction: ox,oy,oz,dx,dy,dz");
   const auto sphere = parse_list("--sphere", arguments.sphere, 4, "centre and radius: cx,cy,cz,r");
@@ -66,7 +66,7 @@ int run_explain(const ExplainArguments& arguments) {
   ExplainOptions options =
       arguments.ray.empty() ? explain_pixel(arguments) : explain_given_ray(arguments);
   if (arguments.external.candidates.size() > 1) {
-    throw std::invalid_argument("--candidate: all is explained by its conventions; give it once");
+    throw std::invalid_argument("--candidate: explain takes only one, and uses its conventions");
   }
   const std::vector<Implementation> candidates = find_by_stages(arguments.external);
   if (!candidates.empty()) {
@@ -87,7 +87,7 @@ CommandRun add_explain(CLI::App& command) {
   add_dialect(command, arguments.dialect);
   command.add_option("--pixel", arguments.pixel, "the pixel, I,J");
   command.add_option("--rays", arguments.rays,
-                     "whose ray the intersection methods get (default: direct)");
+                     "the method that makes the ray to intersect (default: direct)");
   command.add_option("--ray", arguments.ray, "a ray instead: ox,oy,oz,dx,dy,dz");
   command.add_option("--sphere", arguments.sphere,
                      "which sphere of the scene (default: the one met first); with --ray: "

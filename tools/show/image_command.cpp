@@ -46,8 +46,8 @@ int run_image(const ImageArguments& arguments) {
         std::pair("--candidate", candidates.empty() ? "" : candidates.front())}) {
     if (options.what == Picture::kError || value.empty()) continue;
     throw std::invalid_argument(
-        fmt::format("{} {}: only --what error shows an implementation; the other shows the exact "
-                    "answer",
+        fmt::format("{} {}: only --what error shows a candidate or method; --what sphere shows the "
+                    "exact answer",
                     option, value));
   }
   if (!arguments.rays.empty()) options.methods.rays = &find_rays(arguments.rays);
@@ -55,7 +55,7 @@ int run_image(const ImageArguments& arguments) {
     options.methods.intersect = &find_intersect(arguments.intersect);
   }
   if (candidates.size() > 1) {
-    throw std::invalid_argument("--candidate: a picture shows one; give it once");
+    throw std::invalid_argument("--candidate: a picture shows only one candidate");
   }
   const std::vector<Implementation> candidates_found = find_by_stages(arguments.external);
   options.implementation =
@@ -84,11 +84,11 @@ CommandRun add_image(CLI::App& command) {
       ->required()
       ->type_name("FILE");
   add_named(command, "--what", arguments.what, kPictureNames,
-            "sphere: the nearest one, shaded; error: how far a method's s is off");
+            "sphere: the nearest one, shaded; error: the error of a method's s");
   command.add_option("--rays", arguments.rays,
-                     "of error: the method that makes rays (default: direct)");
+                     "for error: the method that makes rays (default: direct)");
   command.add_option("--intersect", arguments.intersect,
-                     "of error: the method that intersects them (default: cross)");
+                     "for error: the method that intersects rays (default: cross)");
   command.add_option("--size", arguments.size,
                      "pixels across and down, W,H (default: the scene's)");
   add_strict(command, arguments.strict);

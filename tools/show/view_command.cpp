@@ -36,8 +36,8 @@ struct ViewArguments {
   int threads = tbb::info::default_concurrency();
 };
 
-/// Up to this many rays times spheres every ray is judged; up to this times methods all of fast/'s
-/// are, if none is chosen.
+/// If rays times spheres are at most this, every ray is judged; if rays times spheres times methods
+/// are, the default is all methods of fast/.
 constexpr double kMostJudged = 1 << 22;
 
 struct Size {
@@ -73,7 +73,7 @@ std::vector<Selection> wanted(const ViewArguments& arguments, const scene::Scene
     list.push_back({parse_pixel("--pixel", text, arguments.scene, scene), {}, sphere});
   }
   if (sphere && list.empty()) {
-    throw std::invalid_argument("--sphere: goes with --pixel I,J");
+    throw std::invalid_argument("--sphere: also give --pixel I,J");
   }
   return list;
 }
@@ -117,7 +117,7 @@ ViewDocument of_family(const ViewArguments& arguments, const properties::RunCont
   return dial_document(options, !arguments.methods.empty(), control);
 }
 
-/// The first findings; the page has them all.
+/// At most this number of findings; the page has all of them.
 constexpr std::size_t kMostLines = 5;
 
 std::string scene_text(const SceneView& view) {
@@ -130,7 +130,7 @@ std::string scene_text(const SceneView& view) {
                      count_text(view.panels.size(), "pair"));
 }
 
-/// A page's contents in lines: its start, its findings, what was left out.
+/// A page's contents in lines: its first view, its findings, what was left out.
 std::string view_text(const ViewDocument& document, const std::string& file, std::size_t bytes) {
   std::string text;
   for (const SceneView& view : document.scenes) text += scene_text(view);
@@ -148,12 +148,12 @@ std::string view_text(const ViewDocument& document, const std::string& file, std
 
 int run_view(const ViewArguments& arguments) {
   if (arguments.scene.empty() == arguments.family.empty()) {
-    throw std::invalid_argument("view: give a scene, or --family for a family's dial");
+    throw std::invalid_argument("view: give a scene, or --family NAME for a family of cases");
   }
   if (!arguments.family.empty() && !(arguments.dialect.empty() && arguments.rays.empty() &&
                                      arguments.pixels.empty() && arguments.sphere.empty())) {
     throw std::invalid_argument(
-        "--family: shows cases of its own; leave out --dialect, --rays, --pixel, --sphere");
+        "--family: cannot be combined with --dialect, --rays, --pixel or --sphere");
   }
   if (arguments.out.empty() && arguments.format != "json") {
     throw std::invalid_argument("view: give --out FILE.html, or --format json");
@@ -182,18 +182,18 @@ CommandRun add_view(CLI::App& command) {
   ViewArguments& arguments = *given;
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
   command.add_option("--family", arguments.family,
-                     "a stress family in place of a scene: its dial, a scene at each severity");
+                     "a stress family instead of a scene: shows a scene at each severity");
   add_cases(command, arguments.cases, "cases at each severity of a family");
   add_seed(command, arguments.seed);
-  command.add_option("--out", arguments.out, "the page: one HTML file, which needs no other");
+  command.add_option("--out", arguments.out, "the page: one self-contained HTML file");
   add_dialect(command, arguments.dialect);
   command
       .add_option("--method", arguments.methods,
-                  "the methods that intersect rays, with commas between (default: all, or of large "
+                  "the methods that intersect, separated by commas (default: all, or for large "
                   "scenes cross)")
       ->delimiter(',');
   command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
-  command.add_option("--pixel", arguments.pixels, "a pixel to begin with, I,J; several times");
+  command.add_option("--pixel", arguments.pixels, "a pixel to begin with, I,J; may be repeated");
   command.add_option("--sphere", arguments.sphere, "the sphere to begin with");
   add_external(command, arguments.external);
   add_threads(command, arguments.threads, "the page");

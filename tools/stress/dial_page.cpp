@@ -17,7 +17,7 @@ namespace {
 
 using properties::StressResult;
 
-/// How many severities are shown as scenes, evenly spaced.
+/// The number of severities that are shown as scenes, evenly spaced.
 constexpr int kMostScenes = 18;
 /// Cases per severity; the scene shows the worst.
 constexpr int kCasesTried = 20;
@@ -38,7 +38,7 @@ properties::Place worst_place(const StressResult& result, properties::Quantity q
 struct ShownCase {
   properties::Case the_case;
   properties::Place place;
-  std::optional<properties::Discrepancy> wrong;  ///< What counts against the method there.
+  std::optional<properties::Discrepancy> wrong;  ///< The method's defect there, if any.
 };
 
 /// Among the first cases at a severity, in the order of judging, the one on which a method is
@@ -96,15 +96,15 @@ ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
 ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
                            const properties::RunControl& control) {
   if (options.families.size() != 1) {
-    throw scene::InvalidInput("family", "", "a dial is one family's; name one");
+    throw scene::InvalidInput("family", "", "give one family");
   }
   const StressReport report = run_stress(options, control);
   if (report.interrupted) throw scene::Interrupted();
   const FamilyReport& family = report.families.front();
   if (family.curves.empty()) {
-    throw scene::InvalidInput("method", "", "asks nothing of this family");
+    throw scene::InvalidInput("method", "", "this family has no questions for the given methods");
   }
-  // Of both stages the one that the family is about: intersections if it has any.
+  // The stage that the family tests: intersections if it has any.
   const properties::Stage stage = family.curves.back().stage;
   ViewDocument document;
   document.title = std::string(family.family->name);
@@ -119,7 +119,7 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
     if (first == nullptr) first = &curve;
     show(curve.method, view);
   }
-  dial.sentence += fmt::format("; what is shown is, of the first {} cases at each, the worst of {}",
+  dial.sentence += fmt::format("; scenes: of the first {} cases the one on which {} is worst",
                                kCasesTried, first->method.name);
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =

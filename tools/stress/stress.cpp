@@ -45,7 +45,7 @@ std::pair<int, int> range_of(const CaseSource& family, const StressOptions& opti
   return {from, std::min(to, highest)};
 }
 
-/// Requires that every family has the first severity asked for, and one family the last.
+/// Requires that every family has the first requested severity, and one family the last.
 void require_severities(const std::vector<const CaseSource*>& families,
                         const StressOptions& options) {
   if (!options.severities || families.empty()) return;
@@ -198,7 +198,7 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   using Results = std::vector<StressResult>;
   std::size_t next = 0;
   properties::RunControl allowed = control;
-  // Who is silent three times is asked no more, which must not depend on threads.
+  // A candidate that times out three times is dropped, independently of threads.
   if (kept == nullptr &&
       std::ranges::any_of(options.implementations,
                           [](const Implementation& one) { return !one.methods; })) {

@@ -62,10 +62,10 @@ struct StressReport {
   std::uint64_t compared() const;
 };
 
-/// Judges methods on families of cases of growing severity, each stage alone; of more than
+/// Judges each stage of methods separately, on families of cases of growing severity; of more than
 /// properties::kMostSeverities severities only some are judged. Throws std::invalid_argument naming
-/// the field. With `units`, only what is missing of their shard; if they are not all, the report is
-/// empty.
+/// the field. With `units`, only the missing units of the shard; if that is not the whole campaign,
+/// the report is empty.
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {},
                         Units* units = nullptr);
 
@@ -89,9 +89,9 @@ ChartFacet stress_facet(const FamilyReport& family, properties::Stage stage,
 /// A report as a page: error against severity, on each of its families.
 ViewDocument stress_document(const StressReport& report);
 
-/// A family's dial as a page: the error of each method at every severity, and at some of them a
-/// case as a scene, of the first ones that on which the first method is worst.
-/// `is_of_methods`: panels show the steps of these methods alone.
+/// A family as a page: the error of each method at every severity, and at some severities a scene,
+/// the one of the first cases on which the first method is worst.
+/// `is_of_methods`: panels show the steps of these methods only.
 /// Domain: options with one family; otherwise throws std::invalid_argument naming the field.
 ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
                            const properties::RunControl& control);

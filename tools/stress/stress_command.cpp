@@ -35,7 +35,7 @@ std::pair<int, int> parse_range(const std::string& text) {
   if (dots == std::string::npos) return {number(text), number(text)};
   const std::pair<int, int> range = {number(text.substr(0, dots)), number(text.substr(dots + 2))};
   if (range.first > range.second) {
-    throw std::invalid_argument("--severity " + text + ": give the smaller severity first");
+    throw std::invalid_argument("--severity " + text + ": give the lower severity first");
   }
   return range;
 }
@@ -71,7 +71,7 @@ CommandRun add_stress(CLI::App& command) {
   add_external(command, given->external);
   add_threads(command, given->threads, "the report");
   add_shards(command, given->shards);
-  add_view(command, given->view, "error against severity, every family and quantile");
+  add_view(command, given->view, "error against severity, for every family and quantile");
   add_certificates(command, given->certificates);
   add_format(command, given->format, names_of(kStressViews));
   return [given] { return run_stress(*given); };

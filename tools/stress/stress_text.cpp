@@ -164,7 +164,7 @@ std::string rendered(const StressReport& report, Markup markup) {
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
       if (curve.left_out() == 0) continue;
-      text += fmt::format("{}{} on {} ({}): {} left out, whose numbers floats cannot hold\n", item,
+      text += fmt::format("{}{} on {} ({}): {} left out, not representable in floats\n", item,
                           curve.method.name, family.family->name, name(curve.stage),
                           count_text(curve.left_out(), "case"));
     }

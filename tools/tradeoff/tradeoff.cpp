@@ -50,11 +50,10 @@ JudgedSource judged_source(const ChosenSource& source) {
   return judged;
 }
 
-/// Methods are timed on the first cases, until these have more spheres, rays and pixels than this
-/// in total.
+/// Methods are timed on the first cases, until their spheres, rays and pixels exceed this in total.
 constexpr std::size_t kMostTimed = std::size_t{1} << 21;
 
-/// Those of one source, or of a scene.
+/// The timed cases of one source, or of a scene.
 class TimedCases {
  public:
   explicit TimedCases(std::size_t sources) : most_(kMostTimed / sources) {}
@@ -125,7 +124,7 @@ class StageJudge {
 };
 
 /// Judges the methods of both stages on cases of a source, which `make` makes by number, with their
-/// severity, until an interrupt; returns how many cases there were. Keeps only those to be timed.
+/// severity, until an interrupt; returns the number of cases. Keeps only those to be timed.
 template <class Make>
 std::uint64_t judge(std::uint64_t count, const Make& make, const JudgedSource& source,
                     TradeoffReport& report, TimedCases& timed) {
@@ -142,7 +141,7 @@ std::uint64_t judge(std::uint64_t count, const Make& make, const JudgedSource& s
       timed.add(one);
     }
   } catch (const scene::Interrupted&) {
-    // The answer is what was judged so far.
+    // The result covers the cases judged so far.
   }
   rays.finish();
   intersections.finish();
@@ -158,7 +157,7 @@ std::optional<Rank> rank_of(const MethodCost& cost) {
   return Rank{time->median, badness->first, badness->second};
 }
 
-/// Marks methods that none beats in time, defects and error at once.
+/// Marks methods that no other beats in time, defects and error at once.
 void mark_pareto(std::vector<MethodCost>& costs) {
   for (MethodCost& one : costs) {
     const auto mine = rank_of(one);
@@ -206,7 +205,7 @@ void finish(const std::vector<Case>& timed, TradeoffReport& report) {
     const std::vector<Case> asked = asked_of(timed, stage);
     if (asked.empty()) {
       costs.clear();
-      report.left_out.push_back(fmt::format("{}: nothing asks for them", name(stage)));
+      report.left_out.push_back(fmt::format("{}: the cases do not use them", name(stage)));
       continue;
     }
     if (stage == Stage::kRays) {
@@ -225,7 +224,7 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   const properties::SceneCases cases(std::move(loaded.scene),
                                      static_cast<std::uint64_t>(options.cases));
   if (cases.rays_judged() < cases.rays_in_scene()) {
-    report.left_out.push_back(fmt::format("{} of {} rays: only {} were asked for",
+    report.left_out.push_back(fmt::format("{} of {} rays: only {} were selected",
                                           cases.rays_in_scene() - cases.rays_judged(),
                                           cases.rays_in_scene(), cases.rays_judged()));
   }
@@ -322,7 +321,7 @@ TradeoffReport run_tradeoff(const TradeoffOptions& options, const properties::Ru
       run_on_scene(options, report);
     }
   } catch (const scene::Interrupted&) {
-    // The answer is what was judged and timed so far.
+    // The report covers what was judged and timed so far.
   }
   report.interrupted = control.interrupted();
   return report;

@@ -23,7 +23,7 @@ struct TradeoffOptions {
   std::string scene;  ///< Empty: cases of sources, at least one.
   std::optional<scene::Dialect> dialect;
   std::vector<properties::ChosenSource> sources;
-  bool all_families = false;  ///< In place of them.
+  bool all_families = false;  ///< Instead of `sources`.
   std::vector<Implementation> implementations;
   int cases = 20000;
   std::uint64_t seed = 1;
@@ -36,14 +36,14 @@ struct Duration {
   double high = 0;
 };
 
-/// What was compared within a method's stated domain.
+/// The comparisons within a method's stated domain.
 using Tallies = std::map<properties::Quantity, properties::Tally>;
 
-/// What one method costs and how large its errors are.
+/// The run time and the errors of one method.
 struct MethodCost {
   properties::Stage stage = properties::Stage::kRays;
   Implementation method;
-  properties::Promises promises;  ///< What its errors are compared with.
+  properties::Promises promises;  ///< The bounds on its errors.
   properties::StressResult accuracy;
   /// The parts by source and severity.
   std::vector<std::vector<Tallies>> by_severity;
@@ -52,7 +52,7 @@ struct MethodCost {
   std::string not_timed;
   std::vector<std::string> unstable_on;  ///< Sources; empty: stable on all of them.
   bool pareto = false;                   ///< No other method is as fast and as accurate.
-  bool is_called_here = false;           ///< External, timed in raycheck's own process.
+  bool is_called_here = false;           ///< External, timed in raycheck's process.
 
   properties::Quantity quantity() const { return properties::main_quantity(stage); }
   std::string_view unit() const { return unit_name(quantity(), promises.precision); }
@@ -95,7 +95,7 @@ struct TradeoffReport {
   std::uint64_t compared() const;
 };
 
-/// The subject in a title; many sources are just counted.
+/// The subject in a title; of many sources only the number.
 std::string subject_text(const TradeoffReport& report);
 
 /// Judges and times methods on the same inputs. Throws std::invalid_argument naming the field, and

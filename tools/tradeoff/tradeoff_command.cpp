@@ -40,7 +40,8 @@ CommandRun add_tradeoff(CLI::App& command) {
   const auto given = std::make_shared<TradeoffArguments>();
   TradeoffOptions& options = given->options;
   CLI::Option* const scene = command.add_option(
-      "SCENE", options.scene, "a scene: only what it needs is compared (default: ordinary cases)");
+      "SCENE", options.scene,
+      "a scene: only stages that it needs are compared (default: ordinary cases)");
   add_dialect(command, given->dialect);
   CLI::Option* const family =
       command
@@ -51,9 +52,9 @@ CommandRun add_tradeoff(CLI::App& command) {
   command.add_flag("--all-families", options.all_families, "cases of every family")
       ->excludes(scene, family);
   add_methods(command, given->methods);
-  add_cases(command, options.cases, "how many cases, or pixels of a scene");
+  add_cases(command, options.cases, "the number of cases, or of pixels of a scene");
   add_seed(command, options.seed);
-  add_view(command, given->view, "error against run time, every source, severity and quantile");
+  add_view(command, given->view, "error against run time, for every source, severity and quantile");
   add_external(command, given->external);
   add_format(command, given->format, names_of(kTradeoffViews));
   return [given] { return run_tradeoff(*given); };

@@ -77,7 +77,7 @@ struct Part {
   scene::Precision precision;
 };
 
-/// The series of a facet, with the data that `fill` adds; none that was never compared.
+/// The series of a facet, with the data that `fill` adds, without those that were never compared.
 template <class Fill>
 void add_series(const Part& part, ChartFacet& facet, Fill fill) {
   const MethodCost* const base = baseline(part.costs);
@@ -128,7 +128,7 @@ ChartFacet facet_of_source(const Part& part, std::size_t index) {
   return facet;
 }
 
-/// What a report has of all of its sources together, and of each.
+/// A report's facets for all of its sources together, and for each source.
 std::vector<ChartFacet> facets_of(const TradeoffReport& report) {
   std::vector<ChartFacet> facets;
   const auto add = [&](ChartFacet facet) {

@@ -23,7 +23,7 @@ std::string spread_text(const std::optional<Duration>& duration) {
   return fmt::format("{:.1f} ({:.1f}..{:.1f})", duration->median, duration->low, duration->high);
 }
 
-/// How often a class was wrong in this way, per million decisions.
+/// The hit classes that were wrong in this way, per million decisions.
 std::string per_million(const Verdict& verdict, Wrong wrong) {
   const Tally& tally = verdict.tally(Quantity::kClass);
   if (tally.cases == 0) return "-";
@@ -35,7 +35,7 @@ std::string max_text(const Verdict& verdict, Quantity quantity) {
   return error_text(verdict.tally(quantity).max());
 }
 
-/// The largest error over the growth of the bound, among those that were weighed.
+/// The largest error over the growth of the bound, among the audited errors.
 std::string audited_text(const Verdict& verdict, Quantity quantity) {
   return error_text(verdict.tally(quantity).max_over_growth);
 }
@@ -48,7 +48,7 @@ std::string ratio_text(const Verdict& verdict) {
   return error_text(properties::worst_ratio(verdict));
 }
 
-/// What an error on given rays is held to, where one was measured.
+/// The bound of an error on given rays, if the error was measured.
 std::string bound_text(const MethodCost& cost, Quantity quantity) {
   if (cost.accuracy.inside.tally(quantity).cases == 0) return "-";
   return error_text(documented_bound(cost.promises, quantity, false));
@@ -133,11 +133,11 @@ std::string legend(std::string_view item, bool has_single) {
   if (!has_single) return text;
   return text + fmt::format(
                     "{}in single precision: u and ulp are those of float, 2^29 times those of "
-                    "double, as which * compares them\n",
+                    "double; * compares them in those of double\n",
                     item);
 }
 
-/// Whom others' code isolates, and who of it is timed in this process.
+/// The isolation of external candidates, and those that are timed in this process.
 std::string others_text(const TradeoffReport& report, std::string_view item) {
   std::vector<Implementation> methods;
   std::string called_here;
@@ -154,10 +154,11 @@ std::string others_text(const TradeoffReport& report, std::string_view item) {
   std::string text = indented(isolation_text(methods), item);
   if (!text.empty()) text = "\n" + text;
   if (called_here.empty()) return text;
-  return text + fmt::format(
-                    "{}timed in raycheck's own process (--sandbox none), by the same loops, once "
-                    "the answers there were those that were judged: {}\n",
-                    item, called_here);
+  return text +
+         fmt::format(
+             "{}timed in raycheck's process (--sandbox none), by the same loops, after their "
+             "answers there were found equal to the judged ones: {}\n",
+             item, called_here);
 }
 
 std::vector<std::string> left_out_of(const TradeoffReport& report) {
@@ -165,9 +166,8 @@ std::vector<std::string> left_out_of(const TradeoffReport& report) {
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
       if (cost.accuracy.left_out > 0) {
-        notes.push_back(fmt::format("{} ({}): {}, whose numbers floats cannot hold",
-                                    cost.method.name, name(cost.stage),
-                                    count_text(cost.accuracy.left_out, "case")));
+        notes.push_back(fmt::format("{} ({}): {}, not representable in floats", cost.method.name,
+                                    name(cost.stage), count_text(cost.accuracy.left_out, "case")));
       }
       if (!cost.not_timed.empty()) {
         const std::string stage = cost.method.methods ? "" : fmt::format(" ({})", name(cost.stage));

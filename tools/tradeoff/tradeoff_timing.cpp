@@ -28,8 +28,7 @@ bool same_bits(const Triple& a, const Triple& b) {
   return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
 }
 
-constexpr const char* kDiffers =
-    "it answers differently in the calls to be timed than when it was judged";
+constexpr const char* kDiffers = "its answers in the timed calls differ from the judged ones";
 
 /// Calls that a stopwatch runs.
 struct Timed {
@@ -51,7 +50,7 @@ double elapsed_ns(const Timed& timed, std::size_t count) {
   return elapsed.count();
 }
 
-/// As many items as fit the time of a repetition, and how many times they are processed.
+/// The items that fit into the time of a repetition, and how often they are processed.
 struct Load {
   std::size_t count;
   int times;
@@ -131,7 +130,7 @@ std::vector<IntersectCall> pairs_of(const std::vector<Case>& cases) {
   return pairs;
 }
 
-/// The ray of a pair, moved so that it lies to another sphere as to its own.
+/// The ray of a pair, moved so that it has the same position relative to another sphere.
 scene::Ray placed_at(const IntersectCall& pair, const scene::Sphere& sphere) {
   const double scale = pair.sphere.radius > 0 ? sphere.radius / pair.sphere.radius : 1;
   const scene::Ray& ray = pair.rays.front();
@@ -194,27 +193,27 @@ std::string only_part(std::size_t part, std::size_t whole) {
                        : fmt::format("timed on the {} of {} inputs in its domain", part, whole);
 }
 
-/// What the stopwatch runs of a method, in calls about one item each and in batches.
+/// The timed calls of a method, with one item each and in batches.
 struct Clocked {
   Timed scalar, batch;
   std::size_t items = 0;  ///< Of all batches.
 };
 
-/// Makes the calls ready where their answers in this process are, to the bit, those that are
-/// judged. Throws what says why not.
+/// Prepares the calls if their answers in this process equal the judged ones bit for bit; otherwise
+/// throws the reason.
 template <class Prepare, class Calls, class Judged>
 Timed timed_calls(const Prepare& prepare, const Calls& calls, const Judged& judged) {
   auto ready = prepare(calls);
   for (std::size_t k = 0; k < calls.size(); ++k) {
     scene::poll();
-    // Who is judged in a process of its own ends that process where it fails, not this one.
+    // A candidate that is judged in a separate process crashes that process, not this one.
     const auto expected = judged(calls[k]);
     if (!is_same(ready.answer(k), expected)) throw std::invalid_argument(kDiffers);
   }
   return {std::move(ready.run), calls.size()};
 }
 
-/// The same of both ways of calling; of who is not called here says why.
+/// The same for single calls and batches; if the candidate is not timed here, gives the reason.
 template <class Find, class Calls, class Judged>
 Clocked clocked(MethodCost& cost, const Find& find, const Calls& singles, const Calls& batches,
                 const Judged& judged) {
@@ -235,8 +234,7 @@ Clocked clocked(MethodCost& cost, const Find& find, const Calls& singles, const 
   return {};
 }
 
-/// Runs the stopwatch over every method's two ways of being called; where one has no items, it
-/// stays empty.
+/// Times the single calls and the batches of every method; without items the time stays empty.
 void time_all(const std::vector<Clocked>& clocked, std::vector<MethodCost>& costs) {
   std::vector<Timed> all;
   for (Timed Clocked::*way : {&Clocked::scalar, &Clocked::batch}) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The data of a page. The page's script draws it and computes nothing that a claim depends on.
+// The data of a page. The page's script only draws it: no claim depends on its computations.
 
 #include <cstdint>
 #include <optional>
@@ -30,7 +30,7 @@ struct Panel {
   Json told;                       ///< As in the document.
 };
 
-/// A run of successive pixels, along the rows from row 0 on, that see the same.
+/// A run of successive pixels, along the rows from row 0 on, with the same nearest sphere.
 struct SeenRun {
   std::uint64_t pixels = 0;
   std::int32_t sphere = 0;  ///< reference::kNoSphere: none.
@@ -55,7 +55,7 @@ struct FindingView {
   std::optional<properties::Standing> standing = properties::Standing::kDefect;
   std::size_t scene = 0;  ///< Index into the document's.
   Selection selection;
-  std::string looks_like = {};  ///< A sentence on the classic mistake that explains it.
+  std::string looks_like = {};  ///< A sentence on the mistake that explains it.
 };
 
 /// A stress family's dial: the document's chart is its one facet.
@@ -68,11 +68,11 @@ struct ViewDocument {
   std::string title;
   std::vector<SceneView> scenes;
   std::vector<FindingView> findings;
-  std::string found;  ///< How many there are, of how many: "8 of 37 discrepancies".
-  std::string worst;  ///< Of the first, behind its place: ", the worst of 37 discrepancies".
+  std::string found;  ///< The number of findings: "8 places, of 37 discrepancies".
+  std::string worst;  ///< Appended to the first's place: ", the worst of 37 discrepancies".
   std::optional<DialView> dial;
   std::optional<ChartView> chart;     ///< For a document without scenes, or a dial.
-  std::vector<std::string> left_out;  ///< What did not fit, and how to ask for it.
+  std::vector<std::string> left_out;  ///< What did not fit, and the command that shows it.
 };
 
 /// The JSON document of a page, on one line or several (docs/json.md).

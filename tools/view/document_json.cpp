@@ -38,21 +38,21 @@ std::vector<std::array<std::string, 2>> words_of_pages() {
        "the gap between the doubles (of a candidate in floats: the floats) around the exact "
        "value"},
       {"u", "half of that gap at 1: the relative error of one rounding"},
-      {"goes wrong at", "the first step whose error is more than one step may be expected to have"},
+      {"goes wrong at", "the first step whose error is larger than a single step can explain"},
       {"class", "whether a ray hits a sphere, touches it or misses it"},
-      {"false hit, missed", "a hit where there is none, a miss where there is a hit"},
-      {"parameter", "s: how far along the ray, in multiples of D, the hit is"},
+      {"false hit, missed", "a hit instead of a miss, a miss instead of a hit"},
+      {"parameter", "s: the distance of the hit along the ray, in multiples of D"},
       {"sphere residual", "how far the answered point Q is from the sphere"},
       {"direct/quadratic", "rays made by the method direct, intersected by the method quadratic"},
-      {"within its bound", "off by no more than what the method documents: its largest error here"},
-      {"defect", "wrong, though the problem allows to be right: held against the method"},
+      {"within its bound", "the method's largest error here is within its documented bound"},
+      {"defect", "wrong, and rounding of the inputs does not excuse it: counts against the method"},
       {"excused",
-       "wrong here, but right for inputs that differ by at most 16 u: as right as its "
+       "wrong here, but right for inputs that differ by at most 16 u: as accurate as its "
        "inputs"},
-      {"undecided", "wrong here, and neither shown to be excused nor shown to be a defect"},
-      {"not judged", "outside the domain for which the method makes promises"},
+      {"undecided", "wrong here, but it was not decided whether it is excused or a defect"},
+      {"not judged", "outside the domain in which the method's bounds apply"},
       {"condition number",
-       "how many times as large a relative change of the result is as that of "
+       "the ratio of a relative change of the result to the relative change of "
        "the inputs"}};
 }
 

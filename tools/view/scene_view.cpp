@@ -73,7 +73,7 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   const scene::Camera& camera = *small.camera;
   if (camera.width != scene.camera->width || camera.height != scene.camera->height) {
     left_out.push_back(fmt::format(
-        "{}: the pictures have {} x {} pixels for {} x {}; `raycheck image` makes them whole",
+        "{}: pictures have {} x {} pixels, not {} x {}; `raycheck image` makes full ones",
         options.name, camera.width, camera.height, scene.camera->width, scene.camera->height));
   }
   const double pairs = static_cast<double>(camera.width) * static_cast<double>(camera.height) *
@@ -83,8 +83,7 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   const auto affordable = static_cast<std::size_t>(most / std::max(pairs, 1.0));
   if (candidates.size() > affordable) {
     left_out.push_back(fmt::format(
-        "{}: pictures of what {} of {} candidates answer; `raycheck image --what error` makes the "
-        "others",
+        "{}: pictures of {} of {} candidates; `raycheck image --what error` makes the others",
         options.name, affordable, candidates.size()));
     candidates.resize(affordable);
   }
@@ -169,7 +168,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
                                    : static_cast<double>(scene.rays.size());
   if (is_full || static_cast<double>(view.panels.size()) < rays) {
     left_out.push_back(
-        fmt::format("{}: steps are shown of {} of {} rays; `raycheck view --pixel I,J` asks for "
+        fmt::format("{}: steps of {} of {} rays are shown; `raycheck view --pixel I,J` shows "
                     "others",
                     options.name, view.panels.size(), static_cast<std::uint64_t>(rays)));
   }
@@ -197,7 +196,7 @@ SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
   view.command = fmt::format("raycheck view {}{}", options.file, options.more_arguments);
   view.scene = shown_scene(scene, options);
   if (scene.spheres.size() > options.limits.spheres) {
-    left_out.push_back(fmt::format("{}: the first {} of {} spheres are drawn", options.name,
+    left_out.push_back(fmt::format("{}: only the first {} of {} spheres are drawn", options.name,
                                    options.limits.spheres, scene.spheres.size()));
   }
   if (view.scene.camera) add_pictures(view.scene, options, view, left_out, control);

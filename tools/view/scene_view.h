@@ -12,7 +12,7 @@ namespace raycheck::tools {
 /// For the panels of all scenes of a page together.
 inline constexpr std::size_t kPanelBytes = 720 << 10;
 
-/// How much of a scene a page may contain.
+/// Limits on the contents of a page.
 struct PageLimits {
   std::size_t spheres = 10'000;           ///< Drawn in the figure.
   std::int64_t picture_pixels = 1 << 20;  ///< Of a picture; larger images are reduced.
@@ -37,7 +37,7 @@ struct SceneViewOptions {
   PageLimits limits;
 };
 
-/// Has a view show an implementation, too: any number of methods, or one that is someone else's.
+/// Adds a candidate to a view: any number of methods, or one external candidate.
 void show(const Implementation& implementation, SceneViewOptions& options);
 
 /// A scene as a page shows it, and what was left out of it. Throws std::invalid_argument naming the
@@ -45,13 +45,13 @@ void show(const Implementation& implementation, SceneViewOptions& options);
 SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
                   std::vector<std::string>& left_out, const properties::RunControl& control);
 
-/// The ray and the sphere of a place in a scene; neither pixel nor ray if the place has none.
+/// The ray and the sphere of a place in a scene; without pixel and ray if the place has neither.
 Selection selection_of(const properties::Place& place, const scene::Scene& scene);
 
 /// Whether a selection determines a ray.
 bool is_of_ray(const Selection& selection);
 
-/// What a page of one case must show: where it is wrong, then everything that the case looks at.
+/// The selections that a page of one case must show: the wrong place, then all others of the case.
 std::vector<Selection> selections_of(const properties::Case& the_case,
                                      const properties::Place& found);
 

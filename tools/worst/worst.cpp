@@ -57,8 +57,8 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
     if (name == chosen) return quantity;
     known += (known.empty() ? "" : ", ") + name;
   }
-  throw scene::InvalidInput(
-      "quantity", chosen, fmt::format("no such quantity of {}; there are {}", name(stage), known));
+  throw scene::InvalidInput("quantity", chosen,
+                            fmt::format("no such quantity of {}; give {}", name(stage), known));
 }
 
 template <class Answer, class... Arguments>

@@ -14,17 +14,17 @@
 namespace raycheck::tools {
 
 struct WorstOptions {
-  /// What is searched, in the stage of the quantity; without one in the last that it offers.
+  /// The candidate, judged at the stage of the quantity, by default the last stage that it offers.
   Implementation method;
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
   properties::SearchOptions search;  ///< Its sources and its quantity follow from these.
-  std::int64_t searches = 1;         ///< With seeds of their own; the worst of all is told.
+  std::int64_t searches = 1;         ///< With different seeds; the worst of all is reported.
 };
 
 struct WorstFound {
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
-  std::uint64_t failures = 0;                  ///< How many times the method gave no answer,
+  std::uint64_t failures = 0;                  ///< The number of times it gave no answer,
   std::string first_failure;                   ///< and how it first failed.
 
   /// Adds later searches: the worst of all, the earliest of those.
@@ -46,8 +46,8 @@ struct WorstReport : WorstFound {
   bool is_unstable() const;
 };
 
-/// Searches for the input on which a method's certified error is worst. With `units`, only what is
-/// missing of their shard; if they are not all, the report is empty.
+/// Searches for the input on which a method's certified error is largest. With `units`, only the
+/// missing units of the shard; if that is not the whole campaign, the report is empty.
 /// Throws std::invalid_argument naming the field.
 WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control = {},
                        Units* units = nullptr);

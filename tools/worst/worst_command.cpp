@@ -33,7 +33,7 @@ Implementation chosen_method(const WorstArguments& arguments) {
   if (methods.size() > 1) {
     throw scene::InvalidInput(
         "method", arguments.method,
-        fmt::format("there are two; give rays/{0} or intersect/{0}", arguments.method));
+        fmt::format("ambiguous: give rays/{0} or intersect/{0}", arguments.method));
   }
   return methods.front();
 }
@@ -43,7 +43,7 @@ int run_worst(WorstArguments& arguments) {
     throw std::invalid_argument("worst: give --method or --candidate");
   }
   if (arguments.external.candidates.size() > 1) {
-    throw std::invalid_argument("--candidate: one is searched; give it once");
+    throw std::invalid_argument("--candidate: worst takes only one");
   }
   arguments.options.method = chosen_method(arguments);
   std::optional<OutputFile> scene = opened("--save", arguments.save);
@@ -67,7 +67,7 @@ CommandRun add_worst(CLI::App& command) {
   const auto given = std::make_shared<WorstArguments>();
   WorstOptions& options = given->options;
   CLI::Option* const method =
-      command.add_option("--method", given->method, "the method, of either kind");
+      command.add_option("--method", given->method, "the method, for rays or intersection");
   command
       .add_option("--family", options.family,
                   "the family or other source to start from, or FAMILY@SEVERITY")
@@ -77,14 +77,14 @@ CommandRun add_worst(CLI::App& command) {
                      "direction or parameter)");
   add_named(
       command, "--by", options.search.climb, properties::kClimbNames,
-      "what to climb on: the error, the error over what the documented bound grows by, or the "
+      "what to maximise: the error, the error over the growth of the documented bound, or the "
       "stability ratio rho");
   add_cases(command, options.search.cases, "random cases");
   add_number(command, "--steps", options.search.steps, 0, kMostCases,
-             "changes tried after the random cases");
+             "the number of changes tried after the random cases");
   add_seed(command, options.search.seed);
   add_number(command, "--searches", options.searches, 1, kMostCases,
-             "how many, from other random cases each");
+             "the number of searches, each from other random cases");
   add_threads(command, given->threads, "the report");
   add_shards(command, given->shards);
   command.add_option("--save", given->save, "write the input to a TOML scene");

@@ -9,7 +9,8 @@ namespace raycheck::tools {
 ViewDocument worst_document(const WorstReport& report, const properties::RunControl& control) {
   const properties::WorstCase& worst = *report.worst;
   ViewDocument document;
-  document.title = fmt::format("the worst of {} on {}", report.method.name, report.source().name());
+  document.title =
+      fmt::format("worst case of {} on {}", report.method.name, report.source().name());
   SceneViewOptions view;
   view.name = "worst.toml";
   view.file = view.name;

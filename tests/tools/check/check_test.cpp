@@ -21,7 +21,7 @@ TEST(Check, runs_on_every_example_scene) {
   EXPECT_GE(scenes, 18);
 }
 
-TEST(Check, judges_what_it_is_asked_to) {
+TEST(Check, judges_the_chosen_candidates) {
   const std::size_t methods = fast::intersect_methods().size();
   EXPECT_EQ(printed_json("check scene/examples/first-camera.toml --all").at("candidates").size(),
             fast::pixel_ray_methods().size() * methods);
@@ -34,7 +34,7 @@ TEST(Check, judges_what_it_is_asked_to) {
   printed_json("check scene/examples/ten-spheres.toml --max-ulp 0.001", 1);
 }
 
-TEST(Check, reports_the_same_whatever_the_number_of_threads) {
+TEST(Check, report_does_not_depend_on_the_number_of_threads) {
   const std::string path =
       temporary_file("threads.toml", far_sphere_scene(90, 70) + sphere_text("0, 0, -2e8", "2e5"));
   const auto report = [&](const std::string& threads) {
@@ -49,7 +49,7 @@ TEST(Check, reports_the_same_whatever_the_number_of_threads) {
   }
 }
 
-TEST(Check, names_a_driver_files_dialect_and_what_is_not_needed_of_it) {
+TEST(Check, names_a_driver_files_dialect_and_its_unneeded_settings) {
   const Outcome result = run("check scene/examples/driver-a.txt", 0);
   EXPECT_FALSE(has(result.err, "warning"));
   EXPECT_TRUE(has(result.out,
@@ -63,7 +63,7 @@ TEST(Check, names_a_driver_files_dialect_and_what_is_not_needed_of_it) {
   EXPECT_EQ(toml["not_needed"].size(), 0u);
 }
 
-TEST(Check, judges_what_overflows_instead_of_refusing_it) {
+TEST(Check, judges_scenes_that_overflow_instead_of_refusing_them) {
   const std::string path = temporary_file(
       "overflow.toml", replaced(far_sphere_scene(16, 16), "left = -0.001", "left = -1e200"));
   const json candidate = printed_json("check " + path, 4)["candidates"][0];
@@ -96,7 +96,7 @@ TEST(Check, spreads_the_pixels_it_judges_over_the_image) {
   }
 }
 
-TEST(Check, says_when_tangents_are_left_unjudged) {
+TEST(Check, reports_unjudged_tangents) {
   const Outcome result =
       run("check " + temporary_file("tangent.toml", "[conventions]\ntangent = \"either\"\n" +
                                                         ray_text("-5, 1, 0", "1, 0, 0") +

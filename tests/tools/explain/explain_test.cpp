@@ -43,9 +43,9 @@ TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
   expect(far, "quadratic", "d^2", "defect");
   expect(tangent, "quadratic", "d^2", "defect");
   expect(tangent, "lecture", nullptr, nullptr);
-  // What L + s D cancels is the question's fault: of 4e8 u of Q cross, whose s is right, has none.
+  // L + s D cancels: Q of cross is off by 4e8 u, but s is right, so that nothing goes wrong.
   expect(far, "cross", nullptr, nullptr);
-  // 10^8 radii away is more than is judged in floats, and no defect of theirs.
+  // 10^8 radii away is outside the judged domain of floats, hence not a defect.
   expect(floats, "single-quadratic", "v", "not judged");
   expect(floats, "quadratic", "d^2", "defect");
 }
@@ -69,7 +69,7 @@ std::vector<scene::Ray> rays_from_everywhere(std::size_t count) {
   return rays;
 }
 
-TEST(ExplainAndCheck, call_the_same_answers_wrong) {
+TEST(ExplainAndCheck, find_the_same_wrong_answers) {
   const auto triple = [](const auto& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
   const std::vector<scene::Ray> rays = rays_from_everywhere(24);
   std::string toml = sphere_text("0, 0, 0", "1");
@@ -77,7 +77,7 @@ TEST(ExplainAndCheck, call_the_same_answers_wrong) {
     toml += ray_text(triple(ray.origin), triple(ray.direction));
   }
   const std::string path = temporary_file("rays.toml", toml);
-  // Of each method: rays whose answers are wrong, and what the worst of these come to.
+  // For each method: the number of rays with wrong answers, and the verdicts on the worst.
   std::map<std::string, std::map<std::size_t, std::string>> wrong;
   for (const char* method : {"quadratic", "lecture", "kahan", "perpendicular", "cross", "robust"}) {
     auto& of_method = wrong[method];

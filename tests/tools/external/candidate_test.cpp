@@ -53,7 +53,7 @@ TEST(Candidate, without_rays_receives_them_and_the_report_says_so) {
   EXPECT_FALSE(judged(kCamera, "command:python3 tests/candidates/right.py")["given_rays"]);
   EXPECT_FALSE(judged(kRays, meets)["given_rays"]);
   expect_parts(run("check " + kCamera + " --candidate '" + meets + "'").out,
-               {"makes no rays from this origin: given raycheck's own"});
+               {"makes no rays from this origin: was given raycheck's rays"});
 }
 
 TEST(Candidate, that_is_wrong_on_given_rays_has_pixels_and_explanations_in_its_report) {
@@ -176,7 +176,7 @@ TEST(Candidate, can_read_folders_and_headers_given_by_options) {
     if (is_in_bubblewrap()) {
       const Outcome hidden = run(words);
       EXPECT_EQ(hidden.exit_code, 2) << candidate << hidden.out;
-      expect_parts(hidden.err, {"--read DIR shows it another, and --include DIR its headers"});
+      expect_parts(hidden.err, {"--read DIR adds a folder, and --include DIR a folder of headers"});
     }
   }
   run("check " + kRays + " --candidate 'source:" + source + "' --include /no/such", 2);

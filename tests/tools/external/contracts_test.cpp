@@ -61,7 +61,7 @@ TEST(Contracts, that_require_unit_directions_receive_no_others) {
   const json report = judged(scene, unit);
   expect_values(report, {{"made_unit", 1}, {"discrepancies", 0}});
   expect_parts(run("check " + scene + " --candidate '" + unit + "'").out,
-               {"demands unit directions: 1 direction of the scene made unit"});
+               {"demands unit directions: 1 direction normalised"});
 }
 
 /// The commonest epsilon.
@@ -159,7 +159,7 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::hit, .intersect = 
   expect_parts(in_cpp("always", "return Hit{1, {o.x + d.x, o.y + d.y, o.z + d.z}};"),
                {"every ray hits every sphere, at s = 1"});
   expect_parts(in_cpp("unwritten", "throw std::logic_error(\"not yet\");"),
-               {"answers nothing: ", "not yet"});
+               {"gives no answers: ", "not yet"});
 }
 
 /// The textbook's difference, with required unit directions.

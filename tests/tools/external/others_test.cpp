@@ -76,7 +76,8 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
                      0)["intersections"][0]["note"];
   };
   expect_parts(note("command:python3 tests/candidates/meets.py none"), {"it is not a library"});
-  expect_parts(note("source:" + source), {"it answers differently in the calls to be timed"});
+  expect_parts(note("source:" + source),
+               {"its answers in the timed calls differ from the judged ones"});
   const std::string failing =
       temporary_file("failing.cpp", "#define FAILS\n#include \"" + source + "\"\n");
   expect_parts(note("source:" + failing), {"not timed: intersect: it exited with 3"});

@@ -40,9 +40,8 @@ TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats) {
   expect_values(both,
                 {{"0/precision", "double"}, {"0/rounded_numbers", 0}, {"1/rounded_numbers", 4}});
   EXPECT_LT(quantity_of(both[1]["quantities"], "parameter")["max"], 4);
-  expect_parts(
-      run("check " + scene + " --candidate " + float_tracer()).out,
-      {"4 numbers of the scene are no floats: asked and judged on the scene rounded to floats"});
+  expect_parts(run("check " + scene + " --candidate " + float_tracer()).out,
+               {"4 numbers of the scene are not floats: judged on the rounded scene"});
 }
 
 TEST(SinglePrecision, is_not_judged_if_floats_cannot_represent_the_scene) {
@@ -127,7 +126,7 @@ TEST(OwnUnits, LeaveOutAndCountCasesThatFloatsCannotRepresent) {
   EXPECT_GT(method["severities"].back()["left_out"], 0);
   EXPECT_EQ(method["severities"][0]["left_out"], 0);
   expect_parts(run(scale + " --candidate " + float_tracer()).out,
-               {"left out, whose numbers floats cannot hold"});
+               {"left out, not representable in floats"});
 }
 
 TEST(OwnUnits, AreUsedByWorst) {
@@ -214,7 +213,7 @@ TEST(OwnUnits, AreUsedByExplain) {
   EXPECT_GT(bad["ulp_error"], 88);
   EXPECT_LT(bad["ulp_error"], 1e8);
   expect_parts(run(near + " --candidate " + float_tracer()).out,
-               {"4 numbers of the scene are no floats", " ulp of float\n"});
+               {"4 numbers of the scene are not floats", " ulp of float\n"});
   // With a camera: every step that it implements.
   const json pixel = report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2",
                                float_tracer(), 0);

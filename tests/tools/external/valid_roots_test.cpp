@@ -124,7 +124,7 @@ TEST(ValidRoots, that_the_declared_interval_excludes_are_defects) {
   const std::string mutant = with_ends("at_end.py", "s >= 2", beyond("2"));
   const Outcome outcome = run("check " + scene + " --candidate '" + mutant + "'", 1);
   expect_parts(outcome.out, {"root, ray 0, sphere 0: wrong root\n",
-                             "answers s = 2, which its own interval (2, inf) excludes"});
+                             "answers s = 2, which the interval (2, inf) excludes"});
 
   // 0.1f, which is twice its half: the near root is the end itself.
   const std::string floats = temporary_file("floats.toml", ray_text("0, 0, 0", "1, 0, 0") +
@@ -165,7 +165,7 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
   expect_values(false_hit, {{"class_error", true}, {"standing", "defect"}, {"goes_wrong_at", "s"}});
   expect_parts(run(ray + " --candidate '" + wrong + "'").out,
                {"does not count: s = 0.25 lies before t_min = 0.5\n",
-                "false hit, which its own interval (0.5, inf) excludes; goes wrong at s"});
+                "false hit, which the interval (0.5, inf) excludes; goes wrong at s"});
 }
 
 /// The reasons why a root does not count, each under a scene's conventions.

@@ -1,4 +1,4 @@
-// The ratchet: what is known may stay, what is new fails, what is mended is said.
+// The ratchet: known discrepancies may stay, new ones fail, mended ones are reported.
 
 #include "tools/gates/baseline.h"
 
@@ -24,7 +24,7 @@ Findings findings(const std::set<Identity>& found, const std::set<Identity>& ask
   return all;
 }
 
-TEST(Baseline, IsTheSameReadAgain) {
+TEST(Baseline, SurvivesWritingAndReading) {
   const Baseline first = updated({}, findings({identity("class"), identity("root")}, {}));
   const std::string text = baseline_text(first);
   const Baseline again = tools::parse_baseline(text);
@@ -42,8 +42,8 @@ TEST(Baseline, IsTheSameReadAgain) {
   EXPECT_EQ(tools::parse_baseline(windows).known, first.known);
 }
 
-TEST(Baseline, NamesTheLineThatIsWrong) {
-  const std::string fields = "a; b; c; d; ", no_byte = " is not % and two hexadecimal";
+TEST(Baseline, ErrorsNameTheLine) {
+  const std::string fields = "a; b; c; d; ", no_byte = ": expected % and two hexadecimal";
   for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
            {"# raycheck baseline 2\nclass; rays\n", "line 2: 2 fields"},
            {fields + "\n", "line 1: field 5 is empty"},
@@ -51,14 +51,14 @@ TEST(Baseline, NamesTheLineThatIsWrong) {
            {fields + "%\n", "line 1: '%'" + no_byte},
            {fields + "%4g\n", "line 1: '%4g'" + no_byte},
            {fields + "%+1\n", "line 1: '%+1'" + no_byte},
-           {"# raycheck baseline 1: discrepancies\n", "line 1: it is of an earlier"},
-           {"<<<<<<< HEAD\n", "git left a conflict"}}) {
+           {"# raycheck baseline 1: discrepancies\n", "line 1: the file has an older"},
+           {"<<<<<<< HEAD\n", "a merge conflict of git"}}) {
     EXPECT_TRUE(has(thrown_by([&text = text] { tools::parse_baseline(text); }), why));
   }
 }
 
-/// What is known, new and mended of a run is held to BaselineOfARun.
-TEST(Baseline, KeepsWhatWasNotAskedAndSeesAnotherWayOfBeingWrong) {
+/// The known, new and mended discrepancies of runs are tested by BaselineOfARun.
+TEST(Baseline, KeepsUnjudgedEntriesAndReportsOtherKindsAsNew) {
   const Identity a = identity("class"), b = identity("root");
   const Baseline baseline = updated({}, findings({a}, {}));
   EXPECT_TRUE(compare(baseline, findings({}, {b})).mended.empty());
@@ -70,7 +70,7 @@ TEST(Baseline, KeepsWhatWasNotAskedAndSeesAnotherWayOfBeingWrong) {
 }
 
 /// Two branches that mend different laws, merged by git as it is installed.
-TEST(Baseline, OfTwoBranchesThatMendDifferentThingsIsMergedByGit) {
+TEST(Baseline, MergesByGitWhenTwoBranchesMendDifferentThings) {
   const Identity a = identity("class"), b = identity("root"), c = identity("hit-point");
   const Baseline before = updated({}, findings({a, b, c}, {}));
   const fs::path folder = temporary_folder("merged");
@@ -98,7 +98,7 @@ TEST(Baseline, OfTwoBranchesThatMendDifferentThingsIsMergedByGit) {
   EXPECT_EQ(baseline_text(merged), contents(folder / "known"));
 }
 
-/// The whole way of one candidate: known, otherwise wrong, mended.
+/// One candidate's discrepancies: known, then of another kind, then mended.
 class BaselineOfARun : public testing::Test {
  protected:
   std::string known() const { return folder_ + "/known"; }
@@ -137,11 +137,11 @@ RAYCHECK_CANDIDATE(.name = "mine", .intersect = mine, .precision = Precision::si
   const std::string folder_ = temporary_folder("baseline");
 };
 
-TEST_F(BaselineOfARun, LetsPassWhatIsKnownAndNothingElse) {
+TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
   const std::string misses = "return {};", right = "return hit;";
   const std::string hits = "return hit ? hit : Hit{1, {}};";
   const Outcome none = gate(misses, "", 2);
-  EXPECT_TRUE(has(none.err, "--update-baseline makes it"));
+  EXPECT_TRUE(has(none.err, "--update-baseline creates it"));
   gate(misses, "--update-baseline", 0);
   const std::string first = contents(known());
   EXPECT_TRUE(has(first, "\n# class; rays\nclass; rays; class: missed; ordinary; mine\n"));
@@ -165,7 +165,7 @@ TEST_F(BaselineOfARun, LetsPassWhatIsKnownAndNothingElse) {
   gate(misses, "", 1);
 }
 
-TEST_F(BaselineOfARun, KnowsACandidateAndASceneHoweverTheyAreTyped) {
+TEST_F(BaselineOfARun, IdentifiesCandidatesAndScenesHoweverTheyAreTyped) {
   const std::string by_python = "renderer:python3 ", mirrored = " upside-down {scene} {image}";
   const std::string renderer = by_python + "tests/candidates/rt.py" + mirrored;
   const std::string scene = "scene/examples/probe.toml";
@@ -175,13 +175,13 @@ TEST_F(BaselineOfARun, KnowsACandidateAndASceneHoweverTheyAreTyped) {
   for (const std::string folder : {".", RAYCHECK_SOURCE_DIR, "tests/.."}) {
     check(folder + "/" + scene, by_python + folder + "/tests/candidates/rt.py" + mirrored, "", 0);
   }
-  // Two of one name are known by what was typed.
+  // Two candidates of one name are identified by their names as typed.
   const std::string twice =
       renderer + "' --candidate '" + by_python + "./tests/candidates/rt.py" + mirrored;
   check(scene, twice, "", 1);
 }
 
-TEST_F(BaselineOfARun, KnowsPathsOfAnyBytes) {
+TEST_F(BaselineOfARun, AcceptsPathsOfAnyBytes) {
   const std::string folder = folder_ + "/\n\x1b[31m\xff; #%41";
   fs::create_directories(folder);
   fs::copy_file(fs::path(RAYCHECK_SOURCE_DIR) / "scene/examples/probe.toml",
@@ -192,8 +192,8 @@ TEST_F(BaselineOfARun, KnowsPathsOfAnyBytes) {
   check(folder + "/probe.toml", renderer, "", 0);
 }
 
-TEST_F(BaselineOfARun, TakesWhatIsUndecidedAndJunitSaysSo) {
-  // The ray begins at the sphere as rounded: a hit there is right for one radius alone.
+TEST_F(BaselineOfARun, AcceptsUndecidedAndJunitReportsThem) {
+  // The ray begins on the rounded sphere: a hit there is right for only one radius.
   const std::string scene =
       write("scene.toml", "[conventions]\nroot = \"smaller\"\n" +
                               sphere_text("0, 0.6, 0.7", "0.9219544457292888") +
@@ -213,7 +213,7 @@ TEST_F(BaselineOfARun, TakesWhatIsUndecidedAndJunitSaysSo) {
   EXPECT_TRUE(has(contents(known()), "; class: false hit, undecided; sphere 0; mine\n"));
   const Outcome known = check(scene, mine, "--format junit", 0);
   EXPECT_TRUE(has(known.out, "<skipped type=\"known\" message=\"1 answer undecided\">"));
-  // It is a defect where what is undecided is one, and was not known as such.
+  // With --strict it is a defect, which the baseline has only as undecided.
   check(scene, mine, "--strict", 1);
 }
 

@@ -1,5 +1,5 @@
-// What continuous integration reads (JUnit, Markdown, GitHub's commands, GitLab's code quality),
-// and the files for pipelines that are ready to be copied: their commands run as they stand.
+// Formats of continuous integration (JUnit, Markdown, GitHub's commands, GitLab's code quality),
+// and the example files for pipelines: their commands run unchanged.
 
 #include "tests/tools/program.h"
 #include "tools/gates/gate.h"
@@ -11,7 +11,7 @@ using tools::Gate;
 using tools::GateCheck;
 using tools::GateOutcome;
 
-/// What someone's program may print to break a file or to make a line that is obeyed.
+/// Output of a candidate that tries to break a file or to inject a command.
 const std::string kHostile =
     "]]></failure></testcase><testcase name=\"x\"/>&amp;\n::error::mine\n  ::warning::mine\n"
     "##[error]mine\n```\n</details><script>\n| a | b |\n\x1b[31m\x01\xff \uFFFE %0A::error::mine\n";
@@ -39,7 +39,7 @@ std::string written(std::string_view format, const Gate& gate) {
   return {};
 }
 
-/// What a JUnit file says, read by Python's XML parser: tests, failures, errors, skipped.
+/// The counts of a JUnit file, read by Python's XML parser: tests, failures, errors, skipped.
 std::string read_by_python(const std::string& path) {
   const std::string script = temporary_file("junit.py",
                                             "import sys, xml.etree.ElementTree as tree\n"
@@ -51,7 +51,7 @@ std::string read_by_python(const std::string& path) {
   return read.exit_code == 0 ? read.out : read.err;
 }
 
-/// Whether xmllint takes a file by junit.xsd; also where there is no xmllint, which is said.
+/// Whether a file is valid by junit.xsd; true, with a message, without xmllint.
 bool suits_schema(const std::string& path) {
   if (!is_installed("xmllint")) {
     std::printf("xmllint is not installed: the schema is not tried\n");
@@ -61,7 +61,7 @@ bool suits_schema(const std::string& path) {
   return std::system(("xmllint --noout --huge --schema " + schema + " " + path).c_str()) == 0;
 }
 
-/// Lines that a log of GitHub's workflows obeys.
+/// Lines that the log of a GitHub workflow executes.
 std::size_t commands_in(const std::string& log) {
   std::size_t count = 0;
   for (const std::string& line : lines_of(log)) {
@@ -72,7 +72,7 @@ std::size_t commands_in(const std::string& log) {
   return count;
 }
 
-TEST(HostileJunit, HasEachCheckOnceWhateverTextsHold) {
+TEST(HostileJunit, HasEachCheckOnceForAnyText) {
   const std::string path =
       temporary_file("hostile.xml", written("junit", gate_of(3, kHostile, kHostile)));
   EXPECT_EQ(read_by_python(path), "6 3 1 1\n");
@@ -80,7 +80,7 @@ TEST(HostileJunit, HasEachCheckOnceWhateverTextsHold) {
   EXPECT_FALSE(has(contents(path), "##["));
 }
 
-TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
+TEST(HostileJunit, OfAHundredThousandFailuresStaysBelowGitLabsLimit) {
   const std::string text = written("junit", gate_of(100'000, std::string(60, '&'), "mine"));
   EXPECT_LT(text.size(), std::size_t{30'000'000});
   EXPECT_GT(text.size(), std::size_t{10'000'000});
@@ -88,13 +88,13 @@ TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
   EXPECT_EQ(read_by_python(path), "100003 100000 1 1\n");
 }
 
-TEST(HostileMarkdown, IsBelowWhatGitHubTakesAndSaysWhatIsLeftOut) {
+TEST(HostileMarkdown, StaysBelowGitHubsLimitAndCountsTheRest) {
   const std::string text = written("markdown", gate_of(100'000, "why it failed", "mine"));
   EXPECT_LE(text.size(), tools::kMostMarkdownBytes);
-  expect_parts(text, {" more: the report as JSON has all", "| mine | 1 | 100000 | 0 | 1 | 1 |"});
+  expect_parts(text, {" more: see the JSON report", "| mine | 1 | 100000 | 0 | 1 | 1 |"});
 }
 
-TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {
+TEST(HostileMarkdown, FencesTextsAndKeepsThemInTheirCells) {
   const std::string text = written("markdown", gate_of(1, kHostile, kHostile));
   EXPECT_TRUE(has(text, "````text\n"));
   std::size_t rows = 0;
@@ -109,14 +109,14 @@ TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {
   EXPECT_EQ(rows, 3u);
 }
 
-TEST(HostileAnnotations, AreAtMostTenAndNoOnesOwn) {
+TEST(HostileAnnotations, AreAtMostTenAndNotInjectedByTexts) {
   for (const std::size_t failures : {1, 9, 10, 100}) {
     const std::string text = written("github", gate_of(failures, kHostile, kHostile));
     EXPECT_EQ(commands_in(text), std::min<std::size_t>(failures + 1, 10)) << text;
   }
 }
 
-TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
+TEST(GitlabCodequality, HasTheFieldsThatGitLabRequiresForEachNewDefect) {
   Gate gate = gate_of(3, "why", "mine");
   gate.sources = {{"mine", "src/tracer.cpp"}};
   gate.ratchet.emplace();
@@ -135,7 +135,7 @@ TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
   EXPECT_EQ(fingerprints.size(), 2u);
 }
 
-TEST(Annotations, AreAtTheLineAtWhichTheCandidateDiedOrElseAtItsSource) {
+TEST(Annotations, PointToTheLineOfTheCrashOrElseToTheSource) {
   Gate gate = gate_of(2, "why", "mine");
   EXPECT_TRUE(has(written("github", gate), "::error title="));
   gate.sources = {{"mine", "src/tracer.cpp"}};
@@ -147,7 +147,7 @@ TEST(Annotations, AreAtTheLineAtWhichTheCandidateDiedOrElseAtItsSource) {
   EXPECT_EQ(location, (json{{"path", "src/sphere.h"}, {"lines", {{"begin", 42}}}}));
 }
 
-TEST(GateOfARun, WritesEveryReportBesideWhatItPrints) {
+TEST(GateOfARun, WritesEveryReportBesidesThePrintedOne) {
   const std::string folder = temporary_folder("gate");
   const auto file = [&](const std::string& name) { return folder + "/" + name; };
   std::string options = " --cases 60 --source rays";
@@ -177,7 +177,7 @@ TEST(GateOfARun, WritesEveryReportBesideWhatItPrints) {
   EXPECT_GE(json::parse(contents(file("gitlab-codequality"))).size(), broken);
 }
 
-TEST(HostileLog, OfGitHubObeysNothingThatACandidatePrints) {
+TEST(HostileLog, OfGitHubExecutesNoCommandsOfCandidates) {
   const std::string program =
       temporary_file("prints.py",
                      "import raycheck_candidate as rc\n"
@@ -203,7 +203,7 @@ TEST(HostileLog, OfGitHubObeysNothingThatACandidatePrints) {
   }
 }
 
-/// The raycheck commands of a file: lines that begin with it once the file's own signs are gone.
+/// The raycheck commands of a file: lines that begin with it after removal of the file's markup.
 std::vector<std::string> commands_of(const std::string& file) {
   static const std::regex command(" *(?:- |entry: |run: )*(raycheck prope.*)");
   std::vector<std::string> commands;
@@ -216,7 +216,7 @@ std::vector<std::string> commands_of(const std::string& file) {
 
 class LongReadyFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(LongReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
+TEST_P(LongReadyFile, PassesACorrectProjectAndFailsAWrongOne) {
   const auto commands = commands_of(GetParam());
   ASSERT_EQ(commands.size(), 1u);
   const fs::path folder = temporary_folder("ready");
@@ -224,7 +224,7 @@ TEST_P(LongReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
   std::ofstream(folder / "raycheck.baseline").flush();
   for (const char* name : {"none", "far_root"}) {
     const std::string built = built_submission("rays.cpp", name, folder / "src");
-    // The hook is given its candidate as an argument, the others by the environment.
+    // The hook takes its candidate as an argument, the others from the environment.
     const bool is_hook = std::string(GetParam()).ends_with("hooks.yaml");
     run_bash("set -e\ncd " + folder.string() + "\nmkdir -p raycheck-reports\nPATH=" +
                  fs::path(RAYCHECK_BINARY).parent_path().string() +
@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(Files, LongReadyFile,
                                          "examples/ci/gitlab/raycheck.gitlab-ci.yml",
                                          ".pre-commit-hooks.yaml"));
 
-TEST(ReadyFiles, SayWhichIsolationTheyGet) {
+TEST(ReadyFiles, NameTheirIsolation) {
   for (const char* file : {"examples/ci/github/workflow.yml", "examples/ci/github/action.yml",
                            "examples/ci/gitlab/raycheck.gitlab-ci.yml",
                            "examples/ci/container/Containerfile", ".pre-commit-hooks.yaml"}) {

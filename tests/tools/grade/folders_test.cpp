@@ -138,7 +138,7 @@ TEST_F(HostileOut, IsRefusedIfItIsAnInputFile) {
            {"view '" + scene + "' --out", scene},
            {"view --family distance" + candidate + " --out", source},
            {"check '" + scene + "' --baseline '" + known + "' --view", known}}) {
-    refuses(words + " '" + file + "'", ", which is read; give another file");
+    refuses(words + " '" + file + "'", "; give another file");
   }
 }
 
@@ -155,7 +155,7 @@ TEST_F(HostileOut, MayHaveTheNameOfAMethod) {
 TEST_F(HostileOut, IsNamedOnceInTheError) {
   const std::string scene = std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/far-sphere.toml";
   const std::string one = grading_.path("x"), same = grading_.path("./x");
-  const std::string twice = ": the file is named twice";
+  const std::string twice = ": the file would be written twice";
   refuses("check " + scene + " --view " + one + " --report json=" + same, twice);
   refuses("check " + scene + " --report text=" + one + " --report json=" + same, twice);
   refuses("check " + scene + " --certificates " + one + " --view " + same, twice);

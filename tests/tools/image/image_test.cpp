@@ -11,7 +11,7 @@ using reference::NearestSphere;
 
 const std::array<std::uint8_t, 3> kBackground = {16, 18, 24};
 
-/// A picture that the program wrote, and what it said; the file is gone.
+/// A picture that the program wrote, and its output; the file is removed.
 class Written {
  public:
   Written(const std::string& arguments, const std::string& extension, int exit_code = 0) {
@@ -32,7 +32,7 @@ class Written {
   ReadPicture picture_;
 };
 
-/// What a pixel sees, by the exact ray alone, and where the picture has it.
+/// The nearest sphere of a pixel, by only the exact ray, and the pixel's place in the picture.
 struct Seen {
   std::int64_t column, line;
   std::optional<NearestSphere> sphere;
@@ -68,7 +68,7 @@ double hue(const std::array<std::uint8_t, 3>& colour) {
   return std::atan2(y, x) * 180 / std::acos(-1.0);
 }
 
-TEST(Image, says_of_every_pixel_what_it_sees_and_gives_every_sphere_a_colour_of_its_own) {
+TEST(Image, shows_the_nearest_sphere_of_every_pixel_in_distinct_colours) {
   std::size_t hits = 0, misses = 0;
   std::vector<std::string> paths;
   for (const char* name :
@@ -147,13 +147,13 @@ TEST(Image, shows_the_errors_that_check_counts) {
     }
     EXPECT_EQ(sum, measured);
     EXPECT_GT(measured, 50u);
-    // By the textbook s is lost; by the other one it is not (docs/scenes.md).
+    // The textbook loses s; the other method does not (docs/scenes.md).
     EXPECT_EQ(error["steps"].back()["pixels"] > 0, exit_code == 1);
     EXPECT_EQ(error["steps"][0]["pixels"] > 0, exit_code == 0);
   }
 }
 
-TEST(Image, is_the_same_by_any_number_of_threads) {
+TEST(Image, does_not_depend_on_the_number_of_threads) {
   const std::string sizes[] = {" --size 333,1100 --what ", " --size 30,1200 --what "};
   for (const char* what : {"sphere", "error"}) {
     const std::string asked =
@@ -163,7 +163,7 @@ TEST(Image, is_the_same_by_any_number_of_threads) {
   }
 }
 
-TEST(Image, is_the_same_in_bands_as_whole) {
+TEST(Image, does_not_depend_on_the_bands) {
   // 4200 rows of 17 pixels are two bands, 17 rows of 4200 pixels too.
   for (const char* size : {"17,4200", "4200,17"}) {
     scene::Scene scene = scene::load_scene(example("ten-spheres.toml")).scene;
@@ -181,7 +181,7 @@ TEST(Image, is_the_same_in_bands_as_whole) {
   }
 }
 
-/// Files of pictures that are being written, which have so many bytes.
+/// Files of unfinished pictures with at least this number of bytes.
 std::size_t parts_left(std::uintmax_t least_bytes = 0) {
   std::size_t left = 0;
   for (const auto& entry : fs::directory_iterator(testing::TempDir())) {
@@ -194,7 +194,7 @@ std::size_t parts_left(std::uintmax_t least_bytes = 0) {
   return left;
 }
 
-TEST(Image, leaves_an_older_picture_alone_when_interrupted) {
+TEST(Image, keeps_an_older_picture_when_interrupted) {
   const std::string path = temporary_file("interrupted.png", "an older picture");
   const Outcome result = run_interrupted(
       "image " + example("ten-spheres.toml") + " --size 100000,100000 --out " + path,
@@ -205,7 +205,7 @@ TEST(Image, leaves_an_older_picture_alone_when_interrupted) {
   EXPECT_EQ(parts_left(), 0u);
 }
 
-TEST(PictureFile, TurnsWhatLibpngRefusesIntoAnExceptionAndLeavesNothing) {
+TEST(PictureFile, ThrowsOnErrorsOfLibpngAndLeavesNoFile) {
   const std::string path = temporary_file("refused.png", "an older picture");
   const std::size_t before = parts_left();
   {
@@ -218,7 +218,7 @@ TEST(PictureFile, TurnsWhatLibpngRefusesIntoAnExceptionAndLeavesNothing) {
   EXPECT_EQ(parts_left(), before);
 }
 
-TEST(Image, takes_the_place_of_an_older_picture_and_warns_about_the_scene) {
+TEST(Image, replaces_an_older_picture_and_warns_about_the_scene) {
   const std::string path = temporary_file("new.ppm", "an older picture");
   const std::string scene =
       temporary_file("foggy.txt", contents(example("driver-a.txt")) + "fog 1\n");

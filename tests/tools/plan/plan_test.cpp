@@ -92,7 +92,8 @@ TEST(Plan, counts_what_each_item_leaves_out) {
                                            {"rectangles", 2 * 41 * 31 - pairs}}) {
     EXPECT_EQ(item(report, name)["left_out"], left_out) << name;
   }
-  EXPECT_EQ(item(report, "hidden")["why"], "sphere 3: a ray that meets it meets another no later");
+  EXPECT_EQ(item(report, "hidden")["why"],
+            "sphere 3: a ray that meets it meets another sphere no later");
   EXPECT_EQ(item(report, "far-root")["of"], 2);
   EXPECT_EQ(item(report, "far-root")["why"], "rays may start inside sphere 4");
   EXPECT_EQ(item(report, "rectangles")["of"], 2 * 41 * 31);
@@ -103,7 +104,7 @@ TEST(Plan, counts_what_each_item_leaves_out) {
   EXPECT_EQ(item(classes, "filter")["of"], 3 * 41 * 31);
 }
 
-TEST(Plan, says_what_a_scene_needs_that_others_do_not) {
+TEST(Plan, reports_items_that_only_some_scenes_need) {
   const std::string askew = replaced(kEveryKind, "look_at = [0, 0, -1]", "look_at = [1, 2, -9]");
   const json report = planned(temporary_file(
       "general.toml", replaced(askew, "centre = [100, 0, -10]", "centre = [0, 0, -1e90]")));
@@ -120,9 +121,9 @@ TEST(Plan, prints_items_and_spheres) {
   EXPECT_TRUE(has(run("plan scene/examples/sphere-behind-eye.toml").out, "behind the rays"));
 }
 
-TEST(Plan, has_nothing_to_say_of_given_rays) {
+TEST(Plan, is_empty_for_given_rays) {
   const Outcome result = run("plan scene/examples/lecture-examples.toml", 0);
-  EXPECT_TRUE(has(result.out, "rays that are given one by one share nothing"));
+  EXPECT_TRUE(has(result.out, "given rays have no computations in common"));
   const json report = planned("scene/examples/lecture-examples.toml");
   EXPECT_TRUE(report["no_plan"].is_string());
   EXPECT_TRUE(report["items"].empty());

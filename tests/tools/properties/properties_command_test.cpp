@@ -18,7 +18,7 @@ TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_a
   EXPECT_TRUE(has(again.out, "BROKEN"));
 }
 
-TEST(PropertiesCommand, tells_where_each_number_of_a_failure_may_lie) {
+TEST(PropertiesCommand, reports_the_range_of_each_number_of_a_failure) {
   const std::string asked =
       "properties --filter class --source distance@8 --level extreme --intersect lecture";
   const json campaign = printed_json(asked, 1)["campaigns"][0];
@@ -43,13 +43,13 @@ TEST(PropertiesCommand, tells_where_each_number_of_a_failure_may_lie) {
   EXPECT_TRUE(has_false_hit(greatest));
   EXPECT_FALSE(has_false_hit(2 * greatest));
   const std::string text = run(asked, 1).out;
-  expect_parts(text, {"    its numbers, one at a time:\n      ray 0 origin x: any in [",
+  expect_parts(text, {"    its numbers, varied one at a time:\n      ray 0 origin x: any in [",
                       "sphere 0 radius: any in [0, ", " samples; certified in [6.22302e-61, "});
   const json right = printed_json("properties --filter class --source rays --intersect cross");
   EXPECT_FALSE(right["campaigns"][0].contains("ranges"));
 }
 
-TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {
+TEST(PropertiesCommand, report_does_not_depend_on_the_number_of_threads) {
   const std::string asked =
       "properties --level extreme --intersect quadratic --intersect cross --cases 200 --format "
       "json --threads ";
@@ -62,19 +62,19 @@ TEST(PropertiesCommand, reports_the_same_whatever_the_number_of_threads) {
 const std::string kBreaks =
     "properties --filter class --intersect quadratic --level extreme --cases 150 ";
 
-TEST(PropertiesCommand, says_where_shrinking_was_given_up) {
+TEST(PropertiesCommand, reports_where_shrinking_ended_early) {
   tools::CampaignReport campaign{};
   campaign.law = properties::find_law("class");
   campaign.candidate = "mine";
   properties::Failure failure{{}, properties::Verdict("class"), ""};
-  EXPECT_FALSE(has(failure_text(campaign, failure, false), "may be smaller"));
+  EXPECT_FALSE(has(failure_text(campaign, failure, false), "may exist"));
   failure.tries = 7;
   expect_parts(failure_text(campaign, failure, false),
-               {"# breaks the law class with mine\n", "# shrunk for 7 tries; may be smaller\n"});
+               {"# breaks the law class with mine\n", "# shrunk for 7 tries; smaller may exist\n"});
 }
 
-/// What it keeps is tried first, breaks the law again, and is mended once another is right there.
-TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
+/// A kept case is tried first, breaks the law again, and is mended once a candidate is right on it.
+TEST(PropertiesCommand, keeps_a_corpus_of_broken_cases) {
   const std::string folder = temporary_folder("kept") + "/corpus";
   EXPECT_FALSE(has(run(kBreaks + "--keep-going 3 --corpus " + folder, 1).out, "corpus:"));
   std::vector<std::string> files;
@@ -83,13 +83,13 @@ TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
     EXPECT_EQ(run("check " + files.back() + " --intersect quadratic").exit_code, 1);
   }
   ASSERT_GT(files.size(), 1u);
-  // Without one case of its own that breaks the law.
+  // Its random cases do not break the law.
   const std::string again = "properties --filter class --source rays --cases 20 --corpus " + folder;
   const Outcome broken = run(again + " --intersect quadratic", 1);
   expect_parts(
       run(again + " --intersect quadratic --format junit", 1).out,
-      {"/corpus/class-direct-quadratic-", "<failure", "breaks it again (class: false hit)"});
-  // Known to a baseline, it fails no more.
+      {"/corpus/class-direct-quadratic-", "<failure", "breaks the law again (class: false hit)"});
+  // With a baseline that has it, the command passes.
   const std::string baseline = " --intersect quadratic --baseline " + folder + "/known.txt";
   run(again + baseline + " --update-baseline");
   EXPECT_EQ(run(again + baseline).exit_code, 0);
@@ -112,7 +112,7 @@ TEST(PropertiesCommand, keeps_a_corpus_of_what_broke_a_law) {
   expect_refused("properties --corpus " + fs::path(files[0]).parent_path().string(), outside);
 }
 
-TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
+TEST(PropertiesCommand, finds_by_climbing_what_random_cases_miss) {
   const json report = printed_json(
       "properties --filter parameter --intersect cross --source distance --cases 60 --target rho");
   EXPECT_EQ(report["target"], "rho");
@@ -125,11 +125,11 @@ TEST(PropertiesCommand, climbs_to_what_random_cases_do_not_show) {
       "properties --candidate source:" + temporary_file("demanding.cpp", text) +
       " --filter parameter --source rays --cases 40 --level extreme ";
   EXPECT_EQ(run(floats).exit_code, 0);
-  EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: climbed to"));
+  EXPECT_TRUE(has(run(floats + "--target rho", 1).out, "replay: none: found by climbing"));
 }
 
-/// Of a candidate that keeps the nearest hit between questions.
-TEST(PropertiesCommand, asks_what_fails_of_a_fresh_process) {
+/// A candidate that keeps the nearest hit between questions.
+TEST(PropertiesCommand, retries_failures_in_a_fresh_process) {
   const std::string text =
       replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), "if (s < 0) return {};",
                "static double t_max = INFINITY;\nif (s < 0 || s > t_max) return {};\nt_max = s;");
@@ -142,20 +142,20 @@ TEST(PropertiesCommand, asks_what_fails_of_a_fresh_process) {
   EXPECT_FALSE(has(kept.out, "no ray ever hits")) << kept.out;
 }
 
-/// However fast the machine is, the cases that it says can be asked for again.
-TEST(PropertiesCommand, takes_a_time_and_says_how_many_cases_fill_it) {
+/// On a machine of any speed, the reported number of cases can be repeated.
+TEST(PropertiesCommand, accepts_a_time_and_reports_the_number_of_cases) {
   const std::string asked = "properties --filter class --source rays --intersect cross ";
   const auto [exit_code, timed, err] = run(asked + "--for 1s");
   const std::string last = lines_of(timed).back(), says = "1s is --cases ";
   ASSERT_TRUE(last.starts_with(says)) << last;
   const std::string count = last.substr(says.size(), last.find(';') - says.size());
-  EXPECT_EQ(last, says + count + "; of each source: " + count + " rays");
+  EXPECT_EQ(last, says + count + "; cases of each source: " + count + " rays");
   EXPECT_EQ(timed, run(asked + "--cases " + count, exit_code).out + last + "\n");
-  expect_refused(asked + "--for 5", "--for 5: give a whole number of s, m or h");
+  expect_refused(asked + "--for 5", "--for 5: give a whole number and s, m or h");
   expect_refused(asked + "--for 1s --cases 3", "--cases excludes --for");
 }
 
-TEST(PropertiesCommand, exits_with_4_when_nothing_too_little_or_nothing_inside_was_judged) {
+TEST(PropertiesCommand, exits_with_4_when_nothing_or_too_little_was_judged) {
   for (const auto& [asked, why] :
        {std::pair("pixel-point --rays focal --cases 5", ""),
         {"class --source rays --cases 6 --intersect cross", "fewer than 10 answers are right"},
@@ -171,13 +171,13 @@ TEST(PropertiesCommand, breaks_laws_for_excuses_when_it_is_strict) {
   EXPECT_EQ(run(asked + " --strict").exit_code, 1);
 }
 
-TEST(PropertiesCommand, judges_methods_by_the_level_that_is_theirs) {
+TEST(PropertiesCommand, judges_methods_by_their_level) {
   const json report =
       printed_json("properties --filter class --cases 50 --intersect cross --intersect quadratic");
   expect_values(report["campaigns"], {{"0/level", "demanding"}, {"1/level", "ordinary"}});
 }
 
-TEST(PropertiesCommand, says_up_to_which_severity_a_broken_law_holds) {
+TEST(PropertiesCommand, reports_the_severity_up_to_which_a_broken_law_holds) {
   const std::string asked = "properties --filter class --source distance --intersect quadratic ";
   const Outcome broken = run(asked + "--level extreme", 1);
   expect_parts(broken.out, {"    broken on distance@", "    holds on distance up to @"});

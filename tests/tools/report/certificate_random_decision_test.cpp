@@ -1,6 +1,6 @@
 // Certificates of critical decisions, wrong on purpose: tools/verify_certificates.py confirms the
-// witness of each that is excused, and proves of each defect anew that nothing nearby excuses it.
-// RAYCHECK_DECISIONS says how many of each are tried.
+// witness of each that is excused, and proves again for each defect that nothing nearby excuses it.
+// RAYCHECK_DECISIONS is the number of each that are tried.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
@@ -55,7 +55,7 @@ Sphere far_sphere(Random& random, const ExactRay& ray, double change) {
   return sphere;
 }
 
-/// What a decision turned round would answer, or something close to it.
+/// The opposite of a decision, or something close to it.
 std::optional<double> wrong_answer(Random& random, const ExactRay& ray, const Sphere& sphere,
                                    const scene::Conventions& conventions) {
   const Intersection at = ray.intersect(sphere, conventions.root);
@@ -195,7 +195,7 @@ Certified critical_decisions(Kind kind, std::size_t of_each) {
   return certified;
 }
 
-/// Expects that certificates are confirmed, and that they come to this.
+/// Expects that certificates are confirmed, with these verdicts.
 void expect_confirmed(const std::vector<Json>& certificates, const std::string& standing) {
   const std::vector<std::string> lines = tests::script_lines(certificates);
   for (std::size_t k = 0; k < certificates.size() && k < lines.size(); ++k) {
@@ -212,24 +212,24 @@ void expect_excused_or_defects_for_anyone(Kind kind, std::size_t of_each) {
   ASSERT_EQ(certified.defects.size(), of_each);
   EXPECT_TRUE(kind != Kind::kGiven || certified.undecided == 0);
   expect_confirmed(certified.defects, "proved wrong for all inputs nearby");
-  // Decisions excused, said to be defects instead: none is proved to be one.
+  // Excused decisions that claim to be defects are not proved.
   for (Json& one : certified.excused) one["excuse"] = nullptr;
   expect_confirmed(certified.excused, "not proved wrong for all inputs nearby");
 }
 
-TEST(CertifiedDecisions, OfGivenRaysAreExcusedOrDefectsForAnyone) {
+TEST(CertifiedDecisions, OfGivenRaysAreIndependentlyConfirmed) {
   expect_excused_or_defects_for_anyone(Kind::kGiven, wanted());
 }
 
-TEST(CertifiedDecisions, OfSpheresAsFarAsChangesReachAreExcusedOrDefectsForAnyone) {
+TEST(CertifiedDecisions, OfSpheresAtTheLimitOfChangesAreIndependentlyConfirmed) {
   expect_excused_or_defects_for_anyone(Kind::kFar, wanted() / 5);
 }
 
-TEST(CertifiedDecisions, BetweenSpheresHaveWitnessesThatAreConfirmed) {
+TEST(CertifiedDecisions, BetweenSpheresHaveConfirmedWitnesses) {
   expect_excused_or_defects_for_anyone(Kind::kChoice, wanted() / 5);
 }
 
-TEST(CertifiedDecisions, OfCamerasAreExcusedOrDefectsForAnyone) {
+TEST(CertifiedDecisions, OfCamerasAreIndependentlyConfirmed) {
   expect_excused_or_defects_for_anyone(Kind::kCamera, wanted() / 10);
 }
 

@@ -1,6 +1,7 @@
-// Certificates of what the laws find on random cases, confirmed by tools/verify_certificates.py,
-// which knows nothing of this project. The candidates are the methods, held to a bound of 0 so that
-// every rounding is a discrepancy, and the mutants, which are wrong in every way there is.
+// Certificates of the laws' discrepancies on random cases, confirmed by
+// tools/verify_certificates.py, which is independent of this project. The candidates are the
+// methods, with a bound of 0 so that every rounding is a discrepancy, and the mutants, which are
+// wrong in all ways.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_source.h"
@@ -16,7 +17,7 @@ namespace {
 
 using namespace properties;
 
-/// Of a law's discrepancies so many are looked at: more than there are quantities of a law.
+/// The number of a law's discrepancies that are examined: more than a law has quantities.
 constexpr std::size_t kMostLookedAt = 12;
 
 std::vector<Candidate> all_candidates() {
@@ -46,7 +47,7 @@ void certify(const Case& the_case, const Candidate& candidate, std::string_view 
   }
 }
 
-/// Of cases of a source, a few for each candidate.
+/// Certificates on cases of a source, a few for each candidate.
 std::vector<Json> certificates_of(const std::vector<Candidate>& candidates,
                                   const CaseSource& source, std::uint64_t cases_each,
                                   std::string_view filter = {}) {
@@ -89,7 +90,7 @@ TEST_P(EachSource, HasItsDiscrepanciesConfirmedWithoutTheProgram) {
   const auto confirmed =
       confirmed_of(certificates_of(all_candidates(), *source, source->has_camera ? 1 : 6));
   for (const std::string& quantity : kOfIntersections) {
-    // A planet is alone: its class says which sphere is nearest.
+    // A planet is the only sphere: its class determines the nearest sphere.
     if (quantity == "nearest sphere" && source->name == "horizon") continue;
     EXPECT_GE(confirmed.contains(quantity) ? confirmed.at(quantity) : 0, 1) << quantity;
   }

@@ -1,4 +1,4 @@
-// A certificate that was tampered with is refuted: in its claim, its input or its proof.
+// A certificate with a changed claim, input or proof is refuted.
 
 #include "tests/tools/report/certificates.h"
 

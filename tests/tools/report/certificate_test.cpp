@@ -1,4 +1,4 @@
-// --certificates, and the script that confirms what it writes without the program.
+// --certificates, and the script that checks certificates without the program.
 
 #include "tests/tools/report/certificates.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 std::string script(const std::string& path) { return "tools/verify_certificates.py " + path; }
 
-TEST(Certificates, are_confirmed_by_a_script_that_knows_only_fractions) {
+TEST(Certificates, are_confirmed_by_a_script_that_uses_only_fractions) {
   const Outcome result = script_on(certificates_of(kFarSphere + " --intersect quadratic"));
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(
@@ -22,7 +22,7 @@ TEST(Certificates, are_confirmed_by_a_script_that_knows_only_fractions) {
                                    "from math import isqrt"}));
 }
 
-TEST(Certificates, are_as_many_as_the_discrepancies_shown_excused_ones_too) {
+TEST(Certificates, cover_all_discrepancies_shown_also_excused_ones) {
   std::size_t compared = 0;
   std::size_t excused = 0;
   for (const char* options : {" --all", " --all --max-ulp 0 --top 3"}) {
@@ -80,7 +80,7 @@ TEST(Certificates, of_given_rays_are_confirmed_by_the_documented_lines) {
   EXPECT_FALSE(has(printed_on(kLostDigits), "False"));
 }
 
-TEST(Certificates, say_when_no_brackets_show_a_tie) {
+TEST(Certificates, name_ties_that_brackets_cannot_prove) {
   const std::string scene =
       temporary_file("tie.toml",
                      "[camera]\neye=[0,0,0]\nlook_at=[1,1,1]\nup=[0,1,0]\nnear=-4\nleft=-3\nright="
@@ -89,7 +89,7 @@ TEST(Certificates, say_when_no_brackets_show_a_tie) {
   const auto certificates = certificates_of(scene + " --rays lecture --max-ulp 0 --top 100");
   const auto tie = of_quantity(certificates, "class");
   EXPECT_EQ(tie.at("certified"), false);
-  EXPECT_TRUE(has(tie.at("reason").get<std::string>(), "only by virtue of square roots"));
+  EXPECT_TRUE(has(tie.at("reason").get<std::string>(), "because square roots cancel"));
   EXPECT_FALSE(tie.contains("proof"));
   const Outcome result = script_on(certificates);
   EXPECT_EQ(result.exit_code, 0) << result.out;
@@ -97,20 +97,19 @@ TEST(Certificates, say_when_no_brackets_show_a_tie) {
       has(result.out, "not certified  lecture/cross: class, pixel (0, 0), sphere 0: missed"));
 }
 
-TEST(Certificates, are_no_lines_where_nothing_was_found) {
+TEST(Certificates, are_empty_without_discrepancies) {
   const std::string path = temporary_file("none.jsonl", "an older file\n");
   EXPECT_EQ(run("check scene/examples/optical-axis.toml --certificates " + path).exit_code, 0);
   EXPECT_EQ(contents(path), "");
   EXPECT_EQ(run_python(script(path)).out, "0 confirmed, 0 refuted, 0 not certified\n");
 }
 
-TEST(VerifyCertificates, fails_with_2_on_what_it_cannot_read) {
+TEST(VerifyCertificates, fails_with_2_on_unreadable_files) {
   EXPECT_EQ(run_python("tools/verify_certificates.py").exit_code, 2);
   EXPECT_EQ(run_python(script("nowhere.jsonl")).exit_code, 2);
 }
 
-/// Runs the script on each file that it is given, as by itself, and prints how that ended: its exit
-/// code and what it wrote to standard error.
+/// Runs the script on each given file separately, and prints its exit code and standard error.
 constexpr const char* kRunsScriptOnEach = R"(import contextlib, io, json, runpy, sys
 for path in sys.argv[1:]:
     sys.argv = ['verify_certificates.py', path]
@@ -123,7 +122,7 @@ for path in sys.argv[1:]:
     print(json.dumps([code, said.getvalue()]))
 )";
 
-TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) {
+TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_not_a_certificate) {
   const auto certificate =
       of_quantity(certificates_of(kFalseHit + " --intersect quadratic"), "class");
   std::vector<std::pair<std::string, std::string>> lines = {
@@ -185,7 +184,7 @@ TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) 
   }
 }
 
-TEST(VerifyCertificates, prints_nothing_that_acts_on_a_terminal) {
+TEST(VerifyCertificates, prints_no_control_characters) {
   auto certificate = of_quantity(certificates_of(kFalseHit + " --intersect quadratic"), "class");
   certificate["method"] = "\x1b[31mmine";
   EXPECT_EQ(script_on({certificate}).out.rfind("confirmed  \\x1b[31mmine: class", 0), 0u);

@@ -1,5 +1,5 @@
-// What every command prints under --format json, against docs/json.md and against itself; and what
-// texts of others come to in JSON and CSV.
+// The output of every command under --format json, compared with docs/json.md and checked for
+// consistency; and third-party texts in JSON and CSV.
 
 #include "tools/report/json.h"
 
@@ -10,7 +10,7 @@
 namespace raycheck::tests {
 namespace {
 
-/// A command's reports, which between them have every key that it can print.
+/// A command's reports, which together have every key that it can print.
 struct Reports {
   std::string command;
   std::vector<std::string> arguments;
@@ -84,8 +84,8 @@ std::string words_of(const std::string& text) {
   return " " + std::regex_replace(text, std::regex("\\W"), " ") + " ";
 }
 
-/// The words between backquotes on the page, by sections: under a command's name where the heading
-/// has it, under "" where it holds for all.
+/// The words between backquotes on the page, by sections: under the command's name in the heading,
+/// or under "" for all commands.
 std::map<std::string, std::string> documented() {
   static const std::regex span("`([^`]*)`"), heading("## `(\\w+).*");
   std::map<std::string, std::string> words;
@@ -100,7 +100,7 @@ std::map<std::string, std::string> documented() {
   return words;
 }
 
-/// The commands that offer it, by their own help.
+/// The commands with --format json, by their help.
 std::set<std::string> commands_with_json() {
   std::set<std::string> names;
   for (const std::string& name : all_commands()) {
@@ -110,7 +110,7 @@ std::set<std::string> commands_with_json() {
   return names;
 }
 
-TEST(Json, is_looked_at_of_every_command_that_prints_it) {
+TEST(Json, is_tested_for_every_command_that_prints_it) {
   std::set<std::string> names;
   for (const Reports& reports : all_reports()) names.insert(reports.command);
   EXPECT_EQ(names, commands_with_json());
@@ -210,13 +210,13 @@ void expect_the_same_tally_everywhere() {
   }
 }
 
-TEST(Json, of_every_command_is_as_its_page_says) {
+TEST(Json, of_every_command_matches_its_documentation) {
   expect_every_key_on_the_page();
   expect_reports_begin_alike();
   expect_the_same_tally_everywhere();
 }
 
-TEST(Json, says_which_change_excused_an_answer) {
+TEST(Json, names_the_change_that_excused_an_answer) {
   for (const auto& [asked, kind, amount] :
        {std::tuple("tangent-and-neighbours.toml --intersect quadratic", "witness", 0x1p-49),
         {"tangent-and-neighbours.toml --intersect single-quadratic", "witness", 0x1.3cp-17},
@@ -242,7 +242,7 @@ TEST(Json, says_which_change_excused_an_answer) {
   }
 }
 
-TEST(HostileCsv, defuses_what_spreadsheets_take_for_formulas) {
+TEST(HostileCsv, escapes_formulas_of_spreadsheets) {
   for (const auto& [text, cell] : {
            std::pair("=1+1", "\"'=1+1\""),
            {"+cmd|' /C calc'!A0", "\"'+cmd|' /C calc'!A0\""},
@@ -252,7 +252,7 @@ TEST(HostileCsv, defuses_what_spreadsheets_take_for_formulas) {
            {"\r=1", "\"'\\x0d=1\""},
            {"\n=1", "\"'\n=1\""},
            {"\uFF1D1", "\"'\uFF1D1\""},
-           // What would end a cell.
+           // Characters that would end a cell.
            {"a,b", "\"a,b\""},
            {"a;b", "\"a;b\""},
            {"a\"b", "\"a\"\"b\""},
@@ -268,7 +268,7 @@ TEST(HostileCsv, defuses_what_spreadsheets_take_for_formulas) {
   }
 }
 
-TEST(HostileJson, is_written_of_any_bytes) {
+TEST(HostileJson, accepts_any_bytes) {
   const std::string bytes = "a\xff\x1b\x7f\u009b\u202e\\x7f\"z";
   const std::string text = tools::json_text({{"key", bytes}});
   EXPECT_EQ(text, "{\n  \"key\": \"a\uFFFD\\u001b\\u007f\\u009b\\u202e\\\\x7f\\\"z\"\n}\n");

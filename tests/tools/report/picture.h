@@ -8,7 +8,7 @@
 
 namespace raycheck::tests {
 
-/// A picture as any viewer reads it: line 0 is the top one.
+/// A decoded picture: line 0 is the top one.
 struct ReadPicture {
   std::int64_t width = 0, height = 0;
   std::vector<std::array<std::uint8_t, 3>> pixels;
@@ -16,7 +16,7 @@ struct ReadPicture {
   const std::array<std::uint8_t, 3>& at(std::int64_t column, std::int64_t line) const {
     return pixels.at(static_cast<std::size_t>(line * width + column));
   }
-  /// The same picture, however it is compressed.
+  /// Whether two files show the same picture, however compressed.
   bool operator==(const ReadPicture&) const = default;
 };
 
@@ -52,7 +52,7 @@ inline ReadPicture read_ppm(const std::string& bytes) {
   return picture;
 }
 
-/// Decodes PNG or PPM (P6); empty, with a failure of the test, where it is neither.
+/// Decodes PNG or PPM (P6); empty, with a failure of the test, if it is neither.
 inline ReadPicture read_picture(const std::string& path) {
   const std::string bytes = contents(path);
   if (bytes.rfind("\x89PNG", 0) == 0) return read_png(bytes);

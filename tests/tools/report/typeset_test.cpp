@@ -13,7 +13,7 @@ using reference::HitClass, reference::Intersection, reference::Random, reference
 const Intersection kSmallerHit{HitClass::kHit, reference::WhichRoot::kSmaller};
 const scene::Sphere kLectureSphere{{5, 5, 5}, 3};
 
-TEST(Typeset, is_as_one_writes_it_by_hand) {
+TEST(Typeset, matches_handwritten_formulas) {
   const ClosedFormRay ray(scene::Ray{{1, 1, 3}, {4, 3, 0}});
   const auto distance = ray.distance(kLectureSphere, kSmallerHit);
   EXPECT_EQ(mathml(distance),
@@ -42,21 +42,21 @@ TEST(Typeset, is_as_one_writes_it_by_hand) {
             "</msup></mrow></mrow>");
 }
 
-TEST(Typeset, gives_a_single_form_by_itself) {
+TEST(Typeset, writes_a_single_form_without_parentheses) {
   EXPECT_EQ(mathml(std::vector<ClosedForm>(1)), "<mn>0</mn>");
 }
 
-/// Digits enough for closed forms of ordinary doubles, and for those of doubles of all sizes, whose
-/// squares may cancel.
+/// Digits that suffice for closed forms of ordinary doubles, and for those of doubles of all sizes,
+/// whose squares may cancel.
 constexpr int kOrdinaryDigits = 600, kMostDigits = 5000;
 
-/// What is written, and the doubles nearest to what it stands for.
+/// A typeset form, and the doubles nearest to its value.
 struct Written {
   std::string text;
   std::vector<double> values;
 };
 
-/// The values of what is written, by tests/tools/report/typeset_values.py.
+/// The values of typeset forms, by tests/tools/report/typeset_values.py.
 std::vector<std::vector<double>> values_of(const std::vector<Written>& written, int digits) {
   std::string text;
   for (const Written& one : written) text += one.text + '\n';
@@ -90,7 +90,7 @@ class Numbers {
   void add(const ClosedForm3& forms, const Triple& value) {
     written_.push_back({mathml(forms), {value.x, value.y, value.z}});
   }
-  /// What a closed form and the exact ray say of one ray and a sphere; whether it was met.
+  /// Collects closed forms and exact values of one ray and a sphere; returns whether they meet.
   bool add(const ClosedFormRay& forms, const reference::ExactRay& ray,
            const scene::Sphere& sphere) {
     add(forms.origin(), ray.rounded_origin());
@@ -137,7 +137,7 @@ TEST(Typeset, of_random_cameras_has_the_rounded_value) {
   all.expect_values();
 }
 
-/// So many rays whose numbers are of these sizes.
+/// This number of rays with numbers of these sizes.
 void expect_values_of_random_rays(int count, const std::vector<Sizes>& all_sizes, int least_hits,
                                   int digits) {
   Random random(2);

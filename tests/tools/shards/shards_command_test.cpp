@@ -177,9 +177,9 @@ TEST_F(Merge, does_not_overwrite_its_input) {
   for (const std::string& written :
        {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml",
         "--report json=" + folder + "//./campaign.json"}) {
-    expect_refused("merge " + folder + " " + written, "which holds units");
+    expect_refused("merge " + folder + " " + written, "a campaign's folder of units");
   }
-  expect_refused("merge " + folder + "/ --report json=" + file, "which holds units");
+  expect_refused("merge " + folder + "/ --report json=" + file, "a campaign's folder of units");
   EXPECT_EQ(contents(file), whole);
   run("merge " + folder, 0);
 }
@@ -279,7 +279,7 @@ TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
       "properties --filter class --source rays --cases 20 --candidate '" + candidate + "'";
   const Outcome whole = run(asked + " --sandbox none --i-know", 0);
   expect_parts(run(asked + " --sandbox none --i-know --shard 1/2 --out " + folder, 0).err,
-               {"once all are: raycheck merge " + folder + " --run-candidates"});
+               {"once all are done: raycheck merge " + folder + " --run-candidates"});
   run(asked + " --sandbox none --i-know --shard 2/2 --out " + folder, 0);
   fs::remove(ran);
   const std::string told =
@@ -317,7 +317,7 @@ TEST(Shards, drop_a_candidate_that_never_replies) {
   const std::string asked = "properties --candidate 'command:python3 " + hangs +
                             "' --sandbox none --i-know --timeout 0.3 --threads ";
   const std::string by_one = run(asked + "1", 1).out;
-  EXPECT_TRUE(has(by_one, "answers nothing: intersect: "));
+  EXPECT_TRUE(has(by_one, "gives no answers: intersect: "));
   EXPECT_LE(contents(starts).size(), 12u);  // a process for each
   EXPECT_EQ(run(asked + "2", 1).out, by_one);
 }
@@ -357,7 +357,7 @@ TEST(Shards, are_set_by_schedulers) {
     EXPECT_EQ(outcome.out, "");
   }
   expect_parts(run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("told"), 0).err,
-               {"--format is for merge: a shard reports nothing"});
+               {"--format has no effect here: give it to raycheck merge"});
   // Without --out the variables are ignored.
   const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
   EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));

@@ -22,7 +22,7 @@ TEST(StressCommand, reports_the_severity_at_which_the_textbook_first_fails) {
   EXPECT_EQ(methods[0]["severities"].size(), 10u);
 }
 
-TEST(StressCommand, and_tradeoff_print_tables_with_as_many_cells_in_every_line) {
+TEST(StressCommand, and_tradeoff_print_tables_with_equal_rows) {
   const std::string stress = "stress --family distance --method cross" + kFew;
   const std::string tradeoff = "tradeoff --methods quadratic,robust,direct --cases 100";
   for (const auto& [command, rows] : {std::pair(stress, 18u), {tradeoff, 7u}}) {
@@ -43,7 +43,7 @@ TEST(StressCommand, and_tradeoff_print_tables_with_as_many_cells_in_every_line) 
   }
 }
 
-TEST(StressCommand, proves_what_it_found) {
+TEST(StressCommand, proves_its_discrepancies) {
   const std::string path = temporary_file("stress.certificates", "");
   const std::string asked = "stress --family distance,up --method quadratic,rays/lecture";
   EXPECT_EQ(run(asked + " --certificates " + path + kFew).exit_code, 1);
@@ -51,7 +51,7 @@ TEST(StressCommand, proves_what_it_found) {
   run_python("tools/verify_certificates.py " + path, 0);
 }
 
-TEST(StressCommand, has_a_page_with_a_curve_of_every_method_on_every_family) {
+TEST(StressCommand, has_a_page_with_a_curve_for_every_method_and_family) {
   tools::StressOptions options;
   options.families = {"distance", "up"};
   options.implementations = tools::find_methods({"quadratic", "robust", "rays/direct"});
@@ -65,7 +65,7 @@ TEST(StressCommand, has_a_page_with_a_curve_of_every_method_on_every_family) {
   const tools::ViewDocument document = stress_document(report);
   EXPECT_FALSE(has(page(document), "</script><b>"));
   const json chart = json::parse(document_json(document))["chart"];
-  ASSERT_EQ(chart["facets"].size(), 3u);  // distance asks nothing of methods that make rays
+  ASSERT_EQ(chart["facets"].size(), 3u);  // distance does not test methods that make rays
   expect_values(chart["facets"], {{"0/subject", "distance"}, {"2/stage", "Rays"}});
   const tools::StressCurve& textbook = report.families[0].curves[0];
   const json& mine = chart["facets"][0]["series"][0];
@@ -99,7 +99,7 @@ TEST(StressCommand, and_tradeoff_write_their_pages) {
 }
 
 /// Every family has the first severity, and one of them the last.
-TEST(StressCommand, takes_severities_that_one_family_reaches) {
+TEST(StressCommand, accepts_severities_that_one_family_reaches) {
   const std::string asked = "stress --family distance,scale --method cross --cases 1 --severity ";
   run(asked + "0..20", 0);
   expect_refused(asked + "16..20", "severity 16..20: the severities of distance are 0..15");
@@ -116,7 +116,7 @@ TEST(WorstCommand, finds_an_input_that_check_accepts) {
   EXPECT_EQ(run("check " + path + " --intersect quadratic").exit_code, 1);
 }
 
-TEST(ParetoFront, IsWhatNothingBeats) {
+TEST(ParetoFront, HasThePointsThatNoOtherBeats) {
   using Points = std::vector<std::pair<double, double>>;
   EXPECT_EQ(tools::pareto_front(Points{{3, 1}, {1, 5}, {2, 5}, {2, 3}, {4, 0}, {5, 0}}),
             (std::vector<std::size_t>{1, 3, 0, 4}));
@@ -176,12 +176,12 @@ void expect_source_split_by_severity(const json& facet) {
     EXPECT_EQ(series["points"][0]["decisions"], decisions);
     EXPECT_EQ(series["points"][0]["errors"][0]["at"][4], largest);
   }
-  // What severity is: the textbook's errors grow with the distance.
+  // The meaning of severity: the textbook's errors grow with the distance.
   const json& points = facet["series"][0]["points"];
   EXPECT_GT(points[9]["errors"][0]["at"][0], 1000 * points[2]["errors"][0]["at"][0].get<double>());
 }
 
-TEST(TradeoffPage, TellsWhatTheReportTellsOfEverySource) {
+TEST(TradeoffPage, HasTheNumbersOfTheReportForEverySource) {
   const tools::TradeoffReport report = small_report();
   const json chart = json::parse(document_json(tradeoff_document(report)))["chart"];
   expect_every_source_and_all_together(chart);

@@ -17,7 +17,7 @@ json figure_of(double scale, const std::string& spheres) {
   return document_of(file + " --method cross")["scenes"][0]["figure"];
 }
 
-/// What is shown of a ray and a sphere.
+/// The drawing of a ray and a sphere.
 json panel_of_given(const std::string& origin, const std::string& direction,
                     const std::string& centre, const std::string& radius) {
   const std::string file =
@@ -93,7 +93,7 @@ TEST(View, the_frustum_has_its_corners_and_its_names) {
 }
 
 /// Three samples across from -1 to 1: at edges a cell has the size 1, of centres 2/3.
-TEST(View, the_picture_is_a_whole_cell_around_every_sample) {
+TEST(View, the_picture_has_a_whole_cell_around_every_sample) {
   const auto camera_of = [](const std::string& conventions) -> json {
     return figure_of(1, conventions)["camera"];
   };
@@ -112,7 +112,7 @@ TEST(View, the_picture_is_a_whole_cell_around_every_sample) {
   EXPECT_EQ(centres["counts"]["to"], 5);
 }
 
-TEST(View, says_what_cannot_be_drawn_to_scale) {
+TEST(View, reports_what_cannot_be_drawn_to_scale) {
   const std::string spheres = sphere_text("0, 0, -3", "1") + sphere_text("0, 0, -1e8", "1") +
                               sphere_text("0, 0, 0", "1.5") + sphere_text("0, 0, -2", "1e-300");
   const json figure = figure_of(1, spheres);
@@ -122,7 +122,7 @@ TEST(View, says_what_cannot_be_drawn_to_scale) {
   EXPECT_EQ(notes,
             "Sphere 1 reaches too far for a view of the whole; look around the sphere.\n"
             "Sphere 2 surrounds the eye; from outside only the far half is drawn.\n"
-            "Sphere 3 is too small, so far from the origin, to be drawn at any scale.\n");
+            "Sphere 3 is too small, so far from the origin, to be drawn.\n");
   EXPECT_FALSE(figure["out_of_scale"].get<bool>());
 }
 
@@ -159,7 +159,7 @@ void expect_which_digits_are_right(const json& scene) {
   EXPECT_EQ(answers[0]["said"], json::parse(R"([["number", "9999999"], ["mark", "9"]])"));
 }
 
-/// Methods that agree in value, error and standing are told of once; every method is told of.
+/// Methods that agree in value, error and standing are listed together; every method is listed.
 void expect_methods_that_agree_share_an_answer(const json& scene) {
   std::size_t shared = 0, told = 0;
   for (const json& panel : scene["panels"]) {
@@ -200,7 +200,7 @@ void expect_how_many_discrepancies_there_are(const json& document, const json& c
                                      document["findings"].size())));
 }
 
-TEST(View, says_what_s_counts_where_a_direction_is_no_unit_vector) {
+TEST(View, explains_s_if_a_direction_is_not_a_unit_vector) {
   const auto said = [](const std::string& direction) {
     const json panel = panel_of_given("-5, 0, 0", direction, "0, 0, 0", "1");
     return panel["exact"]["said"].dump() + panel["microscope"]["sentences"][0].dump();
@@ -239,7 +239,7 @@ void expect_pictures_count_what_they_show(const json& scene, const json& checked
   EXPECT_EQ(pixels_of(pictures[2], "wrong"), classes["wrong"]);
 }
 
-TEST(View, of_a_far_sphere_tells_all_methods_apart) {
+TEST(View, of_a_far_sphere_distinguishes_all_methods) {
   const std::string far = resized_example("far-sphere.toml", 6);
   const json scene = document_of(far)["scenes"][0];
   EXPECT_TRUE(scene["figure"]["out_of_scale"].get<bool>());
@@ -261,13 +261,13 @@ std::string renderer(const std::string& mistake) {
   return " --candidate 'renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}'";
 }
 
-TEST(View, has_the_picture_that_a_renderer_draws_and_where_it_is_wrong) {
+TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
   const std::string ten = resized_example("ten-spheres.toml", 8);
   const json right = document_of(ten + renderer("none"))["scenes"][0]["pictures"];
   ASSERT_EQ(right.size(), 3u);
   EXPECT_EQ(right[1]["legend"], right[0]["legend"]);
   EXPECT_EQ(right[1]["png"], right[0]["png"]);
-  EXPECT_EQ(pixels_of(right[2], "as it should be"), 64u);
+  EXPECT_EQ(pixels_of(right[2], "correct"), 64u);
   EXPECT_EQ(pixels_of(right[2], "wrong"), 0u);
 
   const json mirrored = document_of(ten + renderer("mirrored"));
@@ -275,25 +275,25 @@ TEST(View, has_the_picture_that_a_renderer_draws_and_where_it_is_wrong) {
   EXPECT_EQ(pictures[1]["legend"], pictures[0]["legend"]);  // as many pixels, elsewhere
   EXPECT_NE(pictures[1]["png"], pictures[0]["png"]);
   const json report = printed_json("check " + ten + renderer("mirrored"));
-  EXPECT_GT(pixels_of(pictures[2], "wrong class or sphere: defect"), 0u);
-  EXPECT_EQ(pixels_of(pictures[2], "wrong class or sphere: defect"),
+  EXPECT_GT(pixels_of(pictures[2], "wrong hit class or sphere: defect"), 0u);
+  EXPECT_EQ(pixels_of(pictures[2], "wrong hit class or sphere: defect"),
             report["candidates"][0]["discrepancies_by_standing"]["defect"].get<std::uint64_t>())
       << report["candidates"][0].dump(1).substr(0, 2000);
-  // Its panels are of raycheck's methods: nobody explains a picture.
+  // Its panels show raycheck's methods: pictures are not explained.
   EXPECT_FALSE(has(mirrored["scenes"][0]["panels"][0]["command"].get<std::string>(), "candidate"));
 
   const json grey = document_of(ten + renderer("grey"))["scenes"][0]["pictures"];
-  EXPECT_EQ(pixels_of(grey[1], "a sphere, not told which"), 64 - pixels_of(right[0], "no sphere"));
+  EXPECT_EQ(pixels_of(grey[1], "an unknown sphere"), 64 - pixels_of(right[0], "no sphere"));
   const json crash = document_of(ten + renderer("crash"));
   ASSERT_EQ(crash["findings"].size(), 1u);
   EXPECT_TRUE(has(crash["findings"][0]["sentence"].get<std::string>(), "image: it exited with 1"))
       << crash["findings"];
   const json& none = crash["scenes"][0]["pictures"];
   EXPECT_EQ(pixels_of(none[1], "no answer"), 64u);
-  EXPECT_EQ(pixels_of(none[2], "wrong class or sphere: defect"), 64u);
+  EXPECT_EQ(pixels_of(none[2], "wrong hit class or sphere: defect"), 64u);
 }
 
-TEST(View, explains_each_of_several_implementations_alone) {
+TEST(View, explains_each_of_several_candidates_separately) {
   const json document = document_of(
       "scene/examples/optical-axis.toml --candidate 'command:python3 tests/candidates/right.py' "
       "--candidate 'command:python3 tests/candidates/meets.py none'");
@@ -306,7 +306,7 @@ TEST(View, explains_each_of_several_implementations_alone) {
   }
 }
 
-TEST(View, a_page_is_one_file_of_bounded_size_that_allows_nothing_else) {
+TEST(View, a_page_is_one_self_contained_file_of_bounded_size) {
   const std::string name = "<img src=x onerror=alert(1)>.toml";
   const std::string scene =
       temporary_file(name, contents(RAYCHECK_SOURCE_DIR "/scene/examples/ten-spheres.toml"));
@@ -321,14 +321,14 @@ TEST(View, a_page_is_one_file_of_bounded_size_that_allows_nothing_else) {
   }
 }
 
-TEST(View, a_dial_has_a_scene_for_each_severity) {
+TEST(View, a_family_has_a_scene_for_each_severity) {
   const json document = document_of("--family distance --method quadratic,cross --cases 10");
   const json& facet = document["chart"]["facets"][0];
   EXPECT_EQ(facet["severities"].size(), 16u);
   EXPECT_EQ(document["dial"]["scenes"].size(), 16u);
   EXPECT_EQ(document["scenes"].size(), 16u);
   ASSERT_EQ(facet["series"].size(), 2u);
-  // It opens where the first method first goes wrong.
+  // It opens at the first error of the first method.
   ASSERT_FALSE(document["findings"].empty());
   EXPECT_GT(document["findings"][0]["scene"], 0);
   EXPECT_EQ(document["findings"][0]["method"], "quadratic");

@@ -26,8 +26,8 @@ struct Mark {
   const char *standing, *text;
 };
 constexpr Mark kRight = {"right", "every decision right"};
-constexpr Mark kExcused = {"excused", "wrong ones, all within rounding of the inputs"};
-constexpr Mark kDefect = {"defect", "wrong without an excuse"};
+constexpr Mark kExcused = {"excused", "wrong decisions, all excused by rounding of the inputs"};
+constexpr Mark kDefect = {"defect", "wrong decisions without an excuse"};
 
 const Mark& mark_of(const ChartPoint& point) {
   return point.defects > 0 ? kDefect : point.wrong > 0 ? kExcused : kRight;
@@ -58,7 +58,7 @@ Json time_json(const ChartTime& time) {
 /// Remarks on a method's run time, if others have one.
 std::string time_text(const ChartSeries& series, const ChartFacet& facet) {
   if (facet.baseline.empty()) return {};
-  if (!series.time) return series.note.empty() ? "no run time was taken" : series.note;
+  if (!series.time) return series.note.empty() ? "not timed" : series.note;
   const auto& [ratio, low, high, nanoseconds] = *series.time;
   std::string text = fmt::format(
       "{:.3g} times the run time of {} (middle half {:.3g} to {:.3g}; {:.3g} ns an item)", ratio,
@@ -76,7 +76,7 @@ Json series_json(const ChartSeries& series, const ChartFacet& facet) {
           {"points", list_json(points, point_json)}};
 }
 
-/// What the problem magnifies errors by at a severity: the same for every method that was compared.
+/// The condition number of the problem at a severity: the same for every method that was compared.
 Json condition_json(const ChartFacet& facet, std::size_t severity, std::size_t quantity,
                     std::size_t share) {
   for (const ChartSeries& series : facet.series) {
@@ -119,8 +119,8 @@ Json facet_json(const ChartFacet& facet) {
           {"baseline", facet.baseline},
           {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
                              : fmt::format("severity: {}", facet.meaning)},
-          {"key", is_timed ? "Steps: no method without such defects is as fast and as accurate"
-                           : "kappa: how much the problem itself magnifies errors of the inputs"},
+          {"key", is_timed ? "Steps: no method without defects is as fast and as accurate"
+                           : "kappa: how much the problem magnifies errors of the inputs"},
           {"quantities", list_json(facet.quantities, quantity_json)},
           {"condition", conditions_json(facet)},
           {"series", list_json(facet.series,

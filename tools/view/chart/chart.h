@@ -26,7 +26,7 @@ inline constexpr std::array<ChartShare, 5> kChartShares = {
 /// The one by which reports compare methods, and which a chart shows first.
 inline constexpr std::size_t kChartShare = 3;
 
-/// Errors at each of kChartShares; empty if none was measured.
+/// Errors at each of kChartShares; empty if not measured.
 using ChartQuantiles = std::array<std::optional<double>, kChartShares.size()>;
 
 /// The results of one method.
@@ -34,7 +34,7 @@ struct ChartPoint {
   struct Errors {
     std::uint64_t compared = 0;
     ChartQuantiles at = {};
-    ChartQuantiles condition = {};  ///< By how much the problem magnifies errors.
+    ChartQuantiles condition = {};  ///< The factor by which the problem magnifies errors.
     /// Whether the method is on the front of those without defects, for each share.
     std::array<bool, kChartShares.size()> is_front = {};
   };

@@ -67,7 +67,7 @@ Drawn across(const Drawn& direction, const Drawn& foot, const Drawn& centre, con
 /// A ray and a sphere.
 struct RayDrawing {
   Drawn direction;              ///< D
-  double until = 0;             ///< How far from L the line is drawn.
+  double until = 0;             ///< The line is drawn up to this distance from L.
   DrawnPlaces places;           ///< L, P, the foot L + v D, the roots, points behind.
   Json names = Json::object();  ///< Labels of places.
 };

@@ -17,7 +17,7 @@ namespace raycheck::tools {
 /// Units: (p - origin) * 2^exponent of its frame; directions are unit.
 using Drawn = std::array<double, 3>;
 
-/// Named places: figure_parts.cpp says what is drawn between, at and beside them.
+/// Named places: figure_parts.cpp lists the parts drawn between, at and beside them.
 using DrawnPlaces = std::vector<std::pair<std::string, Drawn>>;
 
 /// The origin of drawn coordinates, and their scale: a power of two that makes the distance of the

@@ -27,7 +27,7 @@ struct Figure {
   DrawnPlaces places;              ///< The camera's.
   double size = 0;                 ///< The extent of the frustum, or of given rays and a sphere,
   double reach = 0;                ///< and of a view of the whole.
-  std::vector<Drawn> whole;        ///< What it shows besides spheres,
+  std::vector<Drawn> whole;        ///< Its contents besides spheres,
   std::vector<std::size_t> apart;  ///< and the spheres that it leaves out.
   bool is_out_of_scale = false;    ///< It shows little: start with the view from the eye.
   std::vector<std::string> notes;  ///< On what is not drawn exactly.
@@ -52,12 +52,12 @@ DrawnCamera drawn_camera(const scene::Camera& camera, const reference::ExactCame
           frame.length(camera.top)};
 }
 
-/// Every how many columns and rows something is drawn, at most so many of each.
+/// The strides between drawn columns and rows, for at most `most` of each.
 std::array<std::int64_t, 2> steps(const scene::Camera& camera, std::int64_t most) {
   return {(camera.width + most - 1) / most, (camera.height + most - 1) / most};
 }
 
-/// Which s of a ray count.
+/// The s of a ray that count.
 Json counts_json(const scene::Conventions& conventions, const DrawnFrame& frame) {
   const scene::ValidRoots& valid = conventions.valid;
   const bool in_radii = valid.unit == scene::TUnit::kRadius;
@@ -151,23 +151,23 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
   if (length_of(near[0] - near[2]) < length_of(near[0]) / kOrdinary) {
     figure.is_out_of_scale = true;
     figure.notes.push_back(
-        "From outside the image plane is next to a point, so narrow it is; the view from the eye "
-        "shows it.");
+        "The image plane is so narrow that it looks like a point from outside; use the view from "
+        "the eye.");
   }
   const auto [across, down] = steps(given, kMostPixelsAcross);
   const auto [ray_across, ray_down] = steps(given, kMostRaysAcross);
   if (std::max(across, down) > 1) {
-    figure.notes.push_back(fmt::format(
-        "Of {} columns of pixels one in {} is drawn, of {} rows one in {}; when all rays are, one "
-        "in {} and one in {}.",
-        given.width, across, given.height, down, ray_across, ray_down));
+    figure.notes.push_back(
+        fmt::format("Of {} columns of pixels one in {} is drawn, of {} rows one in {}; with all "
+                    "rays one in {} and one in {}.",
+                    given.width, across, given.height, down, ray_across, ray_down));
   }
 }
 
 void add_rays(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene) {
   const double met =
       static_cast<double>(scene.rays.size()) * static_cast<double>(scene.spheres.size());
-  if (met > kMostMet) figure.notes.push_back("Rays are drawn without their hit points: too many.");
+  if (met > kMostMet) figure.notes.push_back("Too many rays: drawn without their hit points.");
   for (const scene::Ray& ray : scene.rays) {
     const Drawn origin = frame.point(ray.origin);
     Json hit = nullptr;
@@ -192,7 +192,7 @@ std::string counted(const std::vector<std::size_t>& spheres, const char* one, co
                              : fmt::format("{} spheres {}", spheres.size(), several);
 }
 
-/// How many pixels see each sphere; empty if unknown.
+/// The number of pixels in which each sphere is the nearest; empty if unknown.
 std::vector<std::uint64_t> seen_by(const std::vector<SeenRun>& seen, std::size_t spheres) {
   std::vector<std::uint64_t> pixels(seen.empty() ? 0 : spheres);
   for (const SeenRun& run : seen) {
@@ -244,14 +244,14 @@ void add_spheres(Figure& figure, const DrawnFrame& frame, const scene::Scene& sc
   };
   note(far_off, "reaches", "reach", " too far for a view of the whole; look around the sphere.");
   note(around, "surrounds", "surround", " the eye; from outside only the far half is drawn.");
-  note(nowhere, "lies", "lie", " so far away that no double holds where, and cannot be drawn.");
-  note(small, "is", "are", " too small, so far from the origin, to be drawn at any scale.");
+  note(nowhere, "lies", "lie", " too far away for a position in doubles, and cannot be drawn.");
+  note(small, "is", "are", " too small, so far from the origin, to be drawn.");
   for (const auto& spheres : {far_off, around, nowhere}) {
     figure.apart.insert(figure.apart.end(), spheres.begin(), spheres.end());
   }
   if (shown < scene.spheres.size()) {
     figure.notes.push_back(
-        fmt::format("{} more spheres are not in this page.", scene.spheres.size() - shown));
+        fmt::format("{} more spheres are not on this page.", scene.spheres.size() - shown));
   }
 }
 

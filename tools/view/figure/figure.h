@@ -12,7 +12,7 @@ namespace raycheck::tools {
 /// The data from which a scene's figure is drawn, with at most `most_spheres` of its spheres:
 /// every coordinate is computed exactly relative to the eye, or to the first given ray's origin,
 /// scaled by a power of two and rounded once; the frustum's corners, of the rounded axes, within 8u
-/// of their distance. `seen`: what the pixels see, in order; empty if unknown.
+/// of their distance. `seen`: the pixels' nearest spheres, in order; empty if unknown.
 /// Domain: a valid scene.
 Json figure_json(const scene::Scene& scene, std::size_t most_spheres,
                  const std::vector<SeenRun>& seen);
@@ -21,7 +21,7 @@ Json figure_json(const scene::Scene& scene, std::size_t most_spheres,
 Json drawing_json(const DrawnFrame& frame, const reference::ExactRay& ray,
                   const scene::Sphere* sphere, const scene::Conventions& conventions);
 
-/// What every figure draws between, at and beside named places. A part is drawn if all its places
+/// The parts of every figure between, at and beside named places. A part is drawn if all its places
 /// exist, and its layer is switched on.
 Json parts_json();
 

@@ -43,7 +43,7 @@ export function formula(text) {
   return told.split(/\^(\d)/).map((part, k) => (k % 2 === 1 ? element("sup", {}, part) : part));
 }
 
-/// Cuts a name that is too long, and tells its length.
+/// Cuts a name that is too long, and adds its length.
 export function brief(text, longest = LONGEST_NAME) {
   return text.length <= longest ? text : `${text.slice(0, longest)}\u2026 (${text.length} characters)`;
 }

@@ -5,7 +5,7 @@ import { drawnRoot, pixelPointOf, plus, times, unitOf } from "./projection.js";
 const MOST_NAMED_SPHERES = 8; // of more only the chosen one is named
 const CELL = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
 
-/// What a store's scene shows for its selection; layers.rays is "none", "pixel", "row" or "all". Colours are CSS
+/// The things to draw of a store's scene and selection; layers.rays is "none", "pixel", "row" or "all". Colours are CSS
 /// colours, those of names are names in the palette. A thing with `select` can be clicked; `whole` are the points that
 /// a view of the whole shows.
 export function drawList(store, layers, palette) {
@@ -36,7 +36,7 @@ export function extremesOf({ centre, radius }, axes) {
   return axes.flatMap((axis) => [plus(centre, times(axis, radius)), plus(centre, times(axis, -radius))]);
 }
 
-/// Adds what the document draws between, at and beside places of the figure and of the panel's ray and sphere.
+/// Adds the document's parts between, at and beside places of the figure and of the panel's ray and sphere.
 function addParts({ figure, layers, palette, segments, points, names }, parts, panel) {
   const drawing = panel?.drawing;
   const places = { ...figure.places, ...drawing?.places, C: figure.spheres.centre[panel?.sphere] };
@@ -105,7 +105,7 @@ function addRay(list, ray) {
   if (hit && list.layers.hits) list.points.push({ at: hit, colour, shape: "diamond", size: 10, select });
 }
 
-/// Where a pixel's ray meets the sphere that the pixel sees; null if it sees none, or that is unknown.
+/// Where a pixel's ray meets its nearest sphere; null if it meets no sphere, or that is unknown.
 function hitOfPixel({ seen, figure: { spheres } }, { origin, direction, index }) {
   const sphere = seenAt(seen ?? [], index);
   const centre = spheres.centre[sphere];

@@ -23,7 +23,7 @@ export function mountFigure(root, store) {
   parts.hidden = false;
   figure.painter = webglPainter(canvas);
   if (figure.painter) figure.orbit = createOrbit(stage, () => redrawFigure(figure));
-  else figure.lost = "This browser gives no WebGL 2: the figure is flat.";
+  else figure.lost = "This browser does not support WebGL 2: the figure is flat.";
   listen(figure);
   parts.append(figureTable(store, () => figure.list));
   Object.assign(window.raycheckPage, { figure, webglPainter, eyeViewer }); // for tests of the screen's contents
@@ -47,7 +47,7 @@ function listen(figure) {
   });
   figure.canvas.addEventListener("webglcontextlost", () => {
     figure.painter = null;
-    figure.lost = "The browser took WebGL away: the figure is flat.";
+    figure.lost = "The browser lost its WebGL context: the figure is flat.";
     redrawFigure(figure);
   });
   for (const [happening, isPrinting] of [["beforeprint", true], ["afterprint", false]]) {
@@ -129,7 +129,7 @@ function drawFigure(figure) {
   figure.notes.replaceChildren([
     figure.lost, ...list.figure.notes, ...notes,
     small.length > 0 ? `Spheres too small to see here, each in a ring: ${small.length}.` : "",
-    missing > 0 ? `Names without room here, all in the table below: ${missing}.` : "",
+    missing > 0 ? `Names that do not fit here, see the table below: ${missing}.` : "",
   ].filter(Boolean).join(" "));
   const { camera, rays, spheres: { label: { length: spheres } } } = list.figure;
   const what = camera ? `camera, ${camera.width} x ${camera.height} pixels` : `${rays.length} rays`;

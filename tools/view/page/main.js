@@ -28,7 +28,7 @@ async function start() {
   const read = JSON.parse(await inflated("document"));
   byId("footer").append(...read.left_out.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
     element("p", {}, `Made by raycheck ${read.version}. ${MADE}`));
-  if (read.scenes.length === 0) { // a chart is a page of its own
+  if (read.scenes.length === 0) { // the page is only a chart
     for (const id of ["story", "seen", "told", "conventions"]) byId(id).remove();
     Object.assign(byId("skip"), { href: "#chart", textContent: "Skip to the chart" });
     mountChart(byId("chart"), read, null);

@@ -1,4 +1,4 @@
-// The marks of methods, and labels beside them, none over another.
+// The marks of methods, and labels beside them that do not overlap.
 import { svg } from "./dom.js";
 
 export const LETTER = 6.7; // pixels: a letter of a drawing's label is narrower

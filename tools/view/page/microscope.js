@@ -26,7 +26,7 @@ export function mountMicroscope(root, store) {
     const now = store.panel()?.microscope ?? null;
     const method = store.methodTold();
     if (now !== shown.now || method !== shown.method) shown = { now, method, zoom: now && firstZoom(now, method) };
-    const sentences = now?.sentences ?? ["Here is nothing to magnify."];
+    const sentences = now?.sentences ?? ["There is nothing to magnify here."];
     told.replaceChildren(...sentences.map((sentence) => element("p", {}, briefSentence(sentence))));
     seen.hidden = now === null;
     if (now === null) return;

@@ -12,16 +12,16 @@
 namespace raycheck::tools {
 namespace {
 
-/// How far back zlib looks.
+/// The window of zlib.
 constexpr std::size_t kWindow = 1 << 15;
 
 const Bytef* bytes_of(std::string_view text) { return reinterpret_cast<const Bytef*>(text.data()); }
 
-/// Compressed by zlib (RFC 1950) at its best level, as it is where `before` stands in front of it.
+/// Compressed by zlib (RFC 1950) at its best level, as a continuation of `before`.
 std::string deflated(std::string_view text, std::string_view before = {}) {
   z_stream stream{};
   if (deflateInit(&stream, Z_BEST_COMPRESSION) != Z_OK) {
-    throw std::runtime_error("zlib: there is no room to compress in");
+    throw std::runtime_error("zlib: out of memory");
   }
   if (before.size() > kWindow) before.remove_prefix(before.size() - kWindow);
   if (!before.empty()) {
@@ -38,7 +38,7 @@ std::string deflated(std::string_view text, std::string_view before = {}) {
   return bytes;
 }
 
-/// How a content security policy names a script or a style of the page (CSP level 3, 2.3.1).
+/// The source expression for a script or style in a content security policy (CSP level 3, 2.3.1).
 std::string hash_source(std::string_view text) {
   return fmt::format("'sha256-{}'", base64(sha256(text)));
 }

@@ -12,7 +12,7 @@ namespace raycheck::tools {
 /// and style by their hashes, and embedded pictures.
 std::string page(const ViewDocument& document);
 
-/// About how many bytes a text adds after another in one compressed stream.
+/// The approximate number of bytes that a text adds after another in one compressed stream.
 std::size_t deflated_behind(std::string_view before, std::string_view text);
 
 }  // namespace raycheck::tools

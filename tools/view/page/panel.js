@@ -1,11 +1,11 @@
-// What is told of the chosen ray: the sentence at the page's top, the panel of its steps, and what was found.
+// The chosen ray: the sentence at the page's top, the panel of its steps, and the findings.
 import { brief, briefSentence, choice, copyButton, disclosure, element } from "./dom.js";
 import { formula, labelled, mathematics, refill, table } from "./dom.js";
 import { placeText } from "./store.js";
 
 const LONGEST_SHOWN = 400; // characters of MathML that are shown at once
 const NAMES_TOLD = 4; // of methods that agree, before "and 3 more"
-const NO_PANEL = "This page has no panel for this choice.";
+const NO_PANEL = "This page has no steps for this ray and sphere.";
 
 /// The sentence that says what went wrong, and the fields that choose another ray.
 export function mountStory(root, store) {
@@ -77,7 +77,7 @@ function howToAsk(store) {
   const { pixel, sphere } = store.selection;
   const place = `${pixel === null ? "" : ` --pixel ${pixel.join()}`}${sphere === null ? "" : ` --sphere ${sphere}`}`;
   const command = `${store.scene().command}${place} --out page.html`;
-  return element("p", { id: "no-panel" }, `${NO_PANEL} One that has it is made by `,
+  return element("p", { id: "no-panel" }, `${NO_PANEL} A page with them is made by `,
     element("code", { dir: "auto" }, briefSentence(command)), " ", copyButton("copy-view", "Copy", command));
 }
 
@@ -108,7 +108,7 @@ function stepView(step, k, store, opened) {
     element("span", { class: "wrong" }, first ? `\u2717 goes wrong here: ${brief(first)}${more}` : "")),
   element("p", { class: "formula" }, symbolOf(step.symbol), " = ", formula(step.formula)), closedForm(step),
   element("p", { class: "quiet" }, step.condition),
-  answers.length === 0 ? null : table(`Step ${k + 1}, ${step.symbol}: what methods have`, ["methods", "value", "error"],
+  answers.length === 0 ? null : table(`Step ${k + 1}, ${step.symbol}: values of methods`, ["methods", "value", "error"],
     answers.map((one) => [agreeing(one.names), spoken(one.said),
       [one.off, one.wrong ? element("strong", { class: "wrong" }, " \u2717 goes wrong here") : ""]]), "values"));
   return view;

@@ -17,7 +17,7 @@ export function mountPicture(root, store) {
     for (const end of ["x1", "x2"]) line.setAttribute(end, `${percent}%`);
   };
   place.before(rangeField("divider", "Divider", 100,
-    (percent) => (percent === 0 ? "right alone" : percent === 100 ? "left alone" : `left ${percent} %`), divide));
+    (percent) => (percent === 0 ? "only right" : percent === 100 ? "only left" : `left ${percent} %`), divide));
   view.addEventListener("click", (event) => choosePixelAt(event, view, store));
   walkByKeys(view, store);
   divide(0);
@@ -50,7 +50,7 @@ export function mountPicture(root, store) {
     view.querySelector("g").replaceChildren(...ringAround(pixel, camera));
     const sphere = seen === null ? null : seenAt(seen, pixel[1] * camera.width + pixel[0]);
     place.replaceChildren(placeText({ pixel, ray: null, sphere: null }),
-      sphere === null ? "" : sphere < 0 ? " sees no sphere" : ` sees sphere ${sphere}`);
+      sphere === null ? "" : sphere < 0 ? ": no sphere" : `: sphere ${sphere}`);
   });
 }
 
@@ -72,7 +72,7 @@ function ringAround([i, j], camera) {
   return ["ring-under", "ring"].map((kind) => svg("rect", { class: kind, ...place }));
 }
 
-/// The sphere that pixel number `index` sees, given runs [pixels, sphere].
+/// The nearest sphere of pixel number `index`, given runs [pixels, sphere].
 export function seenAt(runs, index) {
   let left = index;
   return runs.find(([pixels]) => (left -= pixels) < 0)?.[1] ?? null;

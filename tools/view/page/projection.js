@@ -25,7 +25,7 @@ export function pixelUnder({ window: [x0, x1, y0, y1], width, height, rows }, x,
 // from bottom to top, at depth 1 (if parallel, at any depth); nearest, the depth below which lines are clipped; start,
 // the depth of the plane where sight begins (0: at the position).
 
-/// A viewer that sees the camera's picture, enlarged by a factor, and what a screen of that aspect shows beside it.
+/// A viewer that shows the camera's picture, enlarged by a factor, and its surroundings on a screen of that aspect.
 export function eyeViewer({ U, V, W, near, window: [x0, x1, y0, y1], origin }, aspect = 0, enlarged = 1) {
   const depth = Math.abs(near);
   const wider = aspect / Math.abs((x1 - x0) / (y1 - y0)) || 1; // than the picture

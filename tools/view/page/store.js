@@ -1,4 +1,4 @@
-// What is shown: the document as loaded, and the reader's choice of scene, ray, sphere, method.
+// The state of the page: the document as loaded, and the reader's choice of scene, ray, sphere, method.
 
 /// document: as `raycheck view --format json` prints it. `set` takes any of {scenesIndex, selection, methodShown,
 /// layers} and calls every subscriber with the store and the names of what was set; a new subscriber is called at once.

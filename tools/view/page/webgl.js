@@ -59,8 +59,8 @@ function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio =
   camera.far = Math.min(Math.max(packed.farthest, 2), GREATEST_DEPTH); // of the logarithmic depth
   renderer.render(stage, camera);
   const notes = [
-    packed.farthest > GREATEST_DEPTH ? "What is 1e30 times as far as the nearest is not drawn." : "",
-    packed.unresolved > 1 ? `Where two of ${packed.unresolved} spheres far off cross, either may be in front.` : "",
+    packed.farthest > GREATEST_DEPTH ? "Objects 1e30 times as far as the nearest are not drawn." : "",
+    packed.unresolved > 1 ? `Where two of ${packed.unresolved} distant spheres intersect, either may be drawn in front.` : "",
   ];
   return { small: packed.small, notes };
 }

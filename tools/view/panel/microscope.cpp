@@ -20,8 +20,8 @@ struct TooWide : std::runtime_error {
   TooWide() : std::runtime_error("more bits are needed") {}
 };
 
-/// How narrow the enclosures of shown numbers must be. Less than kNothing of an ulp is shown as 0:
-/// it is invisible.
+/// The relative width, in bits, of the enclosures of shown numbers. Less than kNothing of an ulp is
+/// invisible and shown as 0.
 constexpr int kToldBits = 34;
 constexpr double kNothing = 0x1p-30;
 
@@ -45,7 +45,7 @@ struct MicroscopeMark {
   std::string text;
 };
 
-/// What is seen, in ulp.
+/// The contents of the microscope, in ulp.
 struct Microscope {
   scene::Precision precision = scene::Precision::kDouble;
   bool is_hit = false;
@@ -113,7 +113,7 @@ class Plane {
     const Enclosure3 to_foot = scaled(along_, v);
     const Enclosure3 to_centre = centre - ray_origin - to_foot;
     const Enclosure b = norm(to_centre);
-    // A line through the centre has no side; enclosures cannot show that.
+    // A line through the centre has no side, which enclosures cannot prove.
     const bool is_central = b.contains_zero();
     if (is_central && bits < kMostMicroscopeBits / 2) throw TooWide();
     normal_ = is_central ? across(along_, bits) : scaled(to_centre, Enclosure(1.0, bits) / b);
@@ -174,7 +174,7 @@ class Plane {
   Enclosure3 along_, normal_, origin_;
 };
 
-/// The index of a method among all of raycheck's; others' come after them.
+/// The index of a method among all of raycheck's; external candidates come after them.
 std::size_t number_of(const MethodReport& method) {
   const auto all = all_intersect_methods();
   return static_cast<std::size_t>(
@@ -242,8 +242,8 @@ std::size_t window_of(const MicroscopeMark& mark, const std::vector<Zoom>& zooms
   return zooms.empty() ? 0 : std::min(index, zooms.size() - 1);
 }
 
-/// Around which point, in what unit, how far answers to a miss are, and which methods cannot be
-/// drawn.
+/// Sentences about the centre, the unit, the distance of answers to a miss, and the methods that
+/// cannot be drawn.
 std::vector<std::string> sentences_of(const Microscope& microscope, const ExplainReport& report) {
   const bool is_single = microscope.precision == scene::Precision::kSingle;
   std::vector<std::string> sentences = {
@@ -284,7 +284,7 @@ std::vector<std::string> sentences_of(const Microscope& microscope, const Explai
     }
   }
   for (const auto& [verdict, names] : absent) {
-    sentences.push_back(fmt::format("Nothing to draw of {}: {}.", names, verdict));
+    sentences.push_back(fmt::format("Not drawn: {}: {}.", names, verdict));
   }
   return sentences;
 }

@@ -38,7 +38,7 @@ std::string listed(const auto& triple) {
                      scene::shortest(triple.z));
 }
 
-/// What explains the same ray and sphere at a desk.
+/// The command that explains the same ray and sphere.
 std::string explain_command(const ExplainReport& report, const Selection& asked,
                             const SceneViewOptions& options) {
   const std::string candidate = options.other ? options.more_arguments : "";  // no renderers
@@ -58,8 +58,8 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
 
 constexpr int kDigits = 17;
 
-/// How many characters of a value's decimals are right: all if it is within an ulp of the correctly
-/// rounded exact one, otherwise up to the last digit to which both round equally.
+/// The number of correct characters of a value's decimals: all if it is within an ulp of the
+/// correctly rounded exact one, otherwise up to the last digit to which both round equally.
 std::size_t right_characters(double value, double exact) {
   const std::string text = digits_text(value);
   const bool is_next = value == std::nextafter(exact, value);
@@ -95,7 +95,7 @@ void add_value(Json& said, double value, const std::optional<double>& exact) {
   add(said, "mark", text.substr(right));
 }
 
-/// A method's result at a step, without names, which agreeing methods share.
+/// A method's result at a step, without names: agreeing methods share it.
 Json answer_json(const MethodReport& method, const MethodStep& mine, const Step& step) {
   Json said = Json::array();
   const std::size_t count = mine.value.size();
@@ -129,7 +129,7 @@ Json answers_json(const Step& step, const ExplainReport& report) {
   return answers;
 }
 
-/// How much larger the subtracted terms are than their difference, if that costs digits.
+/// A remark on subtracted terms that are much larger than their difference, if that costs digits.
 std::string cancellation_text(const Step& step, const ExplainReport& report) {
   const Step* const to_centre = report.find("T");
   if (!step.condition || step.symbol != "d^2" || to_centre == nullptr ||

@@ -26,7 +26,7 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
 Json microscope_json(const ExplainReport& report, const reference::ExactRay& ray,
                      const scene::Sphere& sphere);
 
-/// Appended to an s in multiples of a ray's direction; empty for unit directions.
+/// A remark appended to an s in multiples of a ray's direction; empty for unit directions.
 std::string direction_remark(const ExplainReport& report);
 
 }  // namespace raycheck::tools

@@ -19,9 +19,9 @@ namespace {
 
 using reference::kNoSphere;
 
-/// What a pixel of a candidate's picture shows if it is neither a certain sphere nor nothing.
+/// Values of a pixel in a candidate's picture that is neither a known sphere nor background.
 constexpr std::int32_t kFailedPixel = -2;  ///< The candidate failed.
-constexpr std::int32_t kSomePixel = -3;    ///< A sphere; it cannot be told which.
+constexpr std::int32_t kSomePixel = -3;    ///< An unknown sphere.
 
 constexpr Colour kFailedColour = {128, 128, 128};
 
@@ -52,7 +52,7 @@ Json picture_json(const char* kind, const std::string& name, const std::string& 
           {"legend", std::move(legend)}};
 }
 
-/// A picture of which pixel sees which sphere.
+/// A picture of the pixels' nearest spheres.
 Json picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen, const char* kind,
                 const std::string& name) {
   constexpr std::size_t kMostEntries = 24;
@@ -65,7 +65,7 @@ Json picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen
     if (legend.size() == kMostEntries) break;
     legend.push_back(entry_json(pixel_colour(sphere),
                                 sphere == kFailedPixel ? "no answer"
-                                : sphere == kSomePixel ? "a sphere, not told which"
+                                : sphere == kSomePixel ? "an unknown sphere"
                                 : sphere == kNoSphere  ? "no sphere"
                                                        : fmt::format("sphere {}", sphere),
                                 count));
@@ -73,7 +73,7 @@ Json picture_of(const scene::Scene& scene, const std::vector<std::int32_t>& seen
   return picture_json(kind, name, png_of(scene, std::move(pixels)), std::move(legend));
 }
 
-/// Pixels judged at a time: so few that a verdict keeps every discrepancy.
+/// Pixels judged at a time: few enough that a verdict keeps every discrepancy.
 constexpr std::size_t kPixelsAtOnce = 512;
 static_assert(kPixelsAtOnce <= properties::kKeptDiscrepancies);
 
@@ -110,8 +110,8 @@ void paint_chunk(const properties::Case& chunk, const properties::Candidate& can
   errors.pixels.front() += static_cast<std::uint64_t>(std::ranges::count(is_wrong, false));
 }
 
-/// What every pixel shows of a picture that a candidate draws as a whole, row j after row j: a
-/// sphere, kNoSphere, kSomePixel, or, if it fails, kFailedPixel everywhere.
+/// The pixels of a picture that a candidate draws as a whole, row j after row j: a sphere,
+/// kNoSphere, kSomePixel, or, if it fails, kFailedPixel everywhere.
 std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
                                         const properties::Candidate& candidate) {
   const auto count = static_cast<std::size_t>(scene.camera->width * scene.camera->height);
@@ -122,7 +122,7 @@ std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
     if (answer.size() == count) {
       std::ranges::transform(answer, picture.begin(), pixel_of);
     }
-  } catch (const properties::NoAnswer&) {  // the findings say how it failed
+  } catch (const properties::NoAnswer&) {  // the findings report the failure
   }
   return picture;
 }
@@ -161,10 +161,9 @@ Json error_legend(const ErrorCounts& counts, bool is_drawn, std::uint64_t pixels
   for (const std::uint64_t some : counts.pixels) pixels -= some;
   for (const std::uint64_t some : counts.wrong) pixels -= some;
   if (is_drawn) {
-    legend.push_back(
-        entry_json(kErrorSteps.front().colour, "as it should be", counts.pixels.front()));
+    legend.push_back(entry_json(kErrorSteps.front().colour, "correct", counts.pixels.front()));
   } else {
-    legend.push_back(entry_json(kBackground, "rightly no sphere", pixels));
+    legend.push_back(entry_json(kBackground, "no sphere, correct", pixels));
   }
   for (std::size_t k = 0; k < kErrorSteps.size() && !is_drawn; ++k) {
     const bool is_last = k + 1 == kErrorSteps.size();
@@ -178,7 +177,7 @@ Json error_legend(const ErrorCounts& counts, bool is_drawn, std::uint64_t pixels
     const auto standing = static_cast<properties::Standing>(k);
     if (counts.wrong[k] == 0 && standing != properties::Standing::kDefect) continue;
     legend.push_back(entry_json(kWrongColours[k],
-                                fmt::format("wrong class or sphere: {}", name(standing)),
+                                fmt::format("wrong hit class or sphere: {}", name(standing)),
                                 counts.wrong[k]));
   }
   return legend;
@@ -240,7 +239,7 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
   for (Shown& one : shown) {
     const std::string& name = one.candidate.name;
     images.pictures.push_back(
-        picture_of(scene, one.answered, "answered", fmt::format("as {} has it", name)));
+        picture_of(scene, one.answered, "answered", fmt::format("answers of {}", name)));
     images.pictures.push_back(
         picture_json("error", "errors of " + name, png_of(scene, std::move(one.errors)),
                      error_legend(one.counts, one.candidate.image != nullptr, count)));

@@ -13,8 +13,8 @@ namespace raycheck::tools {
 /// Each call makes a new candidate, whose conventions the scene is shown under.
 using CandidateMaker = std::function<properties::Candidate()>;
 
-/// The pictures of a scene: what its pixels see, certified; for each candidate its answers and the
-/// error of its s or, for one that draws whole images, its picture and where that is wrong.
+/// The pictures of a scene: its certified spheres; for each candidate its answers and the error of
+/// its s or, if it draws whole images, its picture and the wrong pixels.
 /// Domain: a valid scene with a camera, with few enough pixels for memory; candidates that draw
 ///         images, or make rays from its origin and rank spheres.
 struct SceneImages {
