@@ -65,13 +65,13 @@ def counts():
 
 TURNS = {
     "so many, so much": r"\b[Ss]o (many|much)\b",
-    "is none, are none": r"\b(is|are) none\b",
-    "is no X": r"\bis no\b",
+    "is none, are none": r"(?<!\b[Tt]here )\b(is|are) none\b",
+    "is no X": r"(?<!\b[Tt]here )\bis no\b",
     "Who ...": r"(^|[.!?;:] )Who(m|se)? [a-z]",
     "whoever": r"\b[Ww]ho(m)?ever\b",
     "nobody": r"\b[Nn]obody\b",
     "said of, told of, asked of, speaks of": r"\b(said|told|asked|[Ss]peaks?) of\b",
-    "alone, for only": r"\balone\b",
+    "alone, for only": r"(?<![\w.!*&(]) alone\b(?! =|[,)(;>.]*[;)(=]|->)",
     "sees": r"\b[Ss]ees\b",
     "of its own, of their own, of others": r"\bof (its own|their own|others)\b",
     "every how many": r"\b[Ee]very how many\b",

@@ -140,7 +140,7 @@ TEST(Contracts, have_the_most_important_finding_first) {
     return out.substr(0, out.find('\n'));
   };
   expect_parts(first(tracer("right.py", "s >= 0", "(s, point)", "tangent='hit'")),
-               {"(mine): right on ordinary cases"});
+               {"(mine): right on all ordinary cases"});
   expect_parts(first(tracer("no_hit.py", "False", "(s, point)", "lengths=(1e-300, 1e-299)")),
                {"nothing judged: no case lies within the lengths that it declares"});
   // In C++, where shrinking is fast.

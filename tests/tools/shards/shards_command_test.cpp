@@ -159,7 +159,7 @@ TEST_F(Merge, names_a_truncated_or_changed_unit) {
   // Not read at all.
   fs::resize_file(unit, std::uintmax_t{20} << 30);
   expect_refused("merge " + folder,
-                 unit.string() + ": is larger than the 256 MiB that one may have");
+                 unit.string() + ": is larger than 256 MiB, the limit for a unit");
   std::string longer = whole;
   longer.insert(longer.find('\n'), "0");  // the stated size
   for (const std::string& bytes :
