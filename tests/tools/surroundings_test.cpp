@@ -123,7 +123,7 @@ TEST(RunScript, rejects_older_packages_that_hold_less) {
       "unset RAYCHECK_PACKAGES\nmore=dpkg\n"
       "query='[[ $4 == libflint-arb-dev ]] || echo ii 2.9.0'",
       2);
-  EXPECT_TRUE(has(result.err, " calls libflint-arb-dev or libflint-dev>=3, "));
+  EXPECT_TRUE(has(result.err, ": libflint-arb-dev or libflint-dev>=3"));
 }
 
 /// A copy of an example under a name with control characters that is not UTF-8.

@@ -250,8 +250,8 @@ TEST(ValidRootsFile, ReadsBackWhatIsWritten) {
 
 TEST(ValidRootsFile, IsRefusedWhereItMakesNoSense) {
   const std::pair<const char*, const char*> refused[] = {
-      {"t_min = -1\n", "t_min = -1: must be 0 or more, and finite"},
-      {"t_min = inf\n", "must be 0 or more, and finite"},
+      {"t_min = -1\n", "t_min = -1: must be finite and at least 0"},
+      {"t_min = inf\n", "must be finite and at least 0"},
       {"t_min = 2\nt_max = 1\n", "t_max = 1: is below t_min"},
       {"interval = \"[0, 1]\"\n", "interval = \"[0, 1]\": must be one of"},
       {"t_unit = \"metres\"\n", "t_unit = \"metres\": must be one of absolute, radius"},
