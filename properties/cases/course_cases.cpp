@@ -1,5 +1,5 @@
-// Course assignments: cameras and spheres of few digits, which the usual formulas get right and
-// which tell the usual mistakes apart. No ray of either origin starts inside a sphere.
+// Course assignments: cameras and spheres of few digits. The usual formulas are right on them, and
+// the usual mistakes give different answers. No ray of either origin starts inside a sphere.
 
 #include <algorithm>
 #include <cmath>
@@ -159,7 +159,7 @@ constexpr CaseSource kCourseSourceTable[] = {
      {},
      course},
     {"course-behind",
-     "the same, with spheres behind the eye and before the image plane",
+     "cameras and spheres of few digits, some spheres behind the eye or before the image plane",
      true,
      {},
      course_behind}};

@@ -93,8 +93,8 @@ std::vector<Mistake> frame_mistakes() {
   };
 }
 
-/// The lecture's v and d, which assume |D| = 1, used as multiples of D. Where that is so they lose
-/// no digits: what is lost is another mistake.
+/// The lecture's v and d, which assume |D| = 1, used as multiples of D, without lost digits, which
+/// are another mistake.
 fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
   fast::Roots roots = fast::kCross.roots(ray, sphere);
   const double size = norm(ray.direction), excess = size * size - 1;
@@ -185,7 +185,7 @@ std::vector<Mistake> ray_mistakes() {
        .rays = {.direction = unchanged},
        .hits = {.roots = roots_of_unit}},
       {.sentence =
-           "only what lies between the eye and the image plane is seen: near is taken for far",
+           "only spheres between the eye and the image plane are seen: near is taken for far",
        .step = Step::kRay,
        .rays = {.direction = unchanged, .starts_at_eye = true},
        .hits = {.choose = before_the_plane},

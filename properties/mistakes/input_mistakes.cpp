@@ -39,7 +39,7 @@ Mistake lines_for_columns(const std::string& outside, bool from_last) {
       });
 }
 
-/// A program that keeps an image shows black where it has none; others trace rays there, too.
+/// Outside the image, a program that stores an image shows black; others trace rays there, too.
 std::vector<Mistake> exchanged_loops() {
   std::vector<Mistake> all = {
       lines_for_columns("", false),
@@ -101,7 +101,7 @@ std::vector<Mistake> pixel_mistakes() {
           integer_division(false)};
 }
 
-/// As where rows and columns are exchanged, and each is divided by its own number of steps.
+/// Exchanged rows and columns, each divided by its own number of steps.
 Mistake exchanged_steps() {
   Mistake mistake = pixel_mistake(
       "alpha follows from j, and beta from i: alpha = left + j/(h-1) (right - left), beta = bottom "
@@ -164,8 +164,8 @@ void stretch_rows(Camera& camera, const Conventions& conventions, double factor)
   last = first + (last - first) * factor;
 }
 
-/// From i/(w-1), or from (i+1/2)/w, to i/w or, one pixel on, to (i+1)/w: where the first and the
-/// last pixel between two bounds come to lie.
+/// Replaces i/(w-1), or (i+1/2)/w, by i/w or, one pixel on, by (i+1)/w: the positions of the first
+/// and the last pixel between two bounds.
 void step_by_count(double& first, double& last, std::int64_t pixels, const Conventions& conventions,
                    bool is_next) {
   const double step = (last - first) / static_cast<double>(pixels);
@@ -196,7 +196,7 @@ std::vector<Mistake> view_mistakes() {
   return {
       camera_mistake("near has the wrong sign, the image plane is behind the eye",
                      [](Camera& its, auto&) { its.near = -its.near; }),
-      camera_mistake("the image plane is always 1 in front of the eye, as where d is taken for the "
+      camera_mistake("the image plane is always 1 in front of the eye, as if d were the "
                      "far plane",
                      [](Camera& its, auto&) { its.near = std::copysign(1, its.near); }),
       camera_mistake(
@@ -223,7 +223,7 @@ std::vector<Mistake> view_mistakes() {
           "the eye is ignored: E = (0, 0, 0)", [](Camera& its, auto&) { its.eye = {}; },
           Step::kFrame),
       camera_mistake(
-          "the eye is ignored but in W: P = nW + alpha U + beta V, D = P/|P|",
+          "the eye is ignored except in W: P = nW + alpha U + beta V, D = P/|P|",
           [](Camera& its, auto&) {
             const scene::Vector3 view = its.look_at - its.eye;
             its.look_at = {view.x, view.y, view.z};

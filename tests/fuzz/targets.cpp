@@ -27,11 +27,11 @@ void try_to(const Read& read) {
   }
 }
 
-/// A folder of its own, so that no file lies beside the rubric.
+/// A separate folder, so that no other file lies beside the rubric.
 class Folder {
  public:
   Folder() : path_(std::filesystem::temp_directory_path() / "raycheck-fuzz-XXXXXX") {
-    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no folder can be made");
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot create a folder");
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
@@ -47,9 +47,9 @@ void require(bool holds, const char* what) {
 }
 
 void require_read_back(const scene::Scene& read) {
-  require(scene::defects(read).empty(), "a scene that is not valid was read");
+  require(scene::defects(read).empty(), "the reader returned an invalid scene");
   require(scene::read_toml(scene::write_toml(read), "again.toml").scene == read,
-          "a scene is another when written and read again");
+          "a scene changes when it is written and read again");
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ void fuzz_rubric(std::string_view bytes) {
   }
 }
 
-/// Below the digest of a unit's file, which bytes by chance do not have.
+/// The content of a unit's file, without its digest, which random bytes do not have.
 void fuzz_unit(std::string_view bytes) {
   try {
     // As a unit of `properties` has it.
@@ -100,7 +100,7 @@ void fuzz_unit(std::string_view bytes) {
         std::pair<std::vector<properties::CampaignPart>, std::optional<properties::WorstCase>>;
     const std::string again = tools::to_bytes(tools::from_bytes<Result>(bytes));
     require(tools::to_bytes(tools::from_bytes<Result>(again)) == again,
-            "a result is another when written and read again");
+            "a result changes when it is written and read again");
   } catch (const std::invalid_argument&) {
   }
 }
@@ -114,7 +114,7 @@ void fuzz_toml_scene(std::string_view bytes) {
 
 void fuzz_driver_file(std::string_view bytes) {
   const std::string shown = scene::visible(bytes);
-  require(scene::visible(shown) == shown, "what is shown is shown otherwise");
+  require(scene::visible(shown) == shown, "visible text changes when it is made visible again");
   try {
     require_read_back(scene::read_driver_file(bytes, "f.txt").scene);
   } catch (const scene::SceneFileError&) {
