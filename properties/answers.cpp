@@ -11,7 +11,7 @@ namespace {
 template <class Given>
 const Given& require_count(const Given& answers, std::size_t expected, const char* what) {
   if (answers.size() != expected) {
-    throw CandidateFailed("candidate gave " + std::to_string(answers.size()) + " " + what +
+    throw CandidateFailed("the candidate returned " + std::to_string(answers.size()) + " " + what +
                           " where " + std::to_string(expected) + " were asked for");
   }
   return answers;
@@ -40,7 +40,7 @@ struct ValidRays {
 void require_in_order(const SphereHits& hits, std::size_t rays) {
   for (std::size_t k = 0; k < hits.size(); ++k) {
     if (hits[k].ray >= rays || (k > 0 && hits[k].ray <= hits[k - 1].ray)) {
-      throw CandidateFailed("candidate gave hits that are not in the order of the rays");
+      throw CandidateFailed("the candidate returned hits that are not in the order of the rays");
     }
   }
 }
@@ -116,7 +116,7 @@ const std::vector<scene::ScenePlan>& Answers::plans() {
       plans.push_back(candidate_.plan(case_.scene, conventions_, wanted));
       const std::size_t spheres = plans.back().spheres.size();
       if (spheres != case_.scene.spheres.size()) {
-        throw CandidateFailed("the plan names " + std::to_string(spheres) + " spheres of " +
+        throw CandidateFailed("the plan has " + std::to_string(spheres) + " spheres, the scene " +
                               std::to_string(case_.scene.spheres.size()));
       }
     }

@@ -159,7 +159,7 @@ constexpr CaseSource kCourseSourceTable[] = {
      {},
      course},
     {"course-behind",
-     "the same, with spheres behind the eye and before the image plane",
+     "cameras and spheres of few digits, some spheres behind the eye or before the image plane",
      true,
      {},
      course_behind}};

@@ -51,7 +51,7 @@ void judge_frame(Trial& trial, Verdict& verdict) {
 
 constexpr Law kFrameLawTable[] = {
     {.name = "frame",
-     .sentence = "the frame is orthonormal, right-handed, and the camera's",
+     .sentence = "the frame is orthonormal, right-handed and equal to the camera's",
      .per = Per::kScene,
      .needs = Needs::kFrame,
      .quantity = Quantity::kFrame,

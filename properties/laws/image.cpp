@@ -41,7 +41,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
     judge_choice(trial, verdict, choice, met.expected(k), [&] { return excuse_of(trial, choice); });
   }
   if (unidentified > 0) {
-    verdict.leave_out("which sphere a pixel shows whose colour is not a sphere's");
+    verdict.leave_out("pixels whose colour is not that of a sphere: judged only as hit or miss");
   }
 }
 

@@ -375,7 +375,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
 
 constexpr Law kIntersectLawTable[] = {
     {.name = "class",
-     .sentence = "hit or miss as the exact class says",
+     .sentence = "rays hit and miss as in exact arithmetic",
      .per = Per::kPair,
      .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays,
      .quantity = Quantity::kClass,
@@ -393,7 +393,7 @@ constexpr Law kIntersectLawTable[] = {
      .tells_stability = true,
      .judge = judge_root},
     {.name = "parameter",
-     .sentence = "the parameter s is the exact root's",
+     .sentence = "the parameter s is the exact root, within its bound",
      .per = Per::kPair,
      .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays | Needs::kParameters,
      .quantity = Quantity::kParameter,

@@ -347,7 +347,7 @@ constexpr Law kPixelPlaneLawTable[] = {
               judge_image_plane),
     of_points("centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",
               Per::kScene, judge_centre_pixel),
-    of_points("pixel-zero-zero", "pixel (0, 0) is at the corner that the row order says",
+    of_points("pixel-zero-zero", "pixel (0, 0) is at the corner that the row order names",
               Per::kScene, judge_pixel_zero_zero),
     of_points("density", "pixel density does not change the field of view", Per::kRay,
               judge_density),

@@ -63,7 +63,7 @@ void judge_ray_origin(Trial& trial, Verdict& verdict) {
 
 constexpr Law kPixelRayLawTable[] = {
     {.name = "unit-direction",
-     .sentence = "directions are unit",
+     .sentence = "directions have length 1",
      .per = Per::kRay,
      .needs = Needs::kMadeRays,
      .quantity = Quantity::kUnitDefect,

@@ -336,7 +336,8 @@ void judge_roots(Trial& trial, Verdict& verdict) {
       }
     }
   }
-  if (verdict.compared() == 0) return verdict.leave_out("any ray may start inside, or past it");
+  if (verdict.compared() == 0)
+    return verdict.leave_out("by the plan, rays may start inside or past every sphere");
 }
 
 constexpr Law kPlanLawTable[] = {
@@ -353,7 +354,7 @@ constexpr Law kPlanLawTable[] = {
      .quantity = Quantity::kClass,
      .judge = judge_rectangles},
     {.name = "plan-roots",
-     .sentence = "the far root, and the test for what is behind, are needed where the plan says",
+     .sentence = "far roots and spheres behind the origin occur only where the plan says so",
      .per = Per::kPair,
      .needs = Needs::kPlan | Needs::kSpheres,
      .quantity = Quantity::kRoot,
