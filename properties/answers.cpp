@@ -33,7 +33,7 @@ struct ValidRays {
   ValidRays& operator=(const ValidRays&) = delete;
 
   std::vector<std::size_t> indices;
-  std::vector<scene::Ray> copies;  ///< Only where not all are.
+  std::vector<scene::Ray> copies;  ///< Empty if all rays are valid.
   Candidate::Rays rays;
 };
 

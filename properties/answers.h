@@ -13,12 +13,12 @@
 
 namespace raycheck::properties {
 
-/// A candidate's answers to a case, each asked for once and kept for the next law; empty where it
-/// has no such thing. What it throws passes through.
-/// Domain: a valid scene, pixels inside its image. What is given has to outlive it.
+/// A candidate's answers to a case: each function is called once, and its answer kept for the next
+/// law. Exceptions of the candidate pass through.
+/// Domain: a valid scene, pixels inside its image. The arguments have to outlive it.
 class Answers {
  public:
-  /// `share`: of the time for a reply (Functions::allow).
+  /// `share`: the share of the time limit for a reply (Functions::allow).
   Answers(const Case& the_case, const Candidate& candidate, double share);
 
   const scene::Scene& scene() const { return case_.scene; }
@@ -37,21 +37,21 @@ class Answers {
   bool lacks_rays() const { return rays_.failure != nullptr; }
   const SphereHits& hits(std::size_t sphere);
   const std::vector<std::optional<std::size_t>>& nearest();
-  /// One for each that may be wanted, in the order of scene::kEveryWanted.
+  /// One plan for each element of scene::kEveryWanted, in that order.
   const std::vector<scene::ScenePlan>& plans();
-  /// Asks the candidate about other rays or spheres. Its own rays that are not finite, or whose
-  /// direction is 0, are not asked about: they count as misses.
+  /// Asks the candidate about other rays or spheres. Rays that are not finite, or have the
+  /// direction 0, are not passed to it: they count as misses.
   std::vector<SphereHits> intersect(const std::vector<scene::Ray>& rays,
                                     const std::vector<scene::Sphere>& spheres,
                                     const scene::Conventions& conventions) const;
   std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
                                                const std::vector<scene::Sphere>& spheres) const;
-  /// For an intersection of a single ray: that ray, as given to the candidate, and the spheres;
+  /// If a single ray was intersected: that ray, as given to the candidate, and the spheres;
   /// otherwise the scene.
   scene::Scene asked_scene() const;
 
  private:
-  /// A candidate's answers, or how it failed: it is not asked twice.
+  /// A candidate's answers, or its failure, so that it is not called twice.
   template <class Given>
   struct Once {
     std::optional<Given> answers;
@@ -72,10 +72,10 @@ class Answers {
   Once<std::vector<scene::ScenePlan>> plans_;
 };
 
-/// Throws CandidateFailed where a candidate names a sphere that there is not.
+/// Throws CandidateFailed where a candidate names a sphere that does not exist.
 void require_sphere(std::size_t index, std::size_t count);
 
-/// The hit of a ray among a sphere's; null where it misses.
+/// The hit of this ray in a list of hits; null if the ray misses.
 const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray);
 
 }  // namespace raycheck::properties

@@ -1,7 +1,7 @@
 #pragma once
 
-// What verdicts and cases consist of, for archives (of cereal's kind): each type lists its fields
-// once, plain data of scenes here, else as a member.
+// Archives (as in cereal) of verdicts and cases: each type lists its fields once, plain data of
+// scenes here, other types in a member function.
 
 #include "properties/case.h"
 #include "scene/fields.h"

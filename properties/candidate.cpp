@@ -136,7 +136,7 @@ Functions completed(Functions functions, Returns returns) {
     std::vector<SphereHits> all = intersect(rays, spheres, conventions);
     for (std::size_t sphere = 0; sphere < std::min(all.size(), spheres.size()); ++sphere) {
       for (RayHit& hit : all[sphere]) {
-        if (hit.ray >= rays.size()) continue;  // Answers refuses it
+        if (hit.ray >= rays.size()) continue;  // Answers reports it
         hit.hit = completed(hit.hit, returns, rays[hit.ray], spheres[sphere]);
       }
     }

@@ -21,7 +21,7 @@
 
 namespace raycheck::properties {
 
-/// Where a candidate promises anything: nonzero lengths lie between these.
+/// The domain in which a candidate's promises hold: nonzero lengths lie between these.
 struct Domain {
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ struct Domain {
   double largest_camera_length = std::numeric_limits<double>::infinity();
 };
 
-/// Results for smaller lengths may be subnormal, with too few digits for any bound relative to
+/// Results for smaller lengths may be subnormal, with too few digits for a bound relative to
 /// their size.
 inline constexpr double kSmallestJudgedLength = 0x1p-960;
 
@@ -75,8 +75,8 @@ struct SeenAnswer {
   double parameter = 0;  ///< s
 };
 
-/// What each pixel of an image shows, row j after row j: a sphere, kSomeSphere if it is unknown
-/// which, or none.
+/// The sphere that each pixel of an image shows, row after row: its index, kSomeSphere if it is
+/// unknown which, or empty without a sphere.
 using ImageAnswer = std::vector<std::optional<std::size_t>>;
 inline constexpr std::size_t kSomeSphere = std::numeric_limits<std::size_t>::max();
 
@@ -84,13 +84,13 @@ inline constexpr std::size_t kSomeSphere = std::numeric_limits<std::size_t>::max
 /// renderer's `float`s or thresholds may lose.
 inline constexpr double kExcusedImageChange = 1e-6;
 /// The same for renderers that are judged in single precision: the roundings of floats, in scenes
-/// whose condition number is some thousands.
+/// with a condition number of some thousands.
 inline constexpr double kExcusedSingleImageChange = 1e-4;
 constexpr double excused_image_change(scene::Precision precision) {
   return precision == scene::Precision::kSingle ? kExcusedSingleImageChange : kExcusedImageChange;
 }
 
-/// The conventions that an implementation fixes; the others it takes from the scene.
+/// The conventions that a candidate fixes; it takes the others from the scene.
 struct DeclaredConventions {
   std::optional<scene::Rows> rows;
   std::optional<scene::Samples> samples;
@@ -104,11 +104,11 @@ struct DeclaredConventions {
   DeclaredConventions over(DeclaredConventions others) const;
 };
 
-/// Whether a case stays valid under the conventions that an implementation fixes: a single sample
-/// between two edges does not.
+/// Whether a case stays valid under the conventions that a candidate fixes: with samples on the
+/// edges an image of one column or row is not.
 bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
-/// The functions of an implementation; those that it lacks are empty. Functions refuse invalid
+/// The functions of a candidate; those that it lacks are empty. Functions refuse invalid
 /// input with std::invalid_argument; the what() of any other exception says how they failed.
 /// CandidateFunction throws a NoAnswer in place of both. Answers come in the order of the
 /// questions; an absent hit is a miss.
@@ -130,39 +130,39 @@ struct Functions {
   }
   /// Every ray with every sphere: one list of hits per sphere.
   CandidateFunction<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
-  /// A superset of the classes that `intersect`, which this is about, answers on boxes of valid
-  /// input. Code that replaces that one must empty or replace this one.
+  /// A superset of the hit classes that `intersect` answers on boxes of valid input. Code that
+  /// replaces `intersect` must empty or replace this function, too.
   CandidateFunction<scene::PossibleClasses(const scene::Box<scene::Ray>&,
                                            const scene::Box<scene::Sphere>&, scene::HitRule)>
       classes_in;
   CandidateFunction<std::vector<std::optional<std::size_t>>(Rays, Spheres,
                                                             const scene::Conventions&)>
       nearest;
-  /// What it leaves out of a scene with a camera.
+  /// Its plan for a scene with a camera.
   CandidateFunction<scene::ScenePlan(const scene::Scene&, const scene::Conventions&, scene::Wanted)>
       plan;
-  /// The sphere seen through each pixel of a scene with a camera; empty: none.
+  /// The sphere seen through each pixel of a scene with a camera; empty without one.
   CandidateFunction<std::vector<std::optional<SeenAnswer>>(const scene::Scene&,
                                                            const scene::Conventions&, Pixels)>
       visible;
   /// The whole image of a scene with a camera.
   CandidateFunction<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
-  /// What is asked from now on is a part of a batch that failed, and gets this share, in (0, 1], of
-  /// the time for an answer. Empty: it has no such limit.
+  /// The next questions are a part of a batch that failed, and get this share, in (0, 1], of the
+  /// time limit for a reply. Empty: it has no such limit.
   std::function<void(double share)> allow;
   /// Resets the count of time-outs after which a candidate is dropped. Empty: it always
   /// replies.
   std::function<void()> forget_silence;
-  /// What it keeps between questions is lost: it is started anew. Empty: it cannot be.
+  /// Starts it anew, so that it loses all state between questions. Empty: it cannot be restarted.
   std::function<void()> restart;
 
-  /// What it is asked from now on does not depend on what it was asked before.
+  /// Forgets earlier time-outs, so that answers do not depend on earlier questions.
   void begin_anew() const {
     if (forget_silence) forget_silence();
   }
 };
 
-/// What an implementation promises of its answers.
+/// A candidate's promises about its answers.
 struct Promises {
   /// The format that it is judged in: cases are rounded to it (rounded_case), and errors and
   /// bounds count its ulp and u.
@@ -170,9 +170,9 @@ struct Promises {
   /// Whether it is given only rays with unit directions.
   bool unit_directions = false;
   InputFormat input_format() const { return {precision, unit_directions}; }
-  /// What its own functions return of a hit; s and Q are completed (completed()).
+  /// What its functions return for a hit; completed() adds the missing one of s and Q.
   Returns returns = Returns::kHit;
-  /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
+  /// Its documented bound on the error of a quantity, in that quantity's unit; empty without one.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
   /// The same for rays made from a camera, where a hit inherits the error of its ray; empty:
   /// max_error.
@@ -180,28 +180,29 @@ struct Promises {
   /// Whether the bound on a quantity holds whatever its condition number is; otherwise it grows
   /// with it (bound_growth).
   std::array<bool, kQuantityCount> is_unconditional = {};
-  /// The exact class of every given ray: neither near-tangency nor the domain excuses a wrong one.
+  /// It decides hit or miss exactly for every given ray: neither near-tangency nor the domain
+  /// excuses a wrong hit class.
   bool exact_class = false;
   /// The same for a sphere seen through a pixel, and s within reference::kVisibleParameterError.
   bool exact_visible = false;
-  /// Whether it is also given invalid input, which it must refuse.
+  /// Whether it also gets invalid input, which it must refuse.
   bool refuses = true;
-  /// How hard the cases are that it must get right, unless another level is asked for.
+  /// The level of the cases that it must get right, unless the user chooses another.
   Level level = Level::kDemanding;
-  /// Of the arithmetic that it uses; no less than that of the format.
+  /// u of the arithmetic that it uses; at least that of the format.
   double unit_roundoff = kDoubleRoundoff;
 };
 
-/// Whether the class is promised for every ray of a scene, wherever the scene lies.
+/// Whether exact hit classes are promised for every ray of a scene, also outside the domain.
 inline bool promises_exact_class(const Promises& promises, const scene::Scene& scene) {
   return promises.exact_class && !scene.camera;
 }
 
-/// The bound promised on a quantity of a scene with a camera or of given rays; empty: none.
+/// The bound promised on a quantity of a scene with a camera or of given rays; empty without one.
 std::optional<double> documented_bound(const Promises& promises, Quantity quantity,
                                        bool has_camera);
 
-/// Which images an implementation is given, and how they are judged.
+/// The images that a candidate is asked for, and how they are judged.
 struct ImagePolicy {
   /// Wrong pixels of `image` are excused where a relative change of the scene by this much may make
   /// them right, or where the exact s is at most image_threshold.
@@ -213,24 +214,24 @@ struct ImagePolicy {
   std::int64_t most_visible_across = scene::kMostPixelsAcross;
 };
 
-/// An implementation under judgement. Code that needs one part of it takes only that base class.
-/// It is used by one thread at a time: where several judge, each has its own candidate.
+/// The code that is judged. Functions that need one part of it take only that base class.
+/// It is used by one thread at a time: each thread that judges has its own candidate.
 struct Candidate : Functions, Promises, Domain, ImagePolicy {
   std::string name;
   DeclaredConventions declared;
 };
 
-/// A hit with what was not returned: s is the distance over the direction's length, or the
-/// projection of Q; Q is the point at s; with only a hit class both are where the ray comes closest
-/// to the centre at s >= 0. Laws judge only what was returned (Needs).
+/// A hit with the values that the candidate does not return: s is the distance over the direction's
+/// length, or the projection of Q; Q is the point at s; with only a hit class both are where the
+/// ray comes closest to the centre at s >= 0. Laws judge only what was returned (Needs).
 HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
                     const scene::Sphere& sphere);
 /// The same functions, with the hits of `intersect` completed.
 Functions completed(Functions functions, Returns returns);
 
-/// A candidate whose bounds count u of doubles, as judged in a format: bounds keep their numbers of
-/// u of its arithmetic (those of a method in floats lose 2^29), and single precision limits lengths
-/// to between kSmallestSingleLength and kLargestSingleLength.
+/// Converts a candidate with bounds in u of doubles to another format: bounds keep their number of
+/// u of its arithmetic (those of a method in floats are divided by 2^29), and single precision
+/// limits lengths to between kSmallestSingleLength and kLargestSingleLength.
 Candidate judged_in(scene::Precision precision, Candidate candidate);
 
 }  // namespace raycheck::properties

@@ -12,21 +12,21 @@
 
 namespace raycheck::properties {
 
-/// What a law is applied to: a scene and, if it has a camera, the pixels to look at (given rays are
-/// all looked at). A law does not know where its cases come from.
+/// The input of a law: a scene and, if it has a camera, the pixels to judge (given rays are all
+/// judged). A law does not depend on where its cases come from.
 struct Case {
   scene::Scene scene;
   std::vector<scene::Pixel> pixels;
 };
 
-/// How many rays a case looks at.
+/// The number of rays of a case that are judged.
 std::size_t count_rays(const Case& the_case);
 
 /// All pixels of a camera, row by row.
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
 
-/// What it takes to be right on a case, as measured at the dials of properties/cases/. A level
-/// includes all levels before it.
+/// How good code must be to be right on a case, as measured for the severities of
+/// properties/cases/. A level includes all levels before it.
 enum class Level {
   kOrdinary,   ///< Any plain, careful code in doubles.
   kDemanding,  ///< A stable method: far, grazing, nearly tied; no square over- or underflows.
@@ -37,8 +37,8 @@ constexpr std::string_view name(Level level) {
   return kLevelNames[static_cast<std::size_t>(level)];
 }
 
-/// Which numbers a candidate is asked about: those of a format and, if it demands unit directions,
-/// with rays whose directions are unit but for rounding.
+/// The numbers that a candidate accepts: those of a format and, if it needs unit directions, only
+/// rays with directions of length 1 up to rounding.
 struct InputFormat {
   constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
                         bool demands_unit_directions = false)
@@ -51,23 +51,23 @@ inline constexpr std::array<InputFormat, 4> kInputFormats = {{{scene::Precision:
                                                               {scene::Precision::kDouble, true},
                                                               {scene::Precision::kSingle, false},
                                                               {scene::Precision::kSingle, true}}};
-/// Its place among them.
+/// Its index among them.
 constexpr std::size_t index_of(InputFormat format) {
   return 2 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1 : 0);
 }
 
-/// A case in the numbers that a candidate is asked about. It replaces the case before truth, law
-/// and candidate see it, so that all three use the same numbers.
+/// A case in the numbers that a candidate accepts. It replaces the case for truth, law and
+/// candidate alike, so that all three use the same numbers.
 struct RoundedCase {
   std::optional<Case> the_case;  ///< Empty where it is left out.
   std::string reason;            ///< Why it is left out.
-  std::size_t changed = 0;       ///< How many numbers of the scene had to be rounded.
-  std::size_t made_unit = 0;     ///< And how many given directions to be made unit.
+  std::size_t changed = 0;       ///< The count of numbers that had to be rounded,
+  std::size_t made_unit = 0;     ///< and of given directions that had to be normalised.
 };
 
-/// Every number of the scene rounded to the format, to nearest, ties to even, after given
-/// directions have been made unit where they have to be and are not. Left out if a number leaves
-/// the format's range (becomes infinite, or 0), or if the rounded scene has a defect.
+/// Normalises given directions if the format needs that, then rounds every number of the scene to
+/// the format, to nearest, ties to even. The case is left out if a number leaves the format's range
+/// (becomes infinite, or 0), or if the rounded scene is invalid.
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
 /// The ray, rounded to the format.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is thrown where a candidate gives no answer, and where raycheck fails itself.
+// Exceptions for candidates that give no answer, and for internal errors of raycheck.
 
 #include <cstdint>
 #include <functional>
@@ -23,7 +23,7 @@ struct NoAnswer : std::runtime_error {
 struct CandidateRefused : NoAnswer {
   using NoAnswer::NoAnswer;
 };
-/// The question is one that its form of input cannot express: it is not asked.
+/// The question cannot be expressed in the candidate's form of input, so it is not asked.
 struct CannotBeSaid : NoAnswer {
   using NoAnswer::NoAnswer;
 };
@@ -31,16 +31,16 @@ struct CannotBeSaid : NoAnswer {
 struct CandidateFailed : NoAnswer {
   using NoAnswer::NoAnswer;
 };
-/// It would fail whatever it is asked.
+/// It would fail on every question.
 struct CandidateUnavailable : CandidateFailed {
   using CandidateFailed::CandidateFailed;
 };
 
-/// A line of a candidate's own source.
+/// A line of a candidate's source.
 struct CodeLine {
   std::string file;       ///< Relative to the working folder where it lies below that.
   std::int64_t line = 1;  ///< From 1 on.
-  std::string text = {};  ///< What stands there, without the space around it.
+  std::string text = {};  ///< The text of the line, trimmed.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(file, line, text);
@@ -60,7 +60,7 @@ struct NoReply : CandidateFailed {
   std::optional<CodeLine> line;
 };
 
-/// Its `image` made a picture of another size than the scene's.
+/// Its `image` returned a picture of another size than the scene's.
 struct OtherSize : CandidateFailed {
   OtherSize(const std::string& what, std::int64_t its_width, std::int64_t its_height)
       : CandidateFailed(what), width(its_width), height(its_height) {}
@@ -74,8 +74,7 @@ struct InternalError : std::logic_error {
   std::optional<Case> the_case;  ///< Where it failed, if that is known.
 };
 
-/// Calls `ask`. An exception that already has a meaning passes through; any other is passed to
-/// `translate`, which throws what it means.
+/// Calls `ask`. Exceptions of this file pass through; `translate` turns any other into one of them.
 template <class Ask, class Translate>
 auto translated(const Ask& ask, const Translate& translate) -> decltype(ask()) {
   try {
@@ -109,7 +108,7 @@ auto asked(const Ask& ask) -> decltype(ask()) {
   });
 }
 
-/// Calls raycheck's code between a law and a candidate: only a NoAnswer is the candidate's.
+/// Calls raycheck's code between a law and a candidate: only a NoAnswer is blamed on the candidate.
 template <class Ask>
 auto asked_by_us(const Ask& ask) -> decltype(ask()) {
   return translated(ask, [](const std::exception* error) {
@@ -130,7 +129,7 @@ class CandidateFunction<Answer(Arguments...)> : public std::function<Answer(Argu
   Answer operator()(Arguments... arguments) const {
     return asked([&] { return as_is(std::forward<Arguments>(arguments)...); });
   }
-  /// What it throws passes through, untranslated: for callers that expect it, since each throw
+  /// Its exceptions pass through untranslated: for callers that expect them, since each throw
   /// takes time.
   Answer as_is(Arguments... arguments) const {
     return Base::operator()(std::forward<Arguments>(arguments)...);

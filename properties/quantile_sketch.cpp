@@ -9,7 +9,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// The sketch of a few cases, which lives until it is merged, never counts.
+/// A sketch of a few cases is merged before it counts.
 constexpr std::size_t kMostWaiting = 1024;
 
 /// The number rounded up to kSketchBits bits; no finite one is above the largest double. The bits
@@ -26,7 +26,7 @@ double upper_end(double number) {
                       : std::min(end, std::numeric_limits<double>::max());
 }
 
-/// What upper_end() drops are zeros, but of subnormals: rotated they lead.
+/// upper_end() leaves zeros in the low bits, except of subnormals: rotated, they lead.
 constexpr int kZeros = std::numeric_limits<double>::digits - kSketchBits;
 
 /// In bytes of seven bits, the lowest first; the last has no eighth bit.

@@ -11,8 +11,8 @@ namespace raycheck::properties {
 
 /// Numbers are counted after rounding up to this many significant bits.
 inline constexpr int kSketchBits = 11;
-/// So a quantile is at least the exact one, and more by less than this share of it: three printed
-/// digits are right but for one in the last.
+/// So a quantile exceeds the exact one by less than this share of it: three printed digits are
+/// right up to one unit in the last.
 inline constexpr double kSketchResolution = 1.0 / (1 << (kSketchBits - 1));
 
 /// Quantiles of numbers >= 0 (subnormal and infinite ones too) that are counted and not kept.
@@ -36,7 +36,7 @@ class QuantileSketch {
   /// The largest one, exactly.
   std::optional<double> max() const;
 
-  /// Of the same numbers, as far as a sketch knows.
+  /// Equal if the same numbers were counted, up to the sketch's resolution.
   bool operator==(const QuantileSketch& other) const;
   /// How many entries are held.
   std::size_t size() const { return bins_.size() + waiting_.size(); }

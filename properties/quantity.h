@@ -8,7 +8,7 @@
 
 namespace raycheck::properties {
 
-/// What is judged.
+/// The quantities that are judged.
 enum class Quantity {
   kFrame,           ///< an axis against the exact one
   kOrthonormality,  ///< the axes among themselves
@@ -61,7 +61,7 @@ constexpr const QuantityInfo& info(Quantity quantity) {
   return kQuantities[static_cast<std::size_t>(quantity)];
 }
 
-/// Whether its answers are simply right or wrong, without a measure of the error.
+/// Whether its answers are only right or wrong, without a measure of the error.
 constexpr bool is_decision(Quantity quantity) { return info(quantity).unit.empty(); }
 
 /// The unit of a quantity's errors where answers are judged in a format: "u", "ulp of float", or
@@ -86,22 +86,22 @@ constexpr double bound_growth(double condition) {
 }
 
 /// Where a sphere's centre lies within this number of radii of a ray's origin, errors of code that
-/// promises no more than ordinary cases may grow with the condition number of the textbook's
-/// formula, too (reference::textbook_condition); farther away that formula's errors are defects. So
-/// for directions where the condition number of (P - E)/|P - E| by P and E is at most this.
+/// promises no more than ordinary cases may also grow with the condition number of the textbook's
+/// formula (reference::textbook_condition); farther away that formula's errors are defects. The
+/// same holds for directions if the condition number of (P - E)/|P - E| by P and E is at most this.
 inline constexpr double kOrdinaryDistance = 0x1p10;
 /// The same in doubles where |d^2| is at least this share of r^2; nearer to a tangent they are
 /// defects. (Numbers rounded to floats come no nearer, but for exact tangents.)
 inline constexpr double kOrdinaryTangency = 0x1p-29;
 
-/// A class error is excused when a relative change of the inputs by this much may flip the exact
-/// class: what the roundings of a handful of operations amount to. (A method in another precision
-/// is excused the same number of its own u.)
+/// A wrong hit class is excused when a relative change of the inputs by this much, as the roundings
+/// of a handful of operations make, may flip the exact class. (For a method in another precision it
+/// is the same number of that precision's u.)
 inline constexpr double kExcusedRoundoffs = 16;
 inline constexpr double kExcusedChange = kExcusedRoundoffs * kDoubleRoundoff;
 constexpr double excused_change(double unit_roundoff) { return kExcusedRoundoffs * unit_roundoff; }
 
-/// The half of a candidate that can be judged on its own: the rays that it makes, or its answers
+/// The half of a candidate that can be judged separately: the rays that it makes, or its answers
 /// about given rays.
 enum class Stage { kRays, kIntersection };
 constexpr std::string_view name(Stage stage) {

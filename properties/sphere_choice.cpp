@@ -67,7 +67,6 @@ SpheresMet spheres_met(Trial& trial) {
 
 namespace {
 
-/// The standing of a wrong choice.
 Standing standing_of(Trial& trial, std::size_t ray, Index got) {
   const auto& spheres = trial.scene().spheres;
   const scene::Conventions& conventions = trial.conventions();

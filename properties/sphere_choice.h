@@ -1,6 +1,6 @@
 #pragma once
 
-// Which of several spheres a ray meets first, for a candidate and exactly.
+// Which of several spheres a ray meets first: the candidate's choice and the exact one.
 
 #include <cstddef>
 #include <cstdint>
@@ -21,23 +21,22 @@ struct Choice {
   Index got;
   const std::optional<reference::NearestSphere>& exact;
   const char* what = "sphere index";  ///< In discrepancies.
-  bool is_first_of_ties = false;      ///< Whether the candidate promises that.
+  bool is_first_of_ties = false;      ///< Whether the candidate promises the first of a tie.
 };
 bool is_right(const Choice& choice);
 Wrong wrong_of(const Choice& choice);
 
-/// The excuse for a sphere that is not the one the ray meets first: inputs within a relative change
-/// for which it is.
+/// The excuse for a wrong sphere: inputs within a relative change for which the ray meets it first.
 Excuse excuse(Trial& trial, std::size_t ray, Index got, double change);
 
 /// Counts a choice, and adds a discrepancy when it is wrong.
 void judge_choice(Trial& trial, Verdict& verdict, const Choice& choice, Expected expected,
                   const std::function<Excuse()>& excuse);
 
-/// What the rays of a case meet.
+/// The number of spheres that each ray of a case meets.
 struct SpheresMet {
   std::vector<std::uint32_t> count;  ///< Spheres met, by ray.
-  std::vector<bool> is_unjudged;     ///< Rays that touch one where tangents are not judged.
+  std::vector<bool> is_unjudged;     ///< Whether the ray is tangent, and tangents are not judged.
 
   Expected expected(std::size_t ray) const {
     return count[ray] == 0   ? Expected::kNoSphere
@@ -50,9 +49,9 @@ SpheresMet spheres_met(Trial& trial);
 /// How a candidate's nearest hit of a ray compares with the exact one.
 struct NearestHitError {
   Wrong wrong = Wrong::kNot;
-  /// Of what is wrong: not judged outside the stated domain, and at tangents that are not.
+  /// The standing of a wrong answer: not judged outside the stated domain and at unjudged tangents.
   Standing standing = Standing::kDefect;
-  std::optional<double> ulp;  ///< The error of s; empty where it is wrong, or both see nothing.
+  std::optional<double> ulp;  ///< The error of s; empty if the sphere is wrong, or both miss.
 };
 
 /// Compares a candidate's nearest hits with the exact ones, as the laws `nearest-sphere` and

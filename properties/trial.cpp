@@ -69,7 +69,7 @@ Place TrialPart::place(Place of_part) const {
 
 namespace {
 
-/// Whether the class of an answer, or the root if it tells one, is not the exact one.
+/// Whether the hit class of an answer, or its root if it has one, differs from the exact one.
 bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions,
               const Promises& promises) {
   const reference::Intersection at = answer.ray.intersect(answer.sphere, conventions);
@@ -80,7 +80,7 @@ bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions,
           is_excluded(answer, at, conventions, promises));
 }
 
-/// What inputs close by say of an answer.
+/// Whether an answer is right for nearby inputs.
 reference::NearbyAnswer nearby(const RayAnswer& answer, const reference::Neighbourhood& around,
                                Returns returns) {
   using reference::FirstMet;

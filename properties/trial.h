@@ -24,8 +24,8 @@ namespace raycheck::properties {
 class Trial;
 struct TrialPart;
 
-/// How many failures of a candidate are searched for in failed batches, in all: each costs at most
-/// two restarts per halving of a batch.
+/// The most failures of a candidate that are searched for in failed batches: each costs at most two
+/// restarts per halving of a batch.
 inline constexpr int kMostFailuresSought = 8;
 
 /// A search for failures, shared by successive trials.
@@ -33,13 +33,13 @@ struct FailureSearch {
   int batches = 0;     ///< Batches that failed and were asked in parts.
   int found = 0;       ///< Rays, or rays with a sphere, that fail when asked separately.
   int together = 0;    ///< Parts that fail, but whose halves are answered.
-  int not_sought = 0;  ///< Batches, or parts, that failed once it was over.
-  /// The messages of failures whatever is asked: each is reported once.
+  int not_sought = 0;  ///< Batches, or parts, that failed after the search was over.
+  /// The messages of failures on every question: each is reported once.
   std::set<std::string> whatever_asked = {};
   bool is_over() const { return found + together >= kMostFailuresSought; }
 };
 
-/// How many rays a trial asks about, or `by_sphere` rays with spheres.
+/// The number of rays of a trial, or `by_sphere` of rays with spheres.
 std::uint64_t count_asked(const Trial& trial, bool by_sphere);
 
 /// A trial that failed, asked in parts.
@@ -49,7 +49,7 @@ class FailedParts {
   /// Domain: more than one ray or sphere.
   const std::vector<std::shared_ptr<TrialPart>>& halves(const Trial& whole);
   bool is_halved() const { return !halves_.empty(); }
-  /// Whether no law has met a failure of all of it in the same words.
+  /// Whether this is the first failure of the whole with this message, over all laws.
   bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
 
  private:
@@ -62,8 +62,8 @@ struct TrialOptions {
   bool conditioning = false;             ///< Weigh every error by its condition number.
   /// The truth about the same case under the candidate's conventions, where it is shared.
   std::shared_ptr<Truth> truth = nullptr;
-  /// Batches that fail are asked in halves, to find what is to blame and to judge the rest; null:
-  /// they are not.
+  /// Batches that fail are asked in halves, to find the questions to blame and to judge the rest;
+  /// null: they are not.
   FailureSearch* search = nullptr;
   double share = 1;  ///< Of the time for a reply.
 };
@@ -87,15 +87,15 @@ double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
                     const scene::Sphere& sphere);
 /// The same for a centre at that distance, in radii.
 constexpr double plain_change_at(double radii) { return (3 * radii * radii + 1) / 2; }
-/// By how much the change that excuses a decision grows with it: a quarter of it, as one of 4 u
-/// would that r has to make up for in place of all inputs.
+/// The factor by which the change that excuses a decision grows with it: a quarter of it, since r
+/// alone has to make up for a change of 4 u of all inputs.
 constexpr double plain_growth(double plain_change) {
   return plain_change > 4 ? plain_change / 4 : 1;
 }
 
-/// Whether the answer is a hit that the interval excludes by which it is judged, a comparison of
-/// doubles (reference::is_outside) that no change of inputs excuses: of an s that the candidate
-/// itself returned, not of one that follows from a distance or a point. The exact root `at`,
+/// Whether the answer is a hit outside the interval by which it is judged. That is a comparison of
+/// doubles (reference::is_outside), which no change of inputs excuses. It applies to an s that the
+/// candidate itself returned, not to one computed from a distance or a point. The exact root `at`,
 /// correctly rounded, is not excluded even on an open end.
 /// Domain: `at` is the exact intersection of the answer's ray and sphere under the conventions.
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
@@ -110,9 +110,9 @@ struct MeasuredError {
   std::optional<double> bound = {};  ///< Empty: the candidate's on the quantity.
 };
 
-/// A case, the truth about it and a candidate's answers to it: what laws compare, and how they
-/// judge it. The truth does not depend on the candidate.
-/// Domain: a valid scene (scene/validate.h) whose numbers are of the candidate's format
+/// A case, the truth about it and a candidate's answers to it, for laws to compare and judge. The
+/// truth does not depend on the candidate.
+/// Domain: a valid scene (scene/validate.h) with numbers of the candidate's format
 ///         (rounded_case), pixels inside its image; otherwise the constructor throws
 ///         std::invalid_argument.
 class Trial : public Answers {
@@ -127,8 +127,8 @@ class Trial : public Answers {
   double excused_change() const { return properties::excused_change(candidate().unit_roundoff); }
   /// Whether the case lies in the candidate's stated domain.
   bool inside_domain() const { return inside_domain_; }
-  /// Whether answers about a quantity are judged: inside that domain, or where the class is
-  /// promised to be exact beyond it.
+  /// Whether answers about a quantity are judged: inside that domain, or where exact hit classes
+  /// are promised beyond it.
   bool is_judged(Quantity quantity) const { return inside_domain_ || promises_exactly(quantity); }
 
   // The truth.
@@ -172,7 +172,7 @@ class Trial : public Answers {
     examine(verdict, own, {condition, describe, backward, plain});
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `excuse` is called
-  /// only if neither the stated domain nor a promise of the exact class settles that.
+  /// only if neither the stated domain nor a promise of exact hit classes decides.
   template <class GiveExcuse, class Describe>
   void judge(Verdict& verdict, const Decision& decision, const GiveExcuse& excuse,
              const Describe& describe) const {
@@ -181,8 +181,8 @@ class Trial : public Answers {
   }
 
   /// The excuse for answers that are wrong or contradict each other: for each wrong one, inputs
-  /// within excused_change() of the given one for which it is right, or within what plain_change()
-  /// makes of that. If one has no such input, there is no excuse.
+  /// for which it is right, within excused_change() of the given ones, or within that change as
+  /// plain_change() enlarges it. If one has no such input, there is no excuse.
   Excuse excuse(std::initializer_list<RayAnswer> answers) const;
   /// Where a witness is searched.
   reference::Neighbourhood neighbourhood(double relative_change) const;
@@ -191,7 +191,7 @@ class Trial : public Answers {
   FailedParts& failed_parts() { return failed_parts_; }
 
  private:
-  /// What is asked of an error that is weighed, or above its bound.
+  /// Called for an error that is weighed, or above its bound.
   struct Particulars {
     std::function<double()> condition;
     std::function<void(Discrepancy&)> describe;
@@ -201,12 +201,12 @@ class Trial : public Answers {
 
   bool promises_exactly(Quantity quantity) const;
   Stability weigh(double error, const Particulars& of) const;
-  /// Whether the bound on a quantity is a documented one, which grows with the condition number: an
-  /// error that it then allows is no discrepancy. The user's bound does not grow; what growth would
-  /// allow is excused.
+  /// Whether the bound on a quantity is a documented one, which grows with the condition number:
+  /// errors within it are not discrepancies. The user's bound does not grow; errors that growth
+  /// would allow are excused.
   bool promises_growth(Quantity quantity) const;
-  /// Whether an error above its bound is within what the bound grows to: without end where the
-  /// condition number is infinite, unless there is a backward error to go by.
+  /// Whether an error above its bound is within the grown bound, which is infinite where the
+  /// condition number is, unless a backward error decides.
   bool grown_bound_allows(const MeasuredError& own, double condition, const Particulars& of) const;
   /// measure() for an error that is weighed, or above its bound.
   void examine(Verdict& verdict, const MeasuredError& own, const Particulars& of) const;
@@ -239,7 +239,7 @@ struct TrialPart {
   Trial trial;
 };
 
-/// What was found about inputs within a relative change, as an excuse.
+/// The excuse from a search of inputs within a relative change.
 Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change);
 
 /// A tangent that the convention leaves open.
@@ -248,7 +248,7 @@ constexpr bool is_unjudged(const reference::Intersection& intersection, scene::T
          intersection.hit_class == reference::HitClass::kTangent;
 }
 
-/// Which root a hit is asked for.
+/// The root that is expected of a hit.
 constexpr Expected root_expected(const reference::Intersection& at) {
   return at.root == reference::WhichRoot::kSmaller ? Expected::kSmallerRoot : Expected::kLargerRoot;
 }

@@ -23,7 +23,7 @@ auto* find_ray(List& list, std::size_t ray) {
   return at == list.end() || at->ray != ray ? nullptr : &*at;
 }
 
-/// A ray of a case that meets a sphere, in a hit or a tangent.
+/// A hit or tangent of a ray of a case with a sphere.
 struct Meeting {
   std::size_t ray = 0;
   reference::Intersection intersection;
@@ -41,7 +41,7 @@ class Truth {
 
   const scene::Conventions& conventions() const { return conventions_; }
   const reference::ExactCamera& camera();
-  /// Its axes, narrow enough for positions in its image plane.
+  /// The camera's axes, narrow enough for positions in its image plane.
   const reference::EnclosedFrame& frame();
   const reference::ExactRay& ray(std::size_t ray);
   /// The rays that meet a sphere, in their order; every other ray misses it.

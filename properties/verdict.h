@@ -22,8 +22,8 @@
 
 namespace raycheck::properties {
 
-/// The verdict on an answer that differs from the truth. Only a defect counts against the method;
-/// only an excused answer counts as right.
+/// The verdict on an answer that differs from the truth. Only a defect counts against the
+/// candidate; only an excused answer counts as right.
 enum class Standing {
   kDefect,
   kUndecided,  ///< Neither a witness was found nor a refutation.
@@ -45,7 +45,7 @@ enum class ExcuseKind {
   kIllConditioned,
   kOutsideDomain,
 };
-/// A kind's name, and what it makes of an answer.
+/// A kind's name, and the standing that it gives an answer.
 struct ExcuseInfo {
   std::string_view name;
   Standing standing;
@@ -62,7 +62,7 @@ constexpr const ExcuseInfo& info(ExcuseKind kind) {
 }
 constexpr std::string_view name(ExcuseKind kind) { return info(kind).name; }
 
-/// Why a discrepancy is not held against the method, if anything.
+/// Why a discrepancy is not held against the candidate, if there is a reason.
 struct Excuse {
   ExcuseKind kind = ExcuseKind::kNone;
   /// Depends on the kind: the relative change of the inputs within which a witness was found, or a
@@ -84,12 +84,12 @@ struct Excuse {
 enum class Outcome {
   kExact,              ///< The double nearest to the truth, or the right decision.
   kAccurate,           ///< Off by no more than kAccurateError.
-  kIllConditioned,     ///< Off by more, but kappa explains it: the problem's fault.
-  kUnstable,           ///< Off by more than kappa explains: the method's fault.
+  kIllConditioned,     ///< Off by more, but kappa explains it.
+  kUnstable,           ///< Off by more than kappa explains.
   kExcusedDecision,    ///< A witness shows that a small change of the inputs makes it right.
-  kUndecidedDecision,  ///< Neither that nor the contrary was shown.
+  kUndecidedDecision,  ///< Neither a witness nor a refutation was found.
   kWrongDecision,      ///< A defect: no small change of the inputs makes it right.
-  kOutsideDomain,      ///< Off by more than kAccurateError, or wrong, where nothing is promised.
+  kOutsideDomain,      ///< Off by more than kAccurateError, or wrong, outside the stated domain.
 };
 inline constexpr std::size_t kOutcomeCount = 8;
 inline constexpr std::array<std::string_view, kOutcomeCount> kOutcomeNames = {
@@ -114,7 +114,7 @@ inline constexpr double kAccurateError = 4;
 /// stays below this while the severity grows, and no decision is wrong without an excuse.
 inline constexpr double kStableRatio = 16;
 
-/// How far an answer is off, relative to its conditioning.
+/// The error of an answer, relative to its conditioning.
 struct Stability {
   double condition = 0;  ///< kappa
   /// rho; where kappa is infinite (an exact tangent) the backward error in units of u instead.
@@ -147,8 +147,8 @@ constexpr std::string_view name(Wrong wrong) {
   return kWrongNames[static_cast<std::size_t>(wrong)];
 }
 
-/// The right answer, where the law knows the truth. A law has shown nothing of a kind that was
-/// expected and never answered right.
+/// The kind of the right answer. Where a kind was expected and never answered right, a law has
+/// shown nothing about it.
 enum class Expected {
   kHit,
   kMiss,
@@ -168,7 +168,7 @@ constexpr std::string_view name(Expected expected) {
   return kExpectedNames[static_cast<std::size_t>(expected)];
 }
 
-/// How often a question was asked, and how often the answer was right without an excuse.
+/// The number of questions, and of answers that are right without an excuse.
 struct Answered {
   std::uint64_t asked = 0;
   std::uint64_t right = 0;
@@ -178,8 +178,8 @@ struct Answered {
   }
 };
 
-/// What in a case an answer is about: a ray (a camera's pixel, or a given ray by its index), and a
-/// sphere if the quantity has one.
+/// The part of a case that an answer is about: a ray (a camera's pixel, or a given ray by its
+/// index), and a sphere if the quantity has one.
 struct Place {
   std::size_t ray = 0;
   std::optional<scene::Pixel> pixel;
@@ -190,7 +190,7 @@ struct Place {
   }
 };
 
-/// An answer that is right or wrong: what was expected where, and how the answer differs.
+/// An answer that is right or wrong: the place, the expected kind, and how the answer differs.
 struct Decision {
   Quantity quantity;
   Expected expected;
@@ -201,14 +201,14 @@ struct Decision {
 /// The order of places by the ray, then the sphere, then the pixel.
 bool is_earlier(const Place& a, const Place& b);
 
-/// What was compared for one quantity. It does not depend on the order in which parts are counted
-/// and merged; its memory does not grow with their number (properties/quantile_sketch.h).
+/// The comparisons of one quantity. The result does not depend on the order in which parts are
+/// counted and merged; its memory does not grow with their number (properties/quantile_sketch.h).
 struct Tally {
   std::uint64_t cases = 0;  ///< The right ones, the wrong ones and the errors.
   std::uint64_t right = 0;
   std::map<Wrong, std::uint64_t> wrong;
   std::array<std::uint64_t, kStandingCount> wrong_by_standing = {};
-  std::array<Answered, kExpectedCount> answered = {};  ///< By what was expected.
+  std::array<Answered, kExpectedCount> answered = {};  ///< By Expected.
   QuantileSketch errors;                               ///< Empty for decisions.
   /// The least and the greatest bound that errors were compared with.
   double least_bound = std::numeric_limits<double>::infinity();
@@ -217,21 +217,21 @@ struct Tally {
   /// The largest error; for decisions 2 if one is a defect, 1 if all wrong ones are something else.
   double worst = -1;
   Place worst_place;  ///< The earliest of the worst.
-  // Only for trials that ask for the conditioning.
+  // Only for trials with TrialOptions::conditioning.
   QuantileSketch conditions;              ///< One for each error.
   std::optional<double> worst_condition;  ///< At worst_place.
   /// The largest stability ratio within the stated domain.
   std::optional<double> worst_ratio;
   std::array<std::uint64_t, kOutcomeCount> outcomes = {};
-  /// The largest error over the growth of a documented bound, which is what that bound limits;
-  /// without infinite errors.
+  /// The largest finite error over the growth of its documented bound: the bound limits this
+  /// quotient.
   std::optional<double> max_over_growth;
 
   void merge(const Tally& other);
-  /// Notes an error, or a wrong answer's badness, if it is the worst.
+  /// Stores an error, or the rank of a wrong answer, if it is the worst.
   void note_worst(double badness, const Place& place, std::optional<double> condition = {});
 
-  /// The bound that every error was compared with; empty without one, or with several.
+  /// The bound that all errors were compared with; empty if bounds differ or there are no errors.
   std::optional<double> bound() const {
     return least_bound == greatest_bound ? std::optional(greatest_bound) : std::nullopt;
   }
@@ -250,8 +250,8 @@ struct Tally {
   }
   /// Whether every error counted was weighed by its condition number.
   bool is_weighed() const { return errors.count() == conditions.count(); }
-  /// Empty when no error was measured. The quantile is the least error that is at least as large as
-  /// this share of all, within kSketchResolution; the maximum is exact.
+  /// Empty when no error was measured. The quantile is the least error that this share of all
+  /// errors does not exceed, within kSketchResolution; the maximum is exact.
   std::optional<double> quantile(double share) const { return errors.quantile(share); }
   std::optional<double> median() const { return quantile(0.5); }
   std::optional<double> max() const { return errors.max(); }
@@ -261,13 +261,13 @@ struct Tally {
   }
 };
 
-/// What is to blame for an answer that failed.
+/// The questions to blame for a failure.
 enum class Blame {
-  kNone,      ///< No failure that was searched for.
+  kNone,      ///< Not a failure, or not searched for.
   kQuestion,  ///< One question, which fails when it is asked separately.
-  kAmong,     ///< One of several; not searched for which.
+  kAmong,     ///< One of several, without a search for it.
   kTogether,  ///< Several asked at once: asked in parts, they are answered.
-  kAnything   ///< It fails whatever it is asked.
+  kAnything   ///< It fails on every question.
 };
 inline constexpr std::array<std::string_view, 5> kBlameNames = {"none", "question", "among",
                                                                 "together", "anything"};
@@ -275,10 +275,10 @@ constexpr std::string_view name(Blame blame) {
   return kBlameNames[static_cast<std::size_t>(blame)];
 }
 
-/// Where a failure was sought.
+/// Where a candidate failed.
 struct FailureSite {
   Blame blame = Blame::kNone;
-  std::uint64_t count = 0;  ///< How many are to blame, from the discrepancy's place on.
+  std::uint64_t count = 0;  ///< The number of questions to blame, from the discrepancy's place on.
   /// The single question as a scene; empty unless there is exactly one.
   std::optional<scene::Scene> scene;
   std::optional<CodeLine> line = {};  ///< In the candidate's source, if known.
@@ -297,9 +297,9 @@ struct Discrepancy {
   std::string what;  ///< Which part: "U", "corner (0, 0)", "scaled by 2^40".
   /// The symbol of the numbers got and exact: "s", "Q"; empty if `what` says what they are.
   std::string symbol;
-  std::vector<double> got;       ///< Empty: a miss, or no number.
+  std::vector<double> got;       ///< Empty: a miss, or an answer without numbers.
   std::vector<double> exact;     ///< Correctly rounded to `precision`; empty as for got.
-  bool got_some_sphere = false;  ///< A picture's sphere, but not which; a hit, but not where.
+  bool got_some_sphere = false;  ///< A picture shows an unknown sphere; or a hit without a point.
   double error = 0;              ///< In the quantity's unit; infinite for decisions.
   scene::Precision precision = scene::Precision::kDouble;  ///< The format of that unit.
   Wrong wrong = Wrong::kNot;
@@ -315,7 +315,7 @@ struct Discrepancy {
   }
 };
 
-/// Which answers are wrong, and how, wherever they are.
+/// The quantity of a wrong answer, and how it is wrong, without its place.
 struct DefectKind {
   Quantity quantity = Quantity::kFrame;
   Wrong wrong = Wrong::kNot;  ///< kNot for an error above its bound.
@@ -326,41 +326,41 @@ struct DefectKind {
   }
 };
 
-/// Whether a discrepancy breaks a law; if `strictly`, excused and undecided ones do, too.
+/// Whether a discrepancy breaks a law; if `strictly`, excused and undecided ones do so, too.
 bool is_held_against(const Discrepancy& discrepancy, bool strictly);
 
-/// The order of reports: by standing, defects first; among those the worst of each quantity first,
+/// The order of reports: by standing, defects first; among equals the worst of each quantity first,
 /// then the second worst of each, and so on, so that no quantity hides the others. A larger error
-/// is worse, then an earlier place, then the law and the part by name.
+/// is worse; then the earlier place, the law's name and the part's name decide.
 std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies);
 
-/// How many discrepancies a verdict keeps; a bad candidate has one in every pixel.
+/// The most discrepancies that a verdict keeps; a bad candidate has one in every pixel.
 inline constexpr std::size_t kKeptDiscrepancies = 1000;
 
 /// A law's verdict on a case, or on several, merged: left out with a reason, or what was compared
 /// and the discrepancies found; it holds when none is a defect.
 class Verdict {
  public:
-  /// Belongs to no law: others are merged into it.
+  /// Without a law: verdicts of several are merged into it.
   Verdict() = default;
   /// Belongs to the law of this name, which its discrepancies then carry.
   explicit Verdict(std::string_view law) : law_(law) {}
 
-  /// Notes that the case, or a part of it, was left out.
+  /// Records that the case, or a part of it, was left out.
   void leave_out(std::string reason) { left_out_ = std::move(reason); }
 
   /// Counts a measured error, and the bound it is compared with.
   void measured(Quantity quantity, const Place& place, double error, double bound);
   /// Counts the stability of an error just measured.
   void weighed(Quantity quantity, const Place& place, double error, const Stability& stability);
-  /// Counts an error, measured before, that only its condition number allows.
+  /// Counts an error, already measured, that is allowed only by its condition number.
   void count_ill_conditioned(Quantity quantity) {
     ++tallies_[quantity].ill_conditioned;
     ++tallies_[quantity].answers_to(Expected::kValue).right;
   }
   /// Counts answers that are right.
   void judged_right(Quantity quantity, Expected expected, std::uint64_t count);
-  /// Counts something expected to which an answer is not right, though it breaks nothing here.
+  /// Counts a question that is not answered right, without adding a discrepancy.
   void not_right(Quantity quantity, Expected expected) {
     ++tallies_[quantity].answers_to(expected).asked;
   }
@@ -369,7 +369,7 @@ class Verdict {
   /// Adds a discrepancy under this verdict's law.
   void add(Discrepancy discrepancy);
   void merge(const Verdict& other);
-  /// Drops the discrepancies, but keeps their counts;
+  /// Drops the discrepancies, and keeps their counts;
   void drop_discrepancies() { kept_ = {}; }
   /// and the errors and the condition numbers, too.
   void keep_counts();
@@ -379,7 +379,7 @@ class Verdict {
   void relocate(const std::function<Place(const Place&)>& new_place);
 
   const std::map<Quantity, Tally>& tallies() const { return tallies_; }
-  /// That of one quantity; an empty one where nothing was compared.
+  /// The tally of a quantity; empty where nothing was compared.
   const Tally& tally(Quantity quantity) const;
   /// The worst ones kept, in the order of worst_first().
   std::vector<Discrepancy> worst(std::size_t count) const;
@@ -388,18 +388,19 @@ class Verdict {
     return by_standing_[static_cast<std::size_t>(standing)];
   }
   std::uint64_t compared() const;
-  /// No defect; if `strictly`, nothing judged differs from the truth.
+  /// Whether there is no defect; if `strictly`, no judged answer that differs from the truth.
   bool holds(bool strictly = false) const;
-  /// The first quantity and question that was asked, but answered right without an excuse fewer
-  /// than `fewest` times: too little for the law to hold. Values are one question, whatever the
-  /// quantity. `wants_hits`: if classes were asked for, hits must be among them.
+  /// The first kind of question that was asked, but answered right without an excuse fewer than
+  /// `fewest` times: too few for the law to hold. Values of all quantities are one kind.
+  /// `wants_hits`: if hit classes were judged, hits must be among them.
   std::optional<std::pair<Quantity, Expected>> too_few_right(std::uint64_t fewest,
                                                              bool wants_hits = false) const;
-  /// The distinct kinds of those kept that break the law, in order.
+  /// The distinct kinds of the kept discrepancies that break the law, in order.
   std::vector<DefectKind> defects(bool strictly = false) const;
-  /// The kinds of those kept that are undecided.
+  /// The kinds of the kept discrepancies that are undecided.
   std::vector<DefectKind> undecided() const;
-  /// Of those kept that break the law, the first known line at which the candidate failed.
+  /// Among the kept discrepancies that break the law, the first known line at which the candidate
+  /// failed.
   std::optional<CodeLine> failed_at(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
   /// Without the law that it belongs to.

@@ -13,7 +13,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// Room that serves again, so that a refusal has nothing to clean up.
+/// Memory that is used again, so that a refusal has nothing to clean up.
 struct Room {
   fast::Vectors points;
   fast::Rays rays;
@@ -34,8 +34,8 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
   };
 }
 
-/// Renders this many pixels on each side of the one asked about with it, as a renderer would: the
-/// plan then covers more than that pixel.
+/// Also renders this number of pixels on each side of the requested one, as a renderer would, so
+/// that the plan covers more than that pixel.
 constexpr std::int64_t kAround = 2;
 
 std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
@@ -58,7 +58,7 @@ std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
   return answers;
 }
 
-/// What the residuals' bounds gain over the point's: a point rounded to doubles is off by up to
+/// Added to the residuals' bounds over the point's: a point rounded to doubles is off by up to
 /// u |Q|, which is half the residual's condition number, (|Q| + |C| + |L| + r)/r or over s |D|, in
 /// units of u of r or s |D|.
 constexpr double kRoundedPointResidual = kModerateCondition / 2;
@@ -106,7 +106,7 @@ std::vector<scene::Ray> rays_of(const fast::Rays& batch) {
   return rays;
 }
 
-// Misses are passed over many at a time.
+// Skips misses several at a time.
 SphereHits list_of(const fast::Hits& hits) {
   SphereHits list;
   const std::uint8_t* const begin = hits.hit.data();

@@ -23,7 +23,7 @@ constexpr int kArbBits = 128;
 /// Correctly rounded: half an ulp in s. Each coordinate of Q too, which makes at most u of |Q|.
 constexpr double kCorrectlyRoundedUlp = 0.5;
 constexpr double kCorrectlyRoundedPointUlp = 1;
-/// What 128 bits lose shows only beyond the condition numbers that bounds are about.
+/// The loss of 128 bits shows only beyond the condition numbers that the bounds cover.
 constexpr double kLostByArb = 0x1p-30;
 
 template <Engine engine>
@@ -50,7 +50,7 @@ struct Intervals {
   }
 };
 
-/// The midpoint's sign: the ball's own where that is certain.
+/// The midpoint's sign, which is the ball's where that is certain.
 int sign_of_midpoint(const Enclosure& value) { return arf_sgn(arb_midref(value.ball())); }
 
 /// The midpoint as a double; the ball's value correctly rounded where the ball is narrow enough.

@@ -1,5 +1,5 @@
-// Cameras that look at spheres: ordinary ones, plain ones, and the families that set where the
-// camera stands, how it is turned and how large everything is.
+// Cameras that look at spheres: ordinary ones, plain ones, and the sources with severities that set
+// where the camera stands, how it is turned and how large everything is.
 
 #include <cmath>
 
@@ -138,7 +138,7 @@ Case up(int severity, std::uint64_t seed) {
   });
 }
 
-// How the levels were measured is said in ray_cases.cpp.
+// ray_cases.cpp explains how the levels were measured.
 constexpr CaseSource kCameraSourceTable[] = {
     {"cameras", "ordinary cameras and spheres in view", true, {}, cameras},
     {"plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras},
@@ -151,9 +151,9 @@ constexpr CaseSource kCameraSourceTable[] = {
      // right.cpp breaks `scaling` from @391 on, the laws of the camera from @510 on; see scale.
      SeverityRange{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, camera_scale},
     {"up", "up vectors at an angle of 10^-k to the view", true,
-     // A plain up x W is off the right angle to W by 10^k u, as no change of the inputs makes it:
-     // at
-     // @3 one s in 15,000 of right.cpp exceeds its bound. direct/cross holds to the end.
+     // A plain up x W is off the right angle to W by 10^k u, which no change of the inputs
+     // explains: at @3 one s in 15,000 of right.cpp exceeds its bound. direct/cross holds to the
+     // end.
      SeverityRange{"-log10 of the angle between up and the view", 10, 15, 2, 15}, up}};
 
 }  // namespace

@@ -11,10 +11,9 @@
 
 namespace raycheck::properties {
 
-/// What makes the cases of a family harder: the one thing that severity sets, in powers of `base`.
-/// Severity 0 is ordinary.
+/// The quantity that the severity of a source sets, in powers of `base`. Severity 0 is ordinary.
 struct SeverityRange {
-  std::string_view meaning;  ///< What severity counts: "log10 of the distance over the radius".
+  std::string_view meaning;  ///< Of severity: "log10 of the distance over the radius".
   int base;                  ///< 10 or 2
   int highest;               ///< Severities are 0..highest.
   int ordinary;              ///< Severities up to this are ordinary,
@@ -25,8 +24,8 @@ struct SeverityRange {
   Level level_of(int severity) const;
 };
 
-/// Where random cases come from: every valid case by its seed, the same on every machine. A source
-/// with a dial is a stress family.
+/// A source of random cases: for every seed a valid case, the same on every machine. Stress sources
+/// have a dial, which sets their severity.
 struct CaseSource {
   std::string_view name;
   std::string_view sentence;
@@ -37,7 +36,7 @@ struct CaseSource {
   Level level = Level::kOrdinary;  ///< Of a source without a dial.
 };
 
-/// Of a longer range of severities only this many are judged.
+/// The most severities of a source that are judged.
 inline constexpr int kMostSeverities = 65;
 
 /// Every source, in the order of reports: those with a camera first.
@@ -50,12 +49,12 @@ const CaseSource* find_case_source(std::string_view name);
 /// is always included. Domain: first <= last, most >= 1.
 std::vector<int> some_severities(int first, int last, int most = kMostSeverities);
 
-/// A source, and optionally the only severity wanted of it.
+/// A source, and optionally one severity of it.
 struct ChosenSource {
   const CaseSource* source = nullptr;
   std::optional<int> severity = {};
 
-  /// The case of a seed; where none is wanted its severity follows from the seed, too.
+  /// The case of a seed; without a chosen severity the seed determines that, too.
   Case make(std::uint64_t seed) const;
   /// The severity of a seed's case; 0 for a source without a dial.
   int severity_of(std::uint64_t seed) const;

@@ -1,4 +1,4 @@
-// Families of given rays that nearly touch: the line the sphere, or the origin its surface.
+// Sources of given rays that nearly touch: the line the sphere, or the origin its surface.
 
 #include <algorithm>
 #include <array>
@@ -139,8 +139,8 @@ Case inside(int severity, std::uint64_t seed) {
   return result;
 }
 
-/// A planet as renderers see it: the world's origin near the eye, the ray above or below the
-/// horizon by a fraction of the horizon's dip.
+/// A planet in a renderer's coordinates: the world's origin near the eye, the ray above or below
+/// the horizon by a fraction of the horizon's dip.
 Case horizon(int severity, std::uint64_t seed) {
   Random random(seed);
   Case result;
@@ -165,7 +165,7 @@ Case horizon(int severity, std::uint64_t seed) {
   return result;
 }
 
-// How the levels were measured is said in ray_cases.cpp.
+// ray_cases.cpp explains how the levels were measured.
 constexpr CaseSource kContactSourceTable[] = {
     {"tangency", "impact parameters r (1 +- 10^-k)", false,
      // The textbook's class is wrong from @10 on (kahan; quadratic, lecture: @11), its s and Q at

@@ -1,5 +1,5 @@
-// Course assignments: cameras and spheres of few digits, which the usual formulas get right and
-// which tell the usual mistakes apart. No ray of either origin starts inside a sphere.
+// Course assignments: cameras and spheres of few digits. The usual formulas are right on them, and
+// the usual mistakes give different answers. No ray of either origin starts inside a sphere.
 
 #include <algorithm>
 #include <cmath>

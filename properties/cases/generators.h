@@ -1,7 +1,7 @@
 #pragma once
 
-// Helpers for the makers of random cases. Internal to properties/. Nothing here calls a function
-// that differs between machines, except Random::power_of_ten().
+// Helpers of the sources of cases. Internal to properties/. Except for Random::power_of_ten(), no
+// function called here differs between machines.
 
 #include "properties/case.h"
 #include "properties/cases/random.h"
@@ -12,7 +12,7 @@ namespace raycheck::properties {
 /// 10^k rounded once, |k| <= 22.
 double power_of_ten(int k);
 
-/// What severity k sets, a random factor in [0.5, 2) 10^k: cases of one severity differ.
+/// The factor of severity k, random in [0.5, 2) 10^k: cases of one severity differ.
 double about_ten_to(Random& random, int k);
 /// The same for a fraction: in [0.4, 0.9) 10^-k, so below 1 at severity 0.
 double share_of(Random& random, int k);
@@ -32,8 +32,8 @@ struct Axes {
 /// A unit vector at right angles to `direction`.
 scene::Vector3 across(Random& random, const scene::Vector3& direction);
 
-/// For given doubles, accurate to a few units in the last place however much they cancel: a family
-/// whose dial is finer than the rounding of a sphere's centre chooses the radius to fit.
+/// For given doubles, accurate to a few units in the last place despite cancellation: sources with
+/// a dial finer than the rounding of a sphere's centre choose the radius to fit.
 double distance_between(const scene::Point3& from, const scene::Point3& to);  ///< |T|
 double impact_parameter(const scene::Ray& ray, const scene::Point3& centre);  ///< |T x d|/|d|
 /// T.d/|d|, accurate relative to |T|.

@@ -1,4 +1,4 @@
-// Families of cameras with spheres placed along the rays of given pixels.
+// Sources of cameras with spheres placed along the rays of given pixels.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ using scene::Point3;
 using scene::Sphere;
 using scene::Vector3;
 
-/// Where a pixel's ray starts and goes, to the accuracy of plain doubles.
+/// A pixel's ray, to the accuracy of plain doubles.
 struct PixelAim {
   Line from_pixel;
   Line from_eye;
@@ -124,7 +124,7 @@ Case near_plane(int severity, std::uint64_t seed) {
     const PixelAim aim = aim_through(result.scene, result.pixels.front());
     const auto count = random.integer(1, 3);
     for (std::int64_t k = 0; k < count; ++k) {
-      // Not much smaller than |P|, whose rounding would turn the dial.
+      // Not much smaller than |P|: its rounding would change the severity.
       const double distance = (aim.length + std::abs(from_world)) * random.between(0.1, 0.5);
       const double cosine = random.between(0.3, 1);
       const double side = random.sign();
@@ -137,7 +137,7 @@ Case near_plane(int severity, std::uint64_t seed) {
   });
 }
 
-// How the levels were measured is said in ray_cases.cpp.
+// ray_cases.cpp explains how the levels were measured.
 constexpr CaseSource kPixelSourceTable[] = {
     {"field-of-view", "bounds of 10^k or 10^-k times near", true,
      // The lecture's directions break from @2 on, the sums of `incremental` at @0; others hold to

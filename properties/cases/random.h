@@ -8,7 +8,7 @@
 namespace raycheck::properties {
 
 /// A stream of random numbers that is the same on every machine (the standard's distributions are
-/// not), and costs nothing to start: SplitMix64 (Steele, Lea and Flood, Fast splittable
+/// not), and starts at no cost: SplitMix64 (Steele, Lea and Flood, Fast splittable
 /// pseudorandom number generators, 2014). Never draw two numbers in the arguments of one call or
 /// the operands of one operator: their order is the compiler's to choose.
 class Random {

@@ -1,5 +1,5 @@
-// Given rays and spheres: ordinary ones, exact ties, and the families that set distances, positions
-// and magnitudes.
+// Given rays and spheres: ordinary ones, exact ties, and the sources with severities that set
+// distances, positions and magnitudes.
 
 #include <algorithm>
 #include <cmath>
@@ -75,9 +75,8 @@ Case distance(int severity, std::uint64_t seed) {
 
 constexpr int kExactlyCoincident = 16;
 
-/// Equal spheres one behind the other along the ray, listed in any order. Their centres are close
-/// to the world's origin more often than not, so that their rounding does not change the
-/// separation.
+/// Equal spheres one behind the other along the ray, listed in any order. Most of their centres are
+/// close to the world's origin, so that their rounding does not change the separation.
 Case coincident(int severity, std::uint64_t seed) {
   Random random(seed);
   Case result;

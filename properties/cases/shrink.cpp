@@ -37,13 +37,13 @@ bool is_valid(const Case& the_case) {
   });
 }
 
-/// Spheres of radius 0. Having one does not make a case simpler: they are harder to picture.
+/// The number of spheres of radius 0, which do not make a case simpler: they are harder to picture.
 std::ptrdiff_t count_points(const scene::Scene& scene) {
   return std::count_if(scene.spheres.begin(), scene.spheres.end(),
                        [](const scene::Sphere& sphere) { return sphere.radius == 0; });
 }
 
-/// Is given cases one by one; whether it takes one, which ends them.
+/// Called with one case after another until it returns true.
 using Take = std::function<bool(Case&&)>;
 
 /// Cases without some elements, half of them first, then fewer; `keep` remain.
@@ -71,7 +71,7 @@ bool reset(const Case& the_case, Convention scene::Conventions::*member, const T
   return !(plain.scene.conventions == the_case.scene.conventions) && take(std::move(plain));
 }
 
-/// 2, then counts that approach `count`: halving finds the smallest that will do.
+/// 2, then counts that approach `count`: halving finds the smallest that is enough.
 std::vector<std::int64_t> smaller_counts(std::int64_t count) {
   std::vector<std::int64_t> result = {2};
   for (std::int64_t step = count / 2; step > 0; step /= 2) result.push_back(count - step);

@@ -54,8 +54,8 @@ double gap(double low, double high, std::int64_t count) {
   return (high - low) / static_cast<double>(std::max<std::int64_t>(1, count - 1));
 }
 
-/// How a sphere looks: where the line through the eye and its centre meets the image plane, and how
-/// large it is there. Domain: the centre is not in the eye's own plane.
+/// The look of a sphere: where the line through the eye and its centre meets the image plane, and
+/// its size there. Domain: the centre is not in the eye's plane.
 struct OnPlane {
   double alpha = 0, beta = 0, radius = 0;
   OnPlane(const Camera& camera, const Seen& at, double r)
@@ -152,7 +152,7 @@ void vary_border(Random& random, const Axes& axes, Scene& scene) {
   }
 }
 
-/// What a picture shows, in doubles.
+/// The content of a picture, in doubles.
 struct Shown {
   std::vector<bool> spheres;  ///< Which are seen.
   bool is_clear = true;       ///< Every ray is kClearOfEdges from every sphere's edge.

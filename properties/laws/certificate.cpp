@@ -11,10 +11,11 @@ namespace raycheck::properties {
 
 namespace {
 
-/// More than all roundings of a few operations make of a number.
+/// A factor that exceeds all roundings of a few operations.
 constexpr double kOfRoundings = 1 + 0x1p-40;
 
-/// At least what plain_change() makes of the change that excuses any ray and sphere of these.
+/// An upper bound of the factor by which plain_change() enlarges the excused change, over these
+/// rays and spheres.
 double most_growth(const Candidate& candidate, const scene::Box<scene::Ray>& rays,
                    const scene::Box<scene::Sphere>& spheres) {
   if (candidate.level != Level::kOrdinary) return 1;
@@ -47,7 +48,7 @@ bool is_certain(const Law& law, const Candidate& candidate, const scene::Box<Cas
                         kind.quantity == Quantity::kClass &&
                         (missed || kind.wrong == Wrong::kFalseHit);
   const scene::Conventions conventions = candidate.declared.over(least.conventions);
-  // A length stays in the domain where both ends do, but for what begins at 0, and for distances.
+  // If both ends lie in the domain, so do all lengths, except for ranges from 0 and for distances.
   const bool has_points = std::any_of(least.spheres.begin(), least.spheres.end(),
                                       [](const scene::Sphere& one) { return one.radius == 0; });
   if (!candidate.classes_in || !is_class || !conventions.valid.is_usual() || least.camera ||

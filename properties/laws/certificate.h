@@ -8,11 +8,11 @@
 
 namespace raycheck::properties {
 
-/// Whether one answer is, for certain, a defect of this kind in every case of a box: the only class
-/// that the candidate's formula can have there, all rounding included (Functions::classes_in), is
-/// not the exact one, and no inputs within its excused change have it. False where that is not
-/// shown: always but for wrong classes on given rays, where every root >= 0 counts.
-/// Domain: cases that differ in one number, which has one sign; both ends break the law.
+/// Whether one answer is proved to be a defect of this kind in every case of a box: the only hit
+/// class that the candidate's formula can have there, all rounding included
+/// (Functions::classes_in), is not the exact one, and no inputs within its excused change have it.
+/// False without a proof, which exists only for wrong hit classes on given rays, where every root
+/// >= 0 counts. Domain: cases that differ in one number of one sign; both ends break the law.
 /// Source: fast/internal/between.h; reference/interval_ray.h.
 bool is_certain(const Law& law, const Candidate& candidate, const scene::Box<Case>& cases,
                 DefectKind kind);

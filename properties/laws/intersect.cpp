@@ -39,7 +39,7 @@ struct Encounter {
   double rounded_s() const { return ray.rounded_parameter(sphere, *exact, trial.precision()); }
   bool is_at_other_root() const {
     const double s = answer->parameter;
-    // Roots may be closer than numbers of the format: the best answer is the one at its own root.
+    // Roots may be closer than numbers of the format: the correctly rounded one is never wrong.
     return reference::is_at_other_root(ray, sphere, *exact, s) && s != rounded_s();
   }
   /// Whether the candidate reports a hit that its own interval excludes.
@@ -55,13 +55,13 @@ struct Encounter {
     if (is_excluded()) d.excluded_by = trial.conventions().valid;
     if (exact != nullptr) d.exact = {rounded_s()};
   }
-  /// The backward error of the answer, for exactly the ray that the candidate was given.
+  /// The backward error of the answer, for exactly the ray that was passed to the candidate.
   scene::Measured backward_error() const {
     return reference::backward_error(trial.rays()[ray_at], sphere, answer->parameter);
   }
 
   /// plain_change() where the textbook's roundings may be as large as d^2, so that no condition
-  /// number tells what they do to s; else 0.
+  /// number bounds their effect on s; else 0.
   double plain_blur() const {
     const double change = properties::plain_change(trial.candidate(), ray, sphere);
     const double roundings = excused_change(trial.candidate().unit_roundoff) * change;
@@ -77,7 +77,8 @@ struct Encounter {
     const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
     return std::isinf(condition) ? 0 : condition;
   }
-  /// What an error of s is as a share of a length. At a tangent Q slides along the sphere.
+  /// Converts the condition number of s to a share of a length. At a tangent Q slides along the
+  /// sphere.
   double plain_condition_over(const Enclosure& length) const {
     const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
     if (std::isinf(condition)) return plain_blur();
@@ -94,8 +95,8 @@ struct Encounter {
   const Intersection* exact;  ///< Null: a miss.
 };
 
-/// Calls visit(encounter) for all that are judged, sphere by sphere; in all other pairs both the
-/// candidate and the truth see a miss.
+/// Calls visit(encounter) for all that are judged, sphere by sphere; all other pairs are misses for
+/// both the candidate and the truth.
 template <class Visit>
 void for_each_encounter(Trial& trial, Visit visit) {
   const scene::Tangent tangent = trial.conventions().tangent;
@@ -130,7 +131,7 @@ void for_each_common_hit(Trial& trial, Visit visit) {
   });
 }
 
-/// How many pairs are not judged.
+/// The number of pairs that are not judged.
 std::size_t count_unjudged(Trial& trial) {
   std::size_t count = 0;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
@@ -193,8 +194,8 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
 
 void judge_backward_error(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
-    // This is already a change of the inputs: no condition number magnifies it, but that of a
-    // formula over their own.
+    // This is already a change of the inputs: only the excess of a formula's condition number over
+    // the problem's magnifies it.
     trial.measure(
         verdict, {Quantity::kBackwardError, at.place(), at.backward_error()}, [] { return 1; },
         [&](Discrepancy& d) { d.got = {at.answer->parameter}; }, {},
@@ -207,8 +208,9 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
   leave_out_without_hits(verdict);
 }
 
-/// How the candidate's point is off its sphere and its ray, as shares of r and of s |D|. Both are
-/// differences of world coordinates, so their condition is the size of these over r and s |D|.
+/// The distances of the candidate's point from its sphere and its ray, as shares of r and of s |D|.
+/// Both are differences of world coordinates, so their condition is the size of these over r and
+/// s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const ExactRay& ray = at.ray;
   const scene::Sphere& sphere = at.sphere;
@@ -253,7 +255,7 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         [&] { return at.backward_error(); },
         [&] {
           const double of_s = at.plain_condition();
-          // Then the residuals hold Q to its ray and its sphere.
+          // Then only the residuals limit Q.
           if (std::isinf(of_s)) return of_s;
           return at.plain_condition_over(norm(at.ray.enclose(256).point(at.sphere, *at.exact)));
         });
@@ -280,11 +282,11 @@ void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphe
              both.pixel_ray.rounded_parameter(sphere, at, both.precision)};
 }
 
-/// Judges a choice of the other root than the exact one, which both rays share, and says whether
-/// either answer is one. The two parameters are then a chord apart, not l, however accurate both
-/// are: a ray that starts within a rounding of the surface has its near root before or behind its
-/// origin as that rounding falls. As in the laws of class and root it is excused only where inputs
-/// close by have that root as theirs.
+/// Judges whether an answer is at the other root than the exact one, which both rays share, and
+/// returns whether either is. The two parameters then differ by a chord, not by l, however accurate
+/// both are: a ray that starts within a rounding of the surface has its near root before or behind
+/// its origin, depending on that rounding. As in the laws `class` and `nearest-root` it is excused
+/// only if nearby inputs have that root.
 bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
                       const Intersection& at) {
   const scene::Sphere& sphere = trial.scene().spheres[*place.sphere];
@@ -333,7 +335,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
       const ExactRay pixel_ray(pixel_camera, trial.pixels()[k]);
       const ExactRay eye_ray(eye_camera, trial.pixels()[k]);
       const Intersection at = eye_ray.intersect(the_sphere, from_eye.root);
-      // Another root or class from the pixel: the sphere reaches behind it.
+      // From the pixel another root or hit class is exact: the sphere reaches behind the pixel.
       if (at.hit_class != reference::HitClass::kHit ||
           !(at == pixel_ray.intersect(the_sphere, from_pixel.root))) {
         continue;

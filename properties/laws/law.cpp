@@ -19,10 +19,10 @@ namespace raycheck::properties {
 namespace {
 
 struct Need {
-  Needs of;  ///< It is one of each of these.
+  Needs of;  ///< The needs to which it belongs.
   bool (*is_met)(const Trial&);
   std::string_view reason;    ///< Why a law is left out if it is not met.
-  bool is_of_scenes = false;  ///< Rather than of candidates.
+  bool is_of_scenes = false;  ///< Else it is about candidates.
 };
 
 bool has_camera(const Trial& trial) { return trial.scene().camera.has_value(); }
@@ -153,12 +153,12 @@ struct LawJudgement {
   bool failed = false;
 };
 
-/// Whether each sphere of a ray is a separate question. A ray that is not made is one question.
+/// Whether each sphere of a ray is a separate question. A ray that cannot be made is one question.
 bool asks_by_sphere(const Law& law, const Trial& trial) {
   return law.per == Per::kPair && !trial.lacks_rays();
 }
 
-/// A law's verdict on a candidate that gave no answer, `message` being what it threw.
+/// A law's verdict on a candidate that threw an exception with this message.
 LawJudgement judged_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message,
                             const FailureSite& failed = {}) {
   Verdict verdict(law.name);
@@ -177,7 +177,7 @@ LawJudgement judged_failure(const Law& law, const Trial& trial, Wrong wrong, con
   return {std::move(verdict), true};
 }
 
-/// Whether a law judges each ray, or each pair of ray and sphere, on its own.
+/// Whether a law judges each ray, or each pair of ray and sphere, separately.
 bool asks_apart(const Law& law) {
   return law.judges_values && (law.per == Per::kRay || law.per == Per::kPair);
 }
@@ -203,7 +203,7 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   return all;
 }
 
-/// A batch failed, at this line if it is known: judges the question to blame, or the halves.
+/// After a failed batch, at this line if it is known: judges the question to blame, or the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
                          const std::optional<CodeLine>& line = {}, bool timed_out = false) {
   FailureSearch* const search = trial.options().search;
@@ -232,7 +232,7 @@ LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
   return judged;
 }
 
-/// It fails whatever it is asked: a search reports that once.
+/// The candidate fails on every question: a search reports that once.
 LawJudgement judge_unavailable(const Law& law, Trial& trial, const char* message) {
   FailureSearch* const search = trial.options().search;
   if (search != nullptr && !search->whatever_asked.insert(message).second) {

@@ -15,7 +15,7 @@
 
 namespace raycheck::properties {
 
-/// What a law needs from a scene and a candidate to say anything: any combination of these.
+/// What a law needs from a scene and a candidate to be applied: any combination of these.
 enum class Needs : unsigned {
   // Of a camera:
   kFrame = 1 << 0,
@@ -46,15 +46,15 @@ constexpr bool needs_any(Needs needs, Needs some) {
   return (static_cast<unsigned>(needs) & static_cast<unsigned>(some)) != 0;
 }
 
-/// The needs that only a scene with a camera meets, and those that only a candidate that intersects
-/// rays with spheres meets.
+/// The needs that only scenes with a camera meet, and those that only candidates that intersect
+/// rays with spheres meet.
 inline constexpr Needs kOfCameras = Needs::kFrame | Needs::kPixelPoints | Needs::kMadeRays |
                                     Needs::kBothOrigins | Needs::kVisible | Needs::kImage |
                                     Needs::kPlan;
 inline constexpr Needs kOfIntersections =
     Needs::kIntersect | Needs::kNearest | Needs::kVisible | Needs::kImage | Needs::kPlan;
 
-/// Which need a trial does not meet, as a sentence; empty when it meets all.
+/// The first need that a trial does not meet, as a sentence; empty when it meets all.
 std::string_view what_is_missing(Needs needs, const Trial& trial);
 /// Whether its scene meets all needs, whatever the candidate lacks.
 bool scene_suits(Needs needs, const Trial& trial);
@@ -69,19 +69,19 @@ struct GivenRays {
   Place place(Place of_ray) const;
 };
 
-/// The case with the exact rays of its camera under these conventions, correctly rounded to a
-/// format and then taken as exact, in place of the camera: for candidates that intersect rays but
-/// make none. Rays that round to non-finite ones are left out; empty if none is left. Domain: a
+/// The case with given rays in place of its camera: the exact rays under these conventions,
+/// correctly rounded to a format and then taken as exact. For candidates that intersect rays but
+/// make none. Rays that round to non-finite ones are left out; empty if no ray is left. Domain: a
 /// valid scene with a camera; otherwise throws std::invalid_argument.
 std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
                                     scene::Precision precision = scene::Precision::kDouble);
 
-/// What a law judges one by one: a scene, a ray, a ray with a sphere, or an image.
+/// The unit that a law judges: a scene, a ray, a ray with a sphere, or an image.
 enum class Per { kScene, kRay, kPair, kImage };
 
 /// One law: a function from (case, candidate, truth), bundled as a Trial, to a verdict: it holds,
-/// it does not apply to the scene or the candidate, or there are discrepancies. Callers find all
-/// they need to know about a law here: none knows a law by its name.
+/// it does not apply to the scene or the candidate, or there are discrepancies. All properties of
+/// laws that callers use are here: callers do not depend on the names of laws.
 struct Law {
   std::string_view name;
   std::string_view sentence;
@@ -89,12 +89,12 @@ struct Law {
   Needs needs;
   Quantity quantity;  ///< The first that it judges.
   /// It compares single answers with the truth, one quantity at a time, as `check` reports them;
-  /// the others relate several answers to each other, an answer to the ray that its own candidate
-  /// made, or a plan to what it leaves out.
+  /// the other laws relate several answers to each other, an answer to the ray that the candidate
+  /// made for it, or a plan to the spheres that it leaves out.
   bool judges_values = false;
   /// The stage that it judges, if it is about only one.
   std::optional<Stage> stage = {};
-  /// Whether it tells if that stage is stable (rather than what follows from other laws).
+  /// Whether it measures the stability of that stage (rather than what follows from other laws).
   bool tells_stability = false;
   /// Called only where its needs are met. It may still leave the case out, with a reason.
   void (*judge)(Trial&, Verdict&) = nullptr;
@@ -106,7 +106,7 @@ constexpr bool speaks_of_cameras(const Law& law) { return needs_any(law.needs, k
 constexpr bool speaks_of_intersections(const Law& law) {
   return needs_any(law.needs, kOfIntersections);
 }
-/// Whether its answers are simply right or wrong, each compared with the truth.
+/// Whether its answers are only right or wrong, each compared with the truth.
 constexpr bool judges_decisions(const Law& law) {
   return law.judges_values && is_decision(law.quantity);
 }
@@ -133,8 +133,8 @@ const Law* find_law(std::string_view name);
 /// most kMostFailuresSought of them, and the answers to the others are judged.
 Verdict apply(const Law& law, Trial& trial);
 
-/// A candidate's trial on a case. Laws about rays that it meets with spheres and does not make are
-/// asked on the camera's exact rays, given to it (given_rays), and say so of the pixels.
+/// A candidate's trial on a case. If the candidate intersects rays but does not make them, laws
+/// about hits are judged on the camera's exact rays (given_rays), with places as pixels.
 class Trials {
  public:
   Trials(const Case& the_case, const Candidate& candidate, const TrialOptions& options = {});
@@ -142,10 +142,10 @@ class Trials {
   Trials& operator=(const Trials&) = delete;
 
   Trial& on_case() { return on_case_; }
-  /// The one on which a law is asked.
+  /// The trial on which a law is judged.
   Trial& of(const Law& law);
   Verdict apply(const Law& law);
-  /// Whether a law was asked on given rays.
+  /// Whether a law was judged on given rays.
   bool gave_rays() const { return on_given_.has_value(); }
 
  private:

@@ -19,10 +19,10 @@ namespace {
 using reference::Enclosure;
 using scene::Scene;
 
-/// What comparing hits needs, besides rays.
+/// The needs of comparing hits, besides rays.
 constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 
-/// What becomes of a case.
+/// A transformation of a case.
 struct Transformation {
   std::string what;
   scene::Vector3 (*map)(const scene::Vector3&);  ///< Of directions.
@@ -43,22 +43,22 @@ struct PairAnswer {
   }
 };
 
-/// How far the parameters of two hits are apart.
+/// The distance between the parameters of two hits.
 scene::Measured error_between(const PairAnswer& first, const PairAnswer& second, double factor,
                               bool is_hit) {
   const scene::Precision precision = first.trial.precision();
   const double s = first.hit->parameter, other = second.hit->parameter;
-  // In ulp: where floats underflow gradually, that is not held against a method.
+  // In ulp: gradual underflow is not held against a method.
   const scene::Measured error = reference::ulp_error(other, Enclosure(s * factor, 128), precision);
   if (!std::isinf(error.value) || !is_hit || !std::isfinite(other)) return error;
-  // One of them is 0: their size is the exact one's.
+  // One of them is 0: the error is relative to the exact one.
   const Enclosure apart = Enclosure(other, 128) / Enclosure(factor, 128) - Enclosure(s, 128);
   return reference::in_units_of_u(
       apart / first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
 }
 
-/// The exact answers, equal in class and root, tell which of two contradicting answers is wrong,
-/// and how well-conditioned a pair is.
+/// The exact answers, equal in hit class and root, show which of two contradicting answers is
+/// wrong, and give the condition number of a pair.
 void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& verdict,
                   const Transformation& by) {
   Trial& trial = first.trial;
@@ -79,7 +79,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
     if (second.hit != nullptr) d.got = {second.hit->parameter};
     if (first.hit != nullptr) d.exact = {first.hit->parameter * by.factor};
   };
-  // Of two that contradict each other in class or root, the wrong one beside the truth.
+  // If two contradict each other in hit class or root, the wrong one is shown beside the truth.
   const auto describe_wrong = [&](bool is_first_wrong) {
     return [&, is_first_wrong](Discrepancy& d) {
       const HitAnswer* hit = (is_first_wrong ? first : second).hit;
@@ -102,8 +102,8 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   const scene::Measured error = error_between(first, second, by.factor, is_hit);
   const double bound = 2 * trial.bound(Quantity::kParameter);
   if (is_hit) {
-    // Parameters at different roots are a chord apart, however accurate both are; two at the other
-    // root agree, but are not right, and it is the right one that the condition number is of.
+    // Parameters at different roots differ by a chord, however accurate both are; two at the other
+    // root agree, but are not right, and the condition number belongs to the right one.
     const bool is_above = error.in(trial.precision()).value > bound;
     const bool is_at_other = is_above && first.is_at_other_root();
     const bool is_other_root = is_above && is_at_other != second.is_at_other_root();
@@ -151,7 +151,7 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
   }
 }
 
-/// Empty where directions, hits or both can be compared.
+/// The reason why neither directions nor hits can be compared; empty if one of them can.
 std::string_view why_nothing_to_compare(const Trial& trial) {
   return trial.scene().camera ? std::string_view() : what_is_missing(kOfHits, trial);
 }
@@ -195,7 +195,7 @@ std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precisio
 void judge_scaling(Trial& trial, Verdict& verdict) {
   const std::string_view nothing = why_nothing_to_compare(trial);
   if (!nothing.empty()) return verdict.leave_out(std::string(nothing));
-  // A candidate's own absolute ends stay where they are.
+  // Absolute ends that the candidate declares do not scale.
   const auto& own = trial.candidate().declared.valid;
   const bool is_scale_free =
       !own || own->unit == scene::TUnit::kRadius || (own->t_min == 0 && std::isinf(own->t_max));
@@ -217,7 +217,7 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
 /// A permutation of the world axes with signs: coordinates are never rounded.
 struct AxesMap {
   const char* what;
-  bool is_mirror;  ///< It turns a right-handed frame into a left-handed one: not for cameras.
+  bool is_mirror;  ///< It makes a right-handed frame left-handed, so it is not for cameras.
   scene::Vector3 (*apply)(const scene::Vector3&);
 };
 constexpr AxesMap kAxesMaps[] = {
@@ -270,7 +270,7 @@ void judge_axes(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// a + b, where that is a number of the format.
+/// a + b, if that is a number of the format.
 std::optional<double> exact_sum(double a, double b, scene::Precision precision) {
   const double sum = a + b;
   const double b_part = sum - a;
@@ -279,7 +279,7 @@ std::optional<double> exact_sum(double a, double b, scene::Precision precision) 
   return is_exact ? std::optional(sum) : std::nullopt;
 }
 
-/// a + k b, where k b does not round and the sum is of the format.
+/// a + k b, if k b does not round and the sum is a number of the format.
 template <class To, class A, class B>
 std::optional<To> exact_sum_of(const A& a, const B& b, double k, scene::Precision precision) {
   const auto sum = [&](double from_a, double from_b) {
@@ -318,7 +318,7 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
   compare("W", other.W, frame.W);
 }
 
-/// Adds multiples of E - A to look-at or `up`, where no step rounds: the axes stay.
+/// Adds multiples of E - A to look-at or `up`, if no step rounds: the axes do not change.
 template <class Moved>
 void judge_moved(Trial& trial, Verdict& verdict, Moved scene::Camera::*member,
                  std::initializer_list<double> multiples, const char* what) {

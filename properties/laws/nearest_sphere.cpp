@@ -42,7 +42,7 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     const auto& exact = trial.exact_nearest()[k];
     const Index last_first = backwards.at(k);
     const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
-    // One case a ray: right in both orders.
+    // One question per ray: the answer is right if it is right in both orders.
     Choice choice{k, trial.nearest()[k], exact};
     if (is_right(choice)) {
       choice.got = reversed_got;
@@ -58,7 +58,7 @@ Enclosure distance_from_eye(const ExactRay& ray, const Enclosure& s, scene::Orig
   return origin == scene::Origin::kFocal ? s : s + ray.enclose(kDistanceBits).length();
 }
 
-/// Of a ray whose nearest sphere is the exact one.
+/// Judges s of a ray if its sphere is the exact one.
 void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got) {
   const ExactRay& ray = trial.exact_ray(k);
   const NearestSphere& exact = *trial.exact_nearest()[k];

@@ -26,8 +26,8 @@ std::string name(const Pixel& pixel) {
   return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
 }
 
-/// Candidate points and the exact camera that they are compared with: the trial's, or one with the
-/// same axes.
+/// The candidate's points and the exact camera that they are compared with: the trial's, or one
+/// with the same axes.
 class PlaneAnswers {
  public:
   PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
@@ -58,7 +58,7 @@ class PlaneAnswers {
   Enclosure3 exact_position(std::size_t k) const {
     return camera_.plane_position(pixels_[k], kBits);
   }
-  /// A relation is no better conditioned than the points that it relates.
+  /// A relation is conditioned no better than the points that it relates.
   double worst_condition() const {
     double worst = 0;
     for (std::size_t k = 0; k < size(); ++k) {
@@ -66,7 +66,7 @@ class PlaneAnswers {
     }
     return worst;
   }
-  /// `what` makes the words for a discrepancy.
+  /// `what` returns the text of a discrepancy.
   template <class What>
   void measure(Verdict& verdict, std::size_t k, const scene::Measured& error, double bound,
                const What& what) const;
@@ -79,7 +79,7 @@ class PlaneAnswers {
   std::vector<Point3> points_;
 };
 
-/// |error| / size; an exact 0 error is right whatever the size.
+/// |error| / size; an exact 0 is right for any size.
 scene::Measured relative(const Enclosure& error, const Enclosure& size) {
   if (error.certain_sign() == 0) return {0};
   return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
@@ -158,8 +158,9 @@ SignedAxis signed_axis(const Enclosure3& v) {
   return result;
 }
 
-/// Where the formula promises a corner's coordinate bit-exactly: an eye at the world's origin, an
-/// axis along a world axis, samples on the edges, and first + (last - first) not rounded.
+/// The conditions under which a corner's coordinate is exact to the last bit: an eye at the world's
+/// origin, an axis along a world axis, samples on the edges, and first + (last - first) not
+/// rounded.
 void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& answers,
                          std::size_t k) {
   const scene::Camera& camera = answers.camera().camera();
@@ -307,7 +308,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   trial.measure(
       verdict, {Quantity::kPixelPoint, place, error, 2 * trial.bound(Quantity::kPixelPoint)},
       [&] {
-        // A step is a difference of two points: their rounding weighs |P| / step.
+        // A step is a difference of two points, so its condition is |P| / step.
         const Enclosure size = answers.size_of_point(0);
         const double worst = std::max(kModerateCondition, answers.worst_condition());
         return worst * (size / across + size / down + Enclosure(1)).upper();

@@ -20,7 +20,7 @@ scene::UnitVector3 direction_of(const scene::Ray& ray) {
 void judge_unit_direction(Trial& trial, Verdict& verdict) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const scene::UnitVector3 got = direction_of(trial.rays()[k]);
-    // A direction computed from the axes inherits their defect.
+    // A direction computed from the axes inherits their error.
     trial.measure(
         verdict, {Quantity::kUnitDefect, trial.place(k), reference::unit_defect(got)},
         [&] { return reference::condition_of_frame(trial.exact_camera()); },

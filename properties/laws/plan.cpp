@@ -25,12 +25,12 @@ using scene::PixelRectangle;
 using scene::SpherePlan;
 using scene::Wanted;
 
-/// How many pixels along each border of a rectangle are tried, at most.
+/// The most pixels that are tried along each border of a rectangle.
 constexpr std::int64_t kMostOfBorder = 64;
-/// How many rows, and columns, inside a rectangle, at most.
+/// The most rows, and the most columns, inside a rectangle.
 constexpr std::int64_t kMostInside = 5;
 
-/// What one plan says about one sphere, and what the plan was made for.
+/// The part of a plan about one sphere, and the purpose of the plan.
 struct PlanStatement {
   scene::Wanted wanted;
   const scene::ScenePlan* plan;
@@ -39,8 +39,8 @@ struct PlanStatement {
   const scene::SpherePlan& said() const { return plan->spheres[sphere]; }
 };
 
-/// The plans of a candidate for one scene, whatever is wanted of it. They choose where the truth is
-/// computed, and do not influence it.
+/// The plans of a candidate for one scene, for every purpose (scene::Wanted). They choose where the
+/// truth is computed, and do not influence it.
 /// Domain: a scene with a camera, a candidate that plans.
 class PlanStatements {
  public:
@@ -51,8 +51,8 @@ class PlanStatements {
   /// The distinct statements about each sphere.
   std::vector<PlanStatement> distinct() const;
 
-  /// Pixels where a sphere is or nearly is, according to the plans: in its rectangle in any plan
-  /// that has one, otherwise in the image. Plus all pixels of the case.
+  /// Pixels in a sphere's rectangle according to any plan that has one, otherwise in the image.
+  /// Plus all pixels of the case.
   std::vector<scene::Pixel> inside(const PlanStatement& statement) const;
 
   /// Pixels of the image just outside a sphere's rectangle, including those next to where its
@@ -65,7 +65,7 @@ class PlanStatements {
   const std::vector<scene::ScenePlan>& plans_;
 };
 
-/// Whole numbers of [begin, end), evenly spread, the first and the last among them.
+/// Whole numbers of [begin, end), evenly spread, including the first and the last.
 std::vector<std::int64_t> spread(std::int64_t begin, std::int64_t end, std::int64_t most) {
   std::vector<std::int64_t> result;
   const std::int64_t count = std::min(end - begin, most);
@@ -95,7 +95,7 @@ void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
       {static_cast<std::int64_t>(std::round(i)), static_cast<std::int64_t>(std::round(j))});
 }
 
-/// Roughly where a silhouette has its least and largest column and row. In the plane (U, W) the
+/// Approximate pixels of a silhouette's least and largest column and row. In the plane (U, W) the
 /// tangents from the eye touch the disc of centre (u, z) and radius r at (u q -+ z r, z q +- u r)
 /// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2; along V, the sphere is touched level
 /// with its centre. Likewise in (V, W).
@@ -192,15 +192,15 @@ std::vector<Pixel> PlanStatements::outside(const PlanStatement& statement) const
   return result;
 }
 
-/// A sphere at a pixel, of which a plan says something.
+/// A sphere at a pixel about which a plan makes a statement.
 struct SaidOf {
   const Trial& trial;
   std::size_t sphere;
   Pixel pixel;
 };
 
-/// Nothing excuses a plan: it promises to change no answer, whatever the scene. `what` makes the
-/// words for one that does.
+/// Nothing excuses a plan: it promises to change no answer in any scene. `what` returns the text
+/// for one that does.
 template <class What>
 void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong, const What& what) {
   const auto width = static_cast<std::size_t>(it.trial.scene().camera->width);
@@ -283,7 +283,7 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
   if (verdict.compared() == 0) return verdict.leave_out("every rectangle is the whole image");
 }
 
-/// The rays from the eye through a pixel and away from it: one of them meets what their line meets.
+/// The rays from the eye through a pixel and away from it: together they are the whole line.
 class BothWays {
  public:
   BothWays(const scene::Camera& camera, const scene::Conventions& conventions)

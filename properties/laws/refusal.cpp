@@ -9,7 +9,7 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-/// One way to invalidate a camera, a sphere or a ray, named after what becomes wrong with it.
+/// One way to invalidate a camera, a sphere or a ray, named after the defect.
 template <class Thing>
 struct Spoiling {
   const char* what;
@@ -30,7 +30,7 @@ constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
      }},
 };
 
-/// Defects that do not affect the frame, but pixels.
+/// Defects that affect only pixels, not the frame.
 constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
     {"near is zero", [](scene::Camera& c) { c.near = 0; }},
     {"left is infinite", [](scene::Camera& c) { c.left = -kInfinite; }},
@@ -57,7 +57,7 @@ constexpr Spoiling<scene::Ray> kRaySpoilings[] = {
     {"ray direction is infinite", [](scene::Ray& r) { r.direction.y = kInfinite; }},
 };
 
-/// What is refused is thrown through as few functions as can be: each takes time.
+/// Calls the function directly, since an exception takes time for every function that it passes.
 template <class Ask>
 void expect_refusal(Trial& trial, Verdict& verdict, const char* what, const Ask& ask) {
   Wrong wrong = Wrong::kAnswered;

@@ -36,8 +36,7 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
   return severities;
 }
 
-/// A source that a law is tried on at a severity, 0 where it has no dial, and its place among all
-/// that are.
+/// A source and severity (0 without a dial) on which a law is tried, and its index among all.
 struct SeriesKey {
   std::size_t place;
   int severity;
@@ -49,8 +48,8 @@ struct SeriesCases {
 };
 using CasesOfLaw = std::map<SeriesKey, SeriesCases>;
 
-/// Shares cases evenly among the sources of a level that suit a law, and a source's among its
-/// severities; a series gets no fewer than it has.
+/// Divides cases evenly among the sources of a level that suit a law, and a source's cases among
+/// its severities; a series never gets fewer than it has.
 void share_out(const Law& law, const CampaignOptions& options, Level level, CasesOfLaw& given) {
   std::vector<std::pair<std::size_t, ChosenSource>> sources;
   const auto add = [&](std::size_t place, const ChosenSource& chosen) {
@@ -74,7 +73,7 @@ void share_out(const Law& law, const CampaignOptions& options, Level level, Case
   }
 }
 
-/// The cases of every level up to the one asked for: no level is easier than the one before it.
+/// The cases of every level up to the chosen one: no level is easier than the one before it.
 CasesOfLaw cases_of(const Law& law, const CampaignOptions& options) {
   CasesOfLaw given;
   for (int level = 0; level <= static_cast<int>(options.level); ++level) {
@@ -91,21 +90,21 @@ void lower(std::atomic<std::size_t>& unit, std::size_t to) {
   }
 }
 
-/// The seed of the streams of kUnitCases cases: a function of the series' own and of how many there
-/// are before.
+/// The seed of the streams of kUnitCases cases: a function of the series' seed and the number of
+/// cases before.
 std::uint64_t stream_of(std::uint64_t seed, int before) {
   const std::uint64_t first = Random(seed).bits();
   return before == 0 ? first : Random(first + static_cast<std::uint64_t>(before)).bits();
 }
 
-/// A case of a source: made once, rounded once for each format, its truths worked out once for each
-/// set of conventions, and a candidate's answers asked for once, by whatever laws.
+/// A case of a source: made once, rounded once for each format, with one truth for each set of
+/// conventions, and one set of answers of a candidate for all laws.
 class AskedCase {
  public:
   AskedCase(const ChosenSource& source, std::uint64_t seed)
       : seed_(seed), made_(source.make(seed)) {}
 
-  /// Searches of one candidate come one after the other.
+  /// To be called for all searches of a candidate in succession: they share its trials.
   void judge(LawSearch& search, const Candidate& candidate, std::optional<double> max_error) {
     Rounded& rounded = in(candidate.input_format());
     if (&candidate != candidate_) {
@@ -368,7 +367,7 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
     if (fails[k] && !has_answered_[k] && ++units_failed_[k] == kUnitsToFail) {
       answers_nothing_[k] = true;
     }
-    // Each request without a reply takes all the time that there is for one.
+    // Each request without a reply takes the whole time limit.
     if (silent[k] && (!has_answered_[k] || ++units_timed_out_[k] == kUnitsToFail)) {
       timed_out_[k] = true;
     }

@@ -22,29 +22,31 @@ namespace raycheck::properties {
 inline constexpr int kCampaignCases = 500;
 
 struct CampaignOptions {
-  /// Shared evenly among the sources of each level up to `level`, and within a source among its
-  /// severities, of which each gets the most that a level gives it; every source has at least one,
-  /// at its highest severity. So whatever a level tries the next one tries, too.
+  /// Divided evenly among the sources of each level up to `level`, and within a source among its
+  /// severities; a severity gets the largest number that one of these levels gives it. Every source
+  /// has at least one case, at its highest severity. So a level includes all cases of those before
+  /// it.
   int cases = kCampaignCases;
   std::uint64_t seed = 1;
   std::optional<double> max_error;
   bool strict = false;  ///< Excused or undecided answers break a law, too.
   /// Severities up to this level are tried.
   Level level = Level::kDemanding;
-  /// Where cases come from; empty: every source of the level that suits the law. One without a
-  /// severity stands for its severities of the level, one with a severity for that one.
+  /// The sources of the cases; empty: every source of the level that suits the law. A source
+  /// without a severity stands for all its severities of the level, one with a severity for only
+  /// that one.
   std::vector<ChosenSource> sources;
-  /// How many distinct failures are shrunk: with more than one, a law's cases go on after a break.
+  /// The number of distinct failures to shrink: above one, a law's cases go on after a break.
   std::size_t keep_going = 1;
 };
 
-/// What became of cases, all of which are counted once.
+/// Counts of cases by what was done with them.
 struct CaseCounts {
-  std::int64_t cases = 0;     ///< Tried, before an end or a break.
-  std::int64_t left_out = 0;  ///< Of those, the ones that the law had nothing to say about, or that
-                              ///< the candidate's format cannot hold,
+  std::int64_t cases = 0;       ///< Tried, before an end or a break.
+  std::int64_t left_out = 0;    ///< Of those, the ones to which the law does not apply, or which
+                                ///< the candidate's format cannot hold,
   std::int64_t not_judged = 0;  ///< and those outside the candidate's stated domain.
-  std::int64_t given_rays = 0;  ///< Of all, those judged on raycheck's rays (given_rays).
+  std::int64_t given_rays = 0;  ///< Those judged on raycheck's rays (given_rays()).
   std::string reason;           ///< Why the last of those left out was.
 
   void add(const CaseCounts& other);
@@ -58,36 +60,36 @@ struct CaseCounts {
 struct Break {
   /// Reproduces it: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be SOURCE@SEVERITY.
   std::string replay;
-  std::vector<DefectKind> defects;         ///< What it shows,
-  std::optional<CodeLine> failed_at = {};  ///< and where the candidate died or threw.
+  std::vector<DefectKind> defects;
+  std::optional<CodeLine> failed_at = {};  ///< Where the candidate died or threw.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(replay, defects, failed_at);
   }
 };
 
-/// A law's verdict on the cases of one source, at one severity where it has a dial. Ends at the
-/// first case that breaks it, unless it keeps going.
+/// A law's verdict on the cases of one source, at one severity if it has any. Ends at the first
+/// case that breaks the law, unless CampaignOptions says to go on.
 struct CampaignPart {
   ChosenSource source;
   CaseCounts counts;
   Verdict verdict;  ///< Counts only: there are thousands of parts.
-  /// The first, and later ones that show something else.
+  /// The first case that breaks the law, and later ones that show other kinds of defects.
   std::vector<Break> breaks;
-  std::vector<DefectKind> undecided;            ///< What is undecided in all its cases,
-  std::optional<std::uint64_t> undecided_seed;  ///< and the first of these.
+  std::vector<DefectKind> undecided;            ///< The undecided kinds of all its cases,
+  std::optional<std::uint64_t> undecided_seed;  ///< and the first such case.
 
   bool failed_at_once = false;  ///< The candidate failed before it answered anything.
-  bool timed_out = false;       ///< A case broke the law since it gave no reply in time.
+  bool timed_out = false;       ///< A case broke the law because the candidate timed out.
 
   bool is_broken() const { return !breaks.empty(); }
-  /// Whether its break shows what those known do not.
+  /// Whether a break shows a kind of defect that the known ones do not.
   bool is_new(const std::vector<DefectKind>& defects) const;
-  /// Adds later cases of the same.
+  /// Adds later cases of the same source and severity.
   void merge(CampaignPart later);
-  /// After its last case: notes what is undecided.
+  /// Called after the last case: stores the undecided kinds.
   void close(bool strict);
-  /// Without its source.
+  /// Does not contain the source.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(counts, verdict, breaks, undecided, undecided_seed, failed_at_once, timed_out);
@@ -100,16 +102,16 @@ struct Failure {
   Verdict verdict;
   std::string replay;
   bool is_undecided = false;
-  /// A candidate that is started anew, and asked about the shrunk case first, is right: what it is
-  /// asked before counts.
+  /// A candidate that is started anew, and asked about the shrunk case first, is right: its answers
+  /// depend on earlier questions.
   bool is_of_earlier = false;
-  /// After which shrinking was given up; 0: it came to its end.
+  /// The tries after which shrinking was given up; 0: it was completed.
   std::int64_t tries = 0;
 };
 
-/// A law holds only if at least this many answers to each kind of question that it asked, hits for
-/// example, were right without an excuse: ten expose code that is right at random, half of the
-/// time, with a probability of 999 in 1000.
+/// A law holds only if at least this many answers to each kind of question (hits, for example)
+/// were right without an excuse: ten expose code that is right at random, half of the time, with a
+/// probability of 999 in 1000.
 inline constexpr std::uint64_t kFewestRight = 10;
 
 /// The outcome of a law for a candidate.
@@ -123,16 +125,16 @@ constexpr std::string_view name(Finding finding) {
 struct CampaignResult {
   Level level = Level::kDemanding;
   std::vector<CampaignPart> parts;  ///< In the order of sources and severities.
-  CaseCounts counts;                ///< Of all parts together,
-  Verdict verdict;                  ///< shrinking aside.
-  /// Of the first part that is broken, among those of the lowest level; where none is, of the first
-  /// with an undecided case.
+  CaseCounts counts;                ///< Of all parts together, without shrinking,
+  Verdict verdict;                  ///< likewise.
+  /// Of the first broken part of the lowest level; if no part is broken, of the first one with an
+  /// undecided case.
   std::optional<Failure> failure;
-  /// With keep_going, more that break the law, of another source or kind each.
+  /// If more than one failure is to be shrunk, further ones, each of another source or kind.
   std::vector<Failure> others = {};
 
   std::uint64_t fewest_right = kFewestRight;  ///< 0 for a replay: its one case is enough.
-  /// A candidate that declares which roots count may exclude all: some hits must be asked for.
+  /// A candidate that declares which roots count may exclude all: hits must be among the questions.
   bool wants_hits = false;
 
   Finding finding() const;
@@ -142,11 +144,11 @@ struct CampaignResult {
   }
 };
 
-/// At most twice `most` cases that may tell why a law is broken: from the lowest level at which it
-/// is, the first that broke it at each source and severity, then more from the same, right or
-/// wrong; then, unless all break it, as many from all, which rule out what would be wrong there.
-/// Later rounds: four times as many; then the same of the next level at which it is broken, and so
-/// on. Empty after the last.
+/// At most twice `most` cases from which the cause of a broken law may be found: at the lowest
+/// level at which it is broken, the first that broke it at each source and severity, then more from
+/// the same, right or wrong; then, unless all break it, as many from all sources, to rule out
+/// causes that would break those. The next round has four times as many; later rounds do the same
+/// at the next level at which the law is broken, and so on. Empty after the last.
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most,
                                 std::size_t round = 0);
 
@@ -186,16 +188,17 @@ class Campaigns {
 
   std::size_t unit_count() const { return unit_count_; }
   /// The results of the cases of a unit, for each law of each candidate that they are tried on; an
-  /// interrupt ends them early. Their discrepancies are counted, and not kept.
+  /// interrupt ends them early. Discrepancies are counted, and not kept.
   std::vector<CampaignPart> run(std::size_t unit, std::span<const Candidate> candidates,
                                 const RunControl& control) const;
-  /// Adds that; unit after unit.
+  /// Adds the results of run(), in the order of units.
   void take(std::size_t unit, std::vector<CampaignPart> parts);
-  /// The result of all units for a law of a candidate, with its failure shrunk. Once for each.
+  /// The result of all units for a law of a candidate, with its failure shrunk. To be called once
+  /// for each.
   CampaignResult finished(std::size_t candidate, std::size_t law, const Candidate& judged);
 
  private:
-  /// The number of a series' cases for a law of a candidate, both by index.
+  /// The number of cases in a series for a law of a candidate, both by index.
   struct Tried {
     std::size_t candidate, law;
     int cases;
@@ -207,7 +210,7 @@ class Campaigns {
     std::size_t first_unit;
     /// The first unit in which each of these is broken: later ones do not count.
     std::vector<std::atomic<std::size_t>> broken_in;
-    int most() const;  ///< Cases of any law.
+    int most() const;  ///< The largest number of cases of a law.
   };
   struct Unit {
     Series& series;
@@ -220,23 +223,23 @@ class Campaigns {
   std::size_t unit_count_ = 0;
   int unit_cases_ = kUnitCases;
   bool units_are_kept_;
-  /// By candidate, in how many units it has done nothing but fail, before it has answered anything;
-  /// after kUnitsToFail it is asked no more.
+  /// By candidate: the number of units in which it only failed before it answered anything; after
+  /// kUnitsToFail it is dropped.
   std::vector<bool> has_answered_;
   std::vector<std::size_t> units_failed_;
   std::vector<std::atomic<bool>> answers_nothing_;
   std::vector<std::size_t> units_timed_out_;
-  std::vector<std::atomic<bool>> timed_out_;          ///< It is asked no more for that.
+  std::vector<std::atomic<bool>> timed_out_;          ///< Dropped because of time-outs.
   std::vector<std::vector<CampaignResult>> results_;  ///< By candidate and law.
 };
 
 /// Runs a law on random cases (by RapidCheck's streams) of every source and severity, each with its
-/// own seed: breaking the law in one ends no other. The same options give the same result, and
-/// other parts affect a part only in its number of cases.
+/// own seed: a broken part does not end the others. The same options give the same result, and
+/// other parts affect only the number of cases of a part.
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
                             const CampaignOptions& options, const RunControl& control = {});
 
-/// Whether a case and a candidate meet a law's needs, if need be with raycheck's own rays.
+/// Whether a case and a candidate meet a law's needs, if necessary with raycheck's rays.
 bool has_question(const Law& law, const Candidate& candidate, const Case& the_case);
 
 /// The parts of a replay string; throws std::invalid_argument naming the part that is wrong.
@@ -248,7 +251,7 @@ struct Replay {
 };
 Replay parse_replay(std::string_view text);
 
-/// Judges and shrinks a case of one's own.
+/// Judges and shrinks a given case.
 CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& the_case,
                         std::optional<double> max_error = {}, bool strict = false);
 

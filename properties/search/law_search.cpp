@@ -21,7 +21,7 @@ struct CaseVerdict {
 CaseVerdict verdict_on(const Law& law, Trials* trials) {
   if (trials == nullptr) return {false, false, Verdict(law.name)};
   Trial& trial = trials->of(law);
-  // What a candidate lacks is left out wherever the case lies.
+  // Missing functions of a candidate are reason enough, also outside its domain.
   const bool judged = trial.is_judged(law.quantity) || !what_is_missing(law.needs, trial).empty();
   return {judged, &trial != &trials->on_case(), judged ? trials->apply(law) : Verdict(law.name)};
 }
@@ -75,7 +75,7 @@ void LawSearch::replay(std::uint64_t seed, bool shrinks) {
 }
 
 void LawSearch::ask_first() {
-  // How long an answer takes is another matter, and so is what fails whatever it is asked.
+  // Not for time-outs, nor for candidates that fail on every question.
   const auto worst = failure->verdict.worst(1);
   const bool timed_out = !worst.empty() && worst.front().failed.timed_out;
   if (!candidate_->restart || timed_out || fails_always(failure->verdict)) return;
@@ -151,7 +151,7 @@ bool LawSearch::take(const Case& the_case, bool judged, bool given, Verdict verd
   const bool is_shrinking = failure.has_value();
   if (!is_shrinking) count(judged, given, verdict);
   if (verdict.holds(strict_)) return false;
-  // Failing whatever is asked says nothing about a simpler case.
+  // A failure on every question says nothing about a simpler case.
   if (is_shrinking && fails_always(verdict)) return false;
   if (!is_shrinking) {
     const bool is_first = part.verdict.compared() == verdict.compared();

@@ -28,11 +28,10 @@ class LawSearch {
   void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);
   /// Judges one case of the source, and shrinks it unless told not to.
   void replay(std::uint64_t seed, bool shrinks = true);
-  /// Whether the failure is one, too, where its case is the first that the candidate is asked about
-  /// after it was started anew; if not, but that of the case before it was shrunk is, it is that
-  /// one.
+  /// Whether the candidate also fails if it is started anew and asked about the failure's case
+  /// first. If it fails so only on the case before shrinking, that case replaces the failure.
   void ask_first();
-  /// Shrinks one case of the source that is undecided, as far as it still is.
+  /// Shrinks an undecided case of the source as long as it stays undecided.
   void replay_undecided(std::uint64_t seed);
   /// Judges a case, and shrinks it.
   void replay(Case the_case);
@@ -48,14 +47,14 @@ class LawSearch {
   /// The same, of a verdict.
   bool take(const Case& the_case, bool judged, bool given, Verdict verdict);
   void count(bool judged, bool given, const Verdict& verdict);
-  /// Goes on from the case that breaks the law to the first simpler one that does, too, and so on
-  /// until none does.
+  /// Replaces the case that breaks the law by the first simpler one that does so, too, until none
+  /// does.
   void shrink();
   /// `breaks` keeps a case for which it is true as the failure. A candidate that makes no rays
   /// needs no camera: the rays that it was given take its place.
   template <class Breaks>
   void shrink_while(const Breaks& breaks);
-  /// If the candidate fails on the case, the question in it that it fails on: found by halving,
+  /// If the candidate fails on the case, the question in it that fails: found by halving,
   /// since each simpler case could run into the time limit for a reply.
   void take_failed_question();
 

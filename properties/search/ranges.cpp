@@ -18,7 +18,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// The place of a number among those of a format: that of 0 is 0.
+/// The index of a number among those of a format; 0 has the index 0.
 using Rank = std::int64_t;
 
 Rank rank_of(scene::Precision precision, double x) {
@@ -68,7 +68,7 @@ NamedNumbers named_numbers(scene::Scene& scene, bool with_directions) {
   return numbers;
 }
 
-/// No questions are left.
+/// Thrown when the budget of questions is used up.
 struct Spent {};
 
 class RangeSearch {
@@ -95,9 +95,9 @@ class RangeSearch {
         found_.numbers.push_back(range(name, *number));
       }
     } catch (const Spent&) {
-      // The numbers before have their ranges.
+      // The numbers before this one have their ranges.
     } catch (const scene::Interrupted&) {
-      // As well.
+      // Likewise.
     }
     found_.not_tried = numbers.size() - found_.numbers.size();
     return std::move(found_);
@@ -191,7 +191,7 @@ class RangeSearch {
     return settled(from, end);
   }
 
-  /// Cuts a range from a number to its end where one between, asked now or before, does not break
+  /// Cuts a range from a number to its end where one between, tried now or before, does not break
   /// the law.
   Rank settled(Rank from, Rank end) {
     for (;;) {
@@ -268,7 +268,7 @@ class RangeSearch {
   const Rank last_;  ///< Of the format.
   Ranges found_;
   DefectKind kind_;
-  // Of the number whose range is sought:
+  // Of the number under search:
   double* number_ = nullptr;
   std::map<Rank, std::optional<bool>> asked_;
   bool holds_somewhere_ = false;

@@ -18,19 +18,18 @@ struct Span {
   bool operator==(const Span&) const = default;
 };
 
-/// Where one number of a case may lie, the others as they are, for a law to break as it does there.
+/// The range of one number of a case, with the others fixed, in which a law breaks in the same way.
 struct NumberRange {
   std::string name;  ///< By the names of scene files: "sphere 0 radius", "camera eye x".
   double value = 0;  ///< In the case.
-  /// The law breaks at both ends, and at all of `samples` numbers asked in it, among them
-  /// kPointsBetween, as far as there are, on each side of the value. In it may lie numbers that are
-  /// not valid, or outside of the candidate's domain, where nothing is judged.
+  /// The law breaks at both ends, and at all of `samples` numbers tried in it, including up to
+  /// kPointsBetween on each side of the value. The range may contain numbers that are invalid, or
+  /// outside the candidate's domain, where nothing is judged.
   Span span;
   int samples = 0;
-  bool is_any = false;  ///< Of all numbers of the format, no valid and judged one is known to hold.
-  /// The part of it where the law breaks at every number, for certain: by certificates of boxes
-  /// (properties/laws/certificate.h) and, between those, by asking each; empty where there are
-  /// none.
+  bool is_any = false;  ///< No valid and judged number of the format is known at which it holds.
+  /// The part of it where the law is proved to break at every number: by certificates of boxes
+  /// (properties/laws/certificate.h) and, between those, by trying each; empty without one.
   std::optional<Span> certified = {};
 
   bool is_exact() const { return span.least == span.greatest; }
@@ -38,19 +37,19 @@ struct NumberRange {
 
 struct Ranges {
   std::vector<NumberRange> numbers;
-  int questions = 0;          ///< Cases that the candidate was asked.
-  std::size_t not_tried = 0;  ///< Numbers for which no questions were left.
+  int questions = 0;          ///< Cases that the candidate answered.
+  std::size_t not_tried = 0;  ///< Numbers for which the budget of questions was used up.
 };
 
-/// Asked once an end is found: half of them evenly spread, half evenly in exponent.
+/// Tried once an end is found: half of them spread evenly, half evenly in exponent.
 inline constexpr int kPointsBetween = 32;
 /// For all numbers together.
 inline constexpr int kMostQuestions = 1 << 13;
 /// Boxes tried for a certificate on each side of a number's value.
 inline constexpr int kMostBoxes = 1 << 10;
 
-/// Whether ranges are sought: not by pictures, each of which a renderer may take a second for, nor
-/// where the candidate died or was stopped, which may take as long again.
+/// Whether ranges are sought: not for pictures, for each of which a renderer may take a second, nor
+/// where the candidate died or was stopped, which may take as long each time.
 bool has_ranges(const Candidate& candidate, const Verdict& verdict);
 
 /// The ranges of a case's numbers: outward from each by steps that double in the numbers of the

@@ -115,7 +115,7 @@ std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
       stress(source.make(seeds.bits()), stage, candidates, results);
     }
   } catch (const scene::Interrupted&) {
-    // The answer is what was judged so far.
+    // The result is what was judged so far.
   }
   for (StressResult& result : results) {
     result.inside.drop_discrepancies();

@@ -14,7 +14,7 @@
 namespace raycheck::properties {
 
 /// The case for one stage: for intersections the camera is replaced by the rays that `rays`
-/// makes from it, taken as exact. Empty if nothing is left to ask.
+/// makes from it, taken as exact. Empty if no ray is left.
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
 /// The same in a format: from the case rounded to it, with the numbers made by `rays` rounded, too.
 RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format);
@@ -29,7 +29,7 @@ struct Example {
   }
 };
 
-/// What the same cases showed about one candidate, inside and outside its stated domain.
+/// The verdicts of the same cases on one candidate, inside and outside its stated domain.
 struct StressResult {
   Verdict inside;
   Verdict outside;

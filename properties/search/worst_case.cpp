@@ -15,7 +15,7 @@
 namespace raycheck::properties {
 namespace {
 
-/// How many random cases are climbed from.
+/// The number of random cases from which the search climbs.
 constexpr std::size_t kClimbs = 4;
 
 /// x with a different significand, exponent or sign, in a format.

@@ -11,7 +11,7 @@
 
 namespace raycheck::properties {
 
-/// What a search maximises: the error itself, the error over the growth of the documented bound
+/// The objective of a search: the error itself, the error over the growth of the documented bound
 /// (bound_growth() of the condition number), or the stability ratio rho.
 enum class Climb { kError, kOverGrowth, kRatio };
 inline constexpr std::array<std::string_view, 3> kClimbNames = {"error", "bound", "rho"};
@@ -25,7 +25,7 @@ struct SearchOptions {
   std::uint64_t seed = 1;
 };
 
-/// The worst input found, shrunk as long as its verdict stays and at least half of its height.
+/// The worst input found, shrunk as long as it keeps its verdict and at least half of its height.
 struct WorstCase {
   Case the_case;
   double error = 0;
