@@ -110,7 +110,7 @@ constexpr std::string_view name(Outcome outcome) {
 inline constexpr double kExactError = 0.5;
 inline constexpr double kAccurateError = 4;
 
-/// A method is stable on a family of cases when its stability ratio rho = error / ((1 + kappa) u)
+/// A method is stable on a source of cases when its stability ratio rho = error / ((1 + kappa) u)
 /// stays below this while the severity grows, and no decision is wrong without an excuse.
 inline constexpr double kStableRatio = 16;
 

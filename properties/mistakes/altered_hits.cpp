@@ -23,7 +23,7 @@ bool is_between(double s, const scene::ValidRoots& valid) {
          (valid.includes_max() ? s <= valid.t_max : s < valid.t_max);
 }
 
-/// Of formulas that are complete.
+/// For complete formulas.
 Hit chosen(const HitFormulas& formulas, const Ray& ray, const Sphere& sphere,
            const fast::Roots& roots, Conventions conventions) {
   conventions.valid = in_multiples(conventions.valid, ray, sphere);

@@ -1,7 +1,6 @@
 #pragma once
 
-// How a candidate answers rays when it makes its own choice among roots, hits or spheres: the basis
-// of mistakes and mutants.
+// Candidates with another choice among roots, hits or spheres: the basis of mistakes and mutants.
 
 #include <functional>
 #include <optional>
@@ -48,20 +47,20 @@ scene::ValidRoots in_multiples(scene::ValidRoots valid, const scene::Ray& ray,
 Hit usual_choice(const scene::Ray& ray, const fast::Roots& roots,
                  const scene::Conventions& conventions);
 
-/// What a hit sphere is ranked by, given its index in the file, the roots and the chosen s.
+/// The rank of a hit sphere, given its index in the file, the roots and the chosen s.
 using RankSphere = std::function<double(std::size_t index, const scene::Ray&, const scene::Sphere&,
                                         const fast::Roots&, double s)>;
 
 /// Wrong formulas for hits and the nearest sphere; an empty one is a correct method's, with the
-/// roots of `cross`. With a `rank` only the nearest sphere is wrong. The conventions
-/// that `choose` is told have their ends in multiples of the direction.
+/// roots of `cross`. With a `rank` only the nearest sphere is wrong. The conventions that `choose`
+/// gets have their ends in multiples of the direction.
 struct HitFormulas {
   MakeRoots roots = {};
   ChooseHit choose = {};
   RankSphere rank = {};
   explicit operator bool() const { return roots || choose || rank; }
 };
-/// The formulas of both; empty where both have one for the same thing.
+/// The formulas of both; empty if both replace the same formula.
 std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other);
 /// Hits by a choice between two roots; input is not checked.
 AskSphere hits_by(HitFormulas formulas);

@@ -99,7 +99,7 @@ std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& asked,
   }
 }
 
-/// Floats have fewer digits than an answer whose relative error is at most this.
+/// Answers with at most this relative error have more digits than floats.
 constexpr double kPrecise = 0x1p-36;
 
 /// Whether an answer is neither as expected nor right in another way.
@@ -113,7 +113,8 @@ bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers
          std::none_of(comparison.also_right.begin(), comparison.also_right.end(), is_like);
 }
 
-/// How many answers differ from those expected, except those that are right in another way.
+/// The number of answers that differ from those expected, except those that are right in another
+/// way.
 std::uint64_t count_different(const Comparison& comparison, const StepAnswers& expected,
                               double tolerance) {
   std::uint64_t count = 0;
@@ -123,7 +124,7 @@ std::uint64_t count_different(const Comparison& comparison, const StepAnswers& e
   return count;
 }
 
-/// Which of a asked's answers, by sphere and ray or by ray, miss a sphere that none meets.
+/// For each answer, by sphere and ray or by ray: whether it misses a sphere that no answer hits.
 std::vector<bool> dropped(Step step, const Comparison& comparison) {
   const std::size_t count = comparison.asked->rays.size();
   const auto sphere_of = [&](const Answer& answer, std::size_t k) -> std::optional<std::size_t> {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A candidate's answers, step by step, beside what is right. Internal to answer_explanation.
+// A candidate's answers, step by step, beside the right ones. Internal to answer_explanation.
 
 #include <array>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace raycheck::properties {
 
-/// The answer at any step: which sphere, or whether one is hit, and any vectors.
+/// The answer at any step: the sphere, or whether one is hit, and the vectors.
 struct Answer {
   std::optional<std::size_t> choice;
   std::array<scene::Vector3, 3> vectors;
@@ -26,22 +26,21 @@ using StepAnswers = std::vector<Answer>;
 struct AskedCase {
   Case the_case;
   std::vector<scene::Ray> rays;
-  Returns returns = Returns::kHit;  ///< What is known of a hit.
+  Returns returns = Returns::kHit;  ///< The values that hits have.
 };
 
-/// What a candidate answered to a case at a step, what is right, and what other right formulas
-/// make of it.
+/// A candidate's answers to a case at a step, the right ones, and those of other right formulas.
 struct Comparison {
   const AskedCase* asked;
   StepAnswers answers, right;
   std::vector<StepAnswers> also_right;
 };
 
-/// Whether a case is left out as the candidate is asked about it: roots are so near to t_min or
-/// t_max that mistakes, which are made in doubles, would not count the right ones.
+/// Whether a case is left out under the candidate's conventions: roots are so near to t_min or
+/// t_max that mistakes, which are computed in doubles, would not count the right ones.
 bool is_left_out(const Case& the_case, const Candidate& candidate);
 
-/// What becomes of answers that are no numbers where numbers are right.
+/// The treatment of answers that are NaN or infinite where the right ones are finite.
 enum class NotNumbers { kWrong, kLeftOut };
 
 /// A candidate's answers to cases; each step is computed on demand.
@@ -54,30 +53,31 @@ class Examination {
 
   const Candidate& candidate() const { return candidate_; }
   bool is_single() const { return candidate_.precision == scene::Precision::kSingle; }
-  /// Whether at most half of the cases are left out for that.
+  /// Whether at most half of the cases are left out by is_left_out().
   bool is_of_most() const { return left_out_ <= asked_.size(); }
   double roundoff() const { return scene::unit_roundoff(candidate_.precision); }
-  /// Whether a few roundings of the input make such an error of s, which says nothing of a formula.
+  /// Whether a few roundings of the input cause such an error of s, so that it does not depend on
+  /// the formula.
   bool is_of_input(const scene::Ray& ray, const scene::Sphere& sphere, double error) const;
 
   std::uint64_t errors(Step step, double tolerance);
-  /// How many answers at a step are no numbers where numbers are right.
+  /// The number of answers at a step that are NaN or infinite where the right ones are finite.
   std::uint64_t not_numbers(Step step);
 
-  /// How many wrong answers at a step have numbers, which tell more than a class or a choice, and
-  /// are not as `other` gives them.
+  /// The number of wrong answers at a step that have numbers, not only a hit class or a choice, and
+  /// differ from those of `other`.
   std::uint64_t wrong_numbers(Step step, double tolerance, const Candidate* other = nullptr);
 
-  /// Whether all answers at a step are numbers where numbers are right, but for those left out.
+  /// Whether all answers at a step are finite where the right ones are, except for those left out.
   bool are_numbers(Step step) {
     return not_numbers_ == NotNumbers::kLeftOut || not_numbers(step) == 0;
   }
 
-  /// How many answers up to a step are not as `made` gives them; any number above `most` if there
-  /// are more.
+  /// The number of answers at these steps that differ from those of `made`; any number above `most`
+  /// if it is larger than that.
   std::uint64_t contradicted(const Candidate& made, Step first, Step last, double tolerance,
                              std::uint64_t most);
-  /// Whether `made` gives any of these answers otherwise than right.
+  /// Whether any of these answers of `made` is wrong.
   bool shows(const Candidate& made, Step first, Step last, double tolerance);
 
   /// How well the roundings of a formula agree with the answers at kIntersect or kNearest.

@@ -14,13 +14,13 @@
 namespace raycheck::properties {
 namespace {
 
-/// A part of the functions of a candidate: no mistake in another part shows in it.
+/// A part of the functions of a candidate. Mistakes in one part do not show in another.
 struct Part {
   Step first, last;
 };
 
-/// Of some mistakes those that best explain the answers at some steps, of one family the first;
-/// `fewest`: how many answers they may contradict at most, then how many they do.
+/// The mistakes that best explain the answers at some steps, only the first of each family;
+/// `fewest`: in, the most answers that they may contradict; out, the number that they do.
 std::vector<const Mistake*> best_of(Examination& examination,
                                     const std::vector<const Mistake*>& suspects, Part steps,
                                     double tolerance, std::uint64_t& fewest) {
@@ -39,7 +39,7 @@ std::vector<const Mistake*> best_of(Examination& examination,
 }
 
 /// Of mistakes that explain a step equally well, keeps those that best explain the errors at later
-/// steps of the part; all, if none does.
+/// steps of the part; all, if no mistake explains them.
 void tell_apart(Examination& examination, Step step, Step last, double tolerance,
                 std::vector<const Mistake*>& suspects) {
   for (int at = static_cast<int>(step) + 1; at <= static_cast<int>(last); ++at) {
@@ -60,8 +60,8 @@ std::vector<const Mistake*> offered(const Candidate& candidate, Part part, Step 
   return all;
 }
 
-/// Two mistakes must explain at least this many wrong answers together, all there are, and each
-/// kFewestErrorsOfACause with numbers that the other does not.
+/// Pairs of mistakes are tried only with at least this many wrong answers. They must explain all,
+/// and each must explain kFewestErrorsOfACause answers with numbers that the other does not.
 constexpr std::uint64_t kFewestErrorsOfTwo = 12;
 
 /// The pairs that contradict no answer; of pairs that differ within a family, the first.
@@ -106,11 +106,11 @@ AnswerCause cause_of(const std::vector<Fault>& alternatives, AnswerCause cause,
   return cause;
 }
 
-/// Answers that are right up to kAnswerTolerances differ by more where floats are their cause; it
-/// is one if it makes the same answers up to this.
+/// The tolerance for roundings to floats: answers that are right up to kAnswerTolerances may differ
+/// by more than this, and a mistake that rounds must make the same answers up to this.
 constexpr double kOfFloats = 1e-10;
 
-/// Numbers that are rounded to floats, at the first step of a part at which that shows.
+/// The cause "rounded to floats", at the first step of a part at which that shows.
 std::optional<AnswerCause> rounding_in(Examination& examination, const Part& part) {
   for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
     const auto step = static_cast<Step>(at);
@@ -127,7 +127,7 @@ std::optional<AnswerCause> rounding_in(Examination& examination, const Part& par
   return {};
 }
 
-/// At the first step of a part that has errors.
+/// The cause of the errors at the first step of a part that has any.
 AnswerCause find_cause(Examination& examination, const Part& part) {
   AnswerCause too_few;
   for (const double tolerance : kAnswerTolerances) {
@@ -150,7 +150,7 @@ AnswerCause find_cause(Examination& examination, const Part& part) {
       const bool all_by_mistake = !suspects.empty() && left == 0;
       if (!all_by_mistake && part.first >= Step::kIntersect) {
         if (const auto found = roundings_at(examination, step, tolerance)) return *found;
-        // If roundings may have caused it, too, the cause is unknown.
+        // If roundings may also be the cause, the cause is unknown.
         if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
       }
       if (!all_by_mistake && errors >= kFewestErrorsOfTwo && examination.are_numbers(step) &&
@@ -199,7 +199,7 @@ std::vector<AnswerCause> causes_in(Examination& examination) {
         std::any_of(findings.begin(), findings.end(),
                     [&](const AnswerCause& found) { return explains(examination, found, step); });
     if (is_known) continue;
-    // Where hits have no errors they rule out mistakes that would change them.
+    // Hits without errors rule out mistakes that would change them.
     const bool hits_are_right =
         step == Step::kNearest &&
         examination.errors(Step::kIntersect, kAnswerTolerances.front()) == 0;

@@ -15,15 +15,15 @@
 namespace raycheck::properties {
 
 /// The relative error up to which an answer counts as right, or as what a mistake makes; the second
-/// is tried where the first explains nothing, for code that computes in `float`s.
+/// is tried if nothing is explained with the first, for code that computes in `float`s.
 inline constexpr std::array<double, 2> kAnswerTolerances = {1e-6, 1e-4};
 
 /// Why the answers at one step are wrong: several mistakes are named if they explain the same.
 struct AnswerCause {
   Step step = Step::kFrame;
   std::vector<Explanation> alternatives;
-  std::optional<Arithmetic> roundings = {};  ///< The formula, if they are the cause.
-  double tolerance = 0;                      ///< Of kAnswerTolerances, what it was found by.
+  std::optional<Arithmetic> roundings = {};  ///< The formula, if its roundings are the cause.
+  double tolerance = 0;                      ///< The one of kAnswerTolerances that found it.
 };
 
 /// The classic mistakes in a candidate's functions, at most one for each of three parts, which are
@@ -31,14 +31,14 @@ struct AnswerCause {
 /// convention); then, on right rays, the hits; then the nearest sphere, unless what explains the
 /// hits explains it too. In each part the first step with wrong answers counts: the mistake named
 /// explains at least kExplainedShare of them, and contradicts few of the answers there and at
-/// earlier steps; of several the best is named, all if they are equally good and later steps do not
-/// tell them apart, of one family the first. For hits and choices, roundings that allow every wrong
-/// answer are named rather than a mistake that explains only some; if roundings may be the cause
-/// but cannot be told apart, nothing is named. Steps that the candidate has no function for are
-/// skipped, and so are tangents that are not judged, cases outside its domain and those that it
-/// refuses or fails on. An answer counts as right where `direct/cross`, or another method of fast/
-/// as precise as the candidate, gives the same under the conventions that the candidate declares.
-/// Domain: valid scenes, pixels inside their images; otherwise throws std::invalid_argument.
+/// earlier steps. The best is named; if several are equally good and later steps do not separate
+/// them, all are, but only the first of a family. For hits and choices, roundings that allow every
+/// wrong answer are named rather than a mistake that explains only some; if roundings may be the
+/// cause but it is not clear which, nothing is named. Skipped are steps for which the candidate has
+/// no function, unjudged tangents, cases outside its domain and those that it refuses or fails on.
+/// An answer counts as right if `direct/cross`, or another method of fast/ that is as precise as
+/// the candidate, gives the same under the conventions that the candidate declares. Domain: valid
+/// scenes, pixels inside their images; otherwise throws std::invalid_argument.
 std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate);
 
 /// The sentence of one, or of several that explain the same.

@@ -93,8 +93,8 @@ std::vector<Mistake> frame_mistakes() {
   };
 }
 
-/// The lecture's v and d, which assume |D| = 1, used as multiples of D. Where that is so they lose
-/// no digits: what is lost is another mistake.
+/// The lecture's v and d, which assume |D| = 1, used as multiples of D, without lost digits, which
+/// are another mistake.
 fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
   fast::Roots roots = fast::kCross.roots(ray, sphere);
   const double size = norm(ray.direction), excess = size * size - 1;

@@ -21,7 +21,7 @@ bool is_too_large(const scene::Scene& scene) {
   return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
 }
 
-/// Squares of distances overflow: a separate defect, which no other cause has to explain.
+/// Squares of distances overflow: a separate defect, which other causes need not explain.
 bool overflows(const scene::Scene& scene, scene::Precision precision) {
   return std::any_of(scene.spheres.begin(), scene.spheres.end(), [&](const auto& sphere) {
     const scene::Vector3 T = sphere.centre - scene.camera->eye;
@@ -41,9 +41,8 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
   return pictures;
 }
 
-/// Counted beside the wrong answers that are searched are those of cases that are left out,
-/// and where a law holds answers to more than kAnswerTolerances. A cause of the lesser half is
-/// none.
+/// Adds to the wrong answers that were searched those of cases that are left out, and those where a
+/// law demands more than kAnswerTolerances. Causes of less than half of them are dropped.
 std::vector<Explanation> answer_explanations(const Law& law, const std::vector<Case>& cases,
                                              const Candidate& candidate) {
   std::vector<Explanation> found = explanations(answer_causes(cases, candidate));
@@ -84,7 +83,7 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
     std::erase_if(found, [](const Explanation& one) { return one.errors < kFewestErrorsOfACause; });
     return found;
   } catch (const NoAnswer&) {
-    return {};  // the verdict says that it gives no answer
+    return {};  // the verdict reports that it gives no answer
   } catch (const scene::Interrupted&) {
     return {};
   }
@@ -98,7 +97,7 @@ std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
     if (cases.empty()) return all;
     bool is_told = false;
     for (Explanation& one : causes(law, cases, candidate)) {
-      if (one.explained > 0) {  // more than too few
+      if (one.explained > 0) {  // not kTooFewErrors
         is_told = is_told || one.sentence != kNotNumbers;
         std::erase_if(all, [](const Explanation& known) { return known.explained == 0; });
       }

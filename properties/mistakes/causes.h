@@ -12,8 +12,8 @@
 
 namespace raycheck::properties {
 
-/// How many cases of a broken law are searched for its cause, at most, and the most pixels that
-/// their pictures may have.
+/// The most cases of a broken law that are searched for its cause, and the most pixels that their
+/// pictures may have.
 inline constexpr std::size_t kCasesOfACause = 12;
 inline constexpr std::int64_t kMostPixelsOfACause = std::int64_t{1} << 16;
 
@@ -22,10 +22,10 @@ inline constexpr std::int64_t kMostPixelsOfACause = std::int64_t{1} << 16;
 std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
                                 const Candidate& candidate);
 
-/// Cases of a law, in rounds that are searched until they tell a cause; empty: there are no more.
+/// Cases of a law, in rounds that are searched until a cause is found; empty after the last.
 using TellingCases = std::function<std::vector<Case>(std::size_t round)>;
-/// The same of these cases. Rounds after the second are searched only if all that these tell is
-/// that answers are no numbers.
+/// The same for these cases. Rounds after the second are searched only if the first two find
+/// nothing but answers that are not numbers.
 std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
                                 const Candidate& candidate);
 

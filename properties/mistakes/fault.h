@@ -10,29 +10,29 @@
 
 namespace raycheck::properties {
 
-/// The mistakes that a program makes at the same time, one or two; none: it is right.
+/// The mistakes that a program makes at the same time, one or two; empty: it is right.
 using Fault = std::vector<const Mistake*>;
 
 /// Their sentences joined: "rows are upside down; and top is -bottom".
 std::string sentence_of(const Fault& fault);
 
-/// The candidates for a fault's mistake at a place: if the alternatives are all pairs of some
-/// mistakes with some others, all at that place; otherwise that of the first alternative.
+/// The possible mistakes at a place of a fault: if the alternatives are all pairs of some mistakes
+/// with some others, all at that place; otherwise that of the first alternative.
 std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fault>& alternatives);
 
 /// The sentence of alternatives: "rows are upside down, or: V has the wrong sign"; for all pairs of
 /// some with others "(A, or: B); and (C, or: D)"; for other pairs "(A; and B), or: (C; and D)".
 std::string sentence_of(const std::vector<Fault>& alternatives);
-/// The same in parts, "A, or: B" and "C, or: D"; one of alternatives that have none in common.
+/// The same in parts, "A, or: B" and "C, or: D"; one part if the alternatives are not such pairs.
 std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives);
 
 /// Whether one program can make both: they do not replace the same formula.
 bool can_be_together(const Mistake& a, const Mistake& b);
 
-/// What a program with a fault shows of a scene, in doubles: applies the changes of the mistakes in
-/// their order, makes rays by the formula of the mistake that has one, and hits by the formulas of
-/// all. A camera that becomes invalid shows nothing. Domain: a valid scene with a camera, which
-/// outlives it; mistakes that can be together.
+/// The picture of a scene by a program with a fault, in doubles: applies the changes of the
+/// mistakes in their order, makes rays by the formula of the mistake that has one, and hits by the
+/// formulas of all. A camera that becomes invalid shows nothing. Domain: a valid scene with a
+/// camera, which outlives it; mistakes that can be together.
 class FaultyView {
  public:
   FaultyView(const Fault& fault, const scene::Scene& scene);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What correct formulas may answer where their roundings count: not one answer, but several.
+// The answers that correct formulas may give where roundings decide: not one, but several.
 
 #include <array>
 #include <cstdint>
@@ -21,7 +21,7 @@ enum class Arithmetic {
   kSingleExpanded,    ///< In floats, with |T|^2 expanded.
   kProduct            ///< In doubles, r^2 - |T x D|^2: no mistake.
 };
-/// Those that are mistakes, and that pictures show.
+/// Those that are mistakes and show in pictures.
 inline constexpr std::array<Arithmetic, 3> kArithmetics = {
     Arithmetic::kDifference, Arithmetic::kSingle, Arithmetic::kSingleDifference};
 
@@ -29,7 +29,7 @@ inline constexpr std::array<Arithmetic, 3> kArithmetics = {
 /// in |T|^2, 15 in v^2 (T, D, their product and the square), and those of r^2 and the differences.
 inline constexpr double kRoundings = 24;
 
-/// Where a formula may see a ray meet a sphere: somewhere, nowhere or either.
+/// The hits of a ray and a sphere that a formula may find: some s, a miss or either.
 struct PossibleHit {
   bool is_possible = false, is_certain = false;
   double least = 0, most = 0;           ///< s, where it is possible,
@@ -44,7 +44,7 @@ struct PossibleHit {
 PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
                          const scene::Conventions& conventions);
 
-/// What a formula may see along a ray.
+/// Whether a formula may show a sphere along a ray.
 struct PossibleSight {
   bool allows = false;       ///< What was shown is possible.
   bool is_doubtful = false;  ///< More than one answer is possible.
@@ -55,12 +55,12 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
                              const scene::Conventions& conventions,
                              const std::optional<std::size_t>& shown);
 
-/// "computed in single precision", if d^2 is lost at this distance in radii.
+/// "computed in single precision", if d^2 loses all digits at this distance in radii.
 std::string imprecision_sentence(Arithmetic arithmetic, double radii);
 
 /// Roundings are named if they allow every wrong answer, if at least this many answers are wrong
-/// besides those about spheres that are not seen at all, if at most kMostInDoubt of all answers are
-/// in doubt, and at least kFewestWrongInDoubt of those are wrong.
+/// besides those about spheres that no answer hits, if at most kMostInDoubt of all answers are in
+/// doubt, and at least kFewestWrongInDoubt of those are wrong.
 inline constexpr std::uint64_t kFewestWrongByRoundings = 3;
 inline constexpr double kMostInDoubt = 0.5;
 inline constexpr double kFewestWrongInDoubt = 0.05;
@@ -68,8 +68,8 @@ inline constexpr double kFewestWrongInDoubt = 0.05;
 /// Answers, and how the roundings of a formula agree with them.
 struct DoubtTally {
   std::uint64_t answers = 0, doubtful = 0, wrong = 0, not_allowed = 0;
-  std::uint64_t dropped = 0;  ///< Wrong ones, about spheres that are not seen at all.
-  double radii = 0;           ///< The least distance of an allowed wrong answer; 0: none.
+  std::uint64_t dropped = 0;  ///< Wrong ones, about spheres that no answer hits.
+  double radii = 0;           ///< The least distance of an allowed wrong answer; 0 without one.
   std::uint64_t hits = 0,
                 precise = 0;  ///< Right ones, and those with more digits than floats have.
 

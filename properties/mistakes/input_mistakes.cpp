@@ -39,7 +39,7 @@ Mistake lines_for_columns(const std::string& outside, bool from_last) {
       });
 }
 
-/// A program that keeps an image shows black where it has none; others trace rays there, too.
+/// Outside the image, a program that stores an image shows black; others trace rays there, too.
 std::vector<Mistake> exchanged_loops() {
   std::vector<Mistake> all = {
       lines_for_columns("", false),
@@ -101,7 +101,7 @@ std::vector<Mistake> pixel_mistakes() {
           integer_division(false)};
 }
 
-/// As where rows and columns are exchanged, and each is divided by its own number of steps.
+/// Exchanged rows and columns, each divided by its own number of steps.
 Mistake exchanged_steps() {
   Mistake mistake = pixel_mistake(
       "alpha follows from j, and beta from i: alpha = left + j/(h-1) (right - left), beta = bottom "
@@ -164,8 +164,8 @@ void stretch_rows(Camera& camera, const Conventions& conventions, double factor)
   last = first + (last - first) * factor;
 }
 
-/// From i/(w-1), or from (i+1/2)/w, to i/w or, one pixel on, to (i+1)/w: where the first and the
-/// last pixel between two bounds come to lie.
+/// Replaces i/(w-1), or (i+1/2)/w, by i/w or, one pixel on, by (i+1)/w: the positions of the first
+/// and the last pixel between two bounds.
 void step_by_count(double& first, double& last, std::int64_t pixels, const Conventions& conventions,
                    bool is_next) {
   const double step = (last - first) / static_cast<double>(pixels);

@@ -21,7 +21,7 @@ Mistake of_hits(std::string sentence, HitFormulas formulas) {
           .hits = std::move(formulas)};
 }
 
-/// The same where s and Q tell it from other mistakes, and pictures do not.
+/// The same for mistakes that s and Q distinguish from others, and pictures do not.
 Mistake of_answers(std::string sentence, ChooseHit choose, std::string_view family = {}) {
   Mistake mistake = of_hits(std::move(sentence), {.choose = std::move(choose)});
   mistake.family = family;
@@ -48,7 +48,7 @@ Hit wherever_behind(const Ray& ray, const Roots& roots, Conventions conventions)
   return usual_choice(ray, roots, conventions);
 }
 
-/// v < 0 is a miss, and all else the smaller root, whatever its sign.
+/// v < 0 is a miss; otherwise the smaller root is taken, whatever its sign.
 Hit ahead_or_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
   return roots.axial_distance < 0 ? Hit() : wherever_behind(ray, roots, conventions);
 }
@@ -62,7 +62,7 @@ Hit near_wherever_ahead(const Ray& ray, const Roots& roots, const Conventions& c
   return larger_counts(roots, conventions.valid) ? wherever_behind(ray, roots, conventions) : Hit();
 }
 
-/// 0 from inside; where both roots are negative none, or the larger.
+/// 0 from inside; where both roots are negative a miss, or the larger.
 ChooseHit of_solid(bool counts_behind) {
   return [counts_behind](const Ray& ray, const Roots& roots, const Conventions& conventions) {
     const double least = conventions.valid.t_min;
@@ -79,7 +79,7 @@ Hit without_sign(const Ray& ray, const Roots& roots, const Conventions& conventi
   return hit_at(ray, std::abs(roots.smaller));
 }
 
-/// What a slip in the formula makes of v and d^2, lengths, the right roots and |D|.
+/// The result of a slip in the formula, from v and d^2 (as lengths), the right roots and |D|.
 using Slip = Roots (*)(const Roots& right, double size, const Ray& ray, const Sphere& sphere);
 
 /// v - d and v + d, in multiples of the direction.
@@ -200,7 +200,7 @@ Mistake of_segments(std::string sentence, ChooseHit choose) {
   return mistake;
 }
 
-/// No number in place of the roots of a negative d^2, or those of d^2 = 0.
+/// NaN in place of the roots of a negative d^2, or those of d^2 = 0.
 ChooseHit untested(bool is_number) {
   return [is_number](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
     if (!(roots.half_chord_sq < 0)) return usual_choice(ray, roots, conventions);

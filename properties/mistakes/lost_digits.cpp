@@ -23,13 +23,13 @@ std::string sentence_of(const Examination& examination, Arithmetic arithmetic, d
 /// Relative errors of s above this number of roundings of the candidate's format are examined.
 constexpr double kNoticed = 512;
 
-/// Errors of s that tell of one formula.
+/// Errors of s that point to one formula.
 struct SmallErrors {
   std::uint64_t wrong = 0;
-  double radii = 0;  ///< The least distance of one.
+  double radii = 0;  ///< The least distance of a sphere with such an error.
 };
-/// The errors at kIntersect that tell of a formula. Empty if it does not allow some class or error,
-/// or if too few tell of it.
+/// The errors at kIntersect that point to a formula. Empty if the formula does not allow some hit
+/// class or error, or if too few point to it.
 template <class AllowsClass, class Allows, class IsTelling>
 std::optional<SmallErrors> small_errors(Examination& examination, const AllowsClass& allows_class,
                                         const Allows& allows, const IsTelling& is_telling) {
@@ -69,8 +69,8 @@ AnswerCause small_cause(std::string sentence, const SmallErrors& errors) {
           kAnswerTolerances.front()};
 }
 
-/// Roots q/a and c/q lose what q = v + d or v - d does, the larger one, too, where q is the one
-/// that cancels. From inside a sphere roundings of d^2 do not change that root.
+/// Roots q/a and c/q lose the digits that q = v + d or v - d loses; so does the larger root, if q
+/// is the one that cancels. From inside a sphere roundings of d^2 do not change the larger root.
 std::optional<AnswerCause> cancelling_q(Examination& examination) {
   const auto found = small_errors(
       examination, [](const auto&...) { return false; },
@@ -90,8 +90,8 @@ std::optional<AnswerCause> cancelling_q(Examination& examination) {
   return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", *found);
 }
 
-/// d^2 as a difference that cancels: s loses digits that r^2 - |T x D|^2 keeps, also where so much
-/// is in doubt that wrong classes say nothing.
+/// d^2 as a difference that cancels: s loses digits that r^2 - |T x D|^2 keeps, also if too much is
+/// in doubt for wrong hit classes to be evidence.
 std::optional<AnswerCause> cancelling_difference(Examination& examination) {
   const bool is_single = examination.is_single();
   const auto within = [](Arithmetic arithmetic) {
@@ -117,7 +117,7 @@ std::optional<AnswerCause> cancelling_difference(Examination& examination) {
 
 }  // namespace
 
-/// The roundings that explain the answers at a step, if any do.
+/// The roundings that explain the answers at a step, if there are such.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
   for (const Arithmetic arithmetic : {Arithmetic::kDifference, Arithmetic::kExpanded,
                                       Arithmetic::kSingle, Arithmetic::kSingleDifference}) {

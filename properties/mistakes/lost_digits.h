@@ -1,6 +1,6 @@
 #pragma once
 
-// What answers tell of the digits that a formula loses. Internal to answer_explanation.
+// Finds the digits that a formula loses from its answers. Internal to answer_explanation.
 
 #include <optional>
 
@@ -8,12 +8,12 @@
 
 namespace raycheck::properties {
 
-/// The roundings that explain the wrong answers at kIntersect or kNearest, if any do.
+/// The roundings that explain the wrong answers at kIntersect or kNearest, if there are such.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance);
 
-/// Of answers that are right up to kAnswerTolerances what their errors tell, if anything.
+/// The cause of the errors of answers that are right up to kAnswerTolerances, if it is found.
 std::optional<AnswerCause> lost_digits(Examination& examination);
-/// The same of directions.
+/// The same for directions.
 std::optional<AnswerCause> lost_digits_of_rays(Examination& examination);
 
 }  // namespace raycheck::properties

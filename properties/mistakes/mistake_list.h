@@ -15,7 +15,7 @@ namespace raycheck::properties {
 
 /// direct/cross
 Candidate right_candidate();
-/// With the other methods of fast/ that are as precise as a candidate or more.
+/// The other methods of fast/ that are at least as precise as a candidate.
 std::vector<Candidate> other_right_candidates(const Candidate& candidate);
 
 template <class Triple>
@@ -43,7 +43,8 @@ inline std::vector<Mistake> all_of(std::initializer_list<std::vector<Mistake>> l
 
 std::vector<Mistake> input_mistakes();
 std::vector<Mistake> number_mistakes();
-/// Where pixels lie between the bounds; after mistakes in these, of which they are made.
+/// Mistakes in the pixels' positions between the bounds; follow the mistakes in bounds, from which
+/// they are made.
 std::vector<Mistake> step_mistakes();
 std::vector<Mistake> camera_mistakes();
 std::vector<Mistake> intersect_mistakes();

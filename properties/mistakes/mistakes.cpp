@@ -194,7 +194,7 @@ Candidate candidate_with(std::span<const Mistake* const> mistakes) {
     if (one->makes_rays()) use(one->rays, candidate);
   }
   const std::vector<const Mistake*> ordered = in_order(mistakes);
-  // What is wrapped last is the first to change the input.
+  // The last wrapper is the first to change the input.
   for (auto at = ordered.rbegin(); at != ordered.rend(); ++at) {
     const Mistake& one = **at;
     if (one.camera || one.conventions || one.pixel) change_camera(one, candidate);

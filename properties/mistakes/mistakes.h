@@ -11,11 +11,11 @@
 
 namespace raycheck::properties {
 
-/// Where a mistake is made: the first answer that shows it.
+/// The step at which a mistake is made: the first answer that shows it.
 enum class Step { kFrame, kPixelPoint, kRay, kIntersect, kNearest };
 inline constexpr std::size_t kStepCount = 5;
 
-/// Another camera than the one given, under its conventions; it may be no valid one.
+/// Another camera than the one given, under its conventions; it may be invalid.
 using ChangeCamera = std::function<void(scene::Camera&, const scene::Conventions&)>;
 /// Other conventions than those given.
 using ChangeConventions = std::function<void(scene::Conventions&)>;
@@ -38,7 +38,7 @@ struct CameraFormulas {
   bool starts_at_eye = false;  ///< Whatever the origin convention says.
 };
 
-/// For Mistake::is_offered: only pictures are explained by it.
+/// For Mistake::is_offered: the mistake explains only pictures.
 inline bool never_of_functions(const Candidate&) { return false; }
 
 /// One classic mistake: the right answer to another question, or wrong formulas.
@@ -54,12 +54,12 @@ struct Mistake {
   CameraFormulas rays = {};
   HitFormulas hits = {};
   ChangeHit hit = {};               ///< Pictures do not show it.
-  bool is_told_by_pictures = true;  ///< Apart from what all pictures of one colour share.
-  /// Whether a candidate has what the sentence is about; null: every candidate does.
+  bool is_told_by_pictures = true;  ///< Whether pictures distinguish it.
+  /// Whether a candidate can make the mistake; null: every candidate can.
   bool (*is_offered)(const Candidate&) = nullptr;
   bool is_rounding = false;  ///< Rounds numbers to floats, which few answers show up to 1e-6.
-  /// Mistakes of one family differ in a size, and each does all that the one before it does: of
-  /// several that explain the same answers the first is meant. Empty: no family.
+  /// Mistakes of one family differ in a size, and each changes all answers that the one before it
+  /// changes: of several that explain the same answers the first is named. Empty: no family.
   std::string_view family = {};
   /// Makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
   /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.

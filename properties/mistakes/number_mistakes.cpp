@@ -1,4 +1,4 @@
-// Numbers of a scene that are read, or used, as others: bounds for one another, and integers.
+// Numbers of a scene that are read, or used, wrongly: bounds in place of others, and as integers.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ constexpr std::array<double Camera::*, 4> kBounds = {&Camera::left, &Camera::rig
                                                      &Camera::top};
 constexpr std::array<const char*, 4> kBoundNames = {"left", "right", "bottom", "top"};
 
-/// Keeps a picture without width or height minimally wide and high: no formula divides by 0.
+/// Gives a picture without width or height a minimal one, so that no formula divides by 0.
 void keep_apart(Camera& camera) {
   const auto beyond = [](double x) {
     return std::nextafter(x, std::numeric_limits<double>::infinity());

@@ -48,7 +48,7 @@ Pictures mostly_certain(const Pictures& pictures, Arithmetic arithmetic) {
   return certain;
 }
 
-/// Finds the fewest roundings that explain what is wrong, alone or beside an explanation of the
+/// Finds the fewest roundings that explain the wrong pixels, with or without an explanation of the
 /// pictures that they leave certain.
 bool find_imprecision(const Pictures& pictures, Causes& causes) {
   const auto is_found = [&](const Fault& fault, Arithmetic arithmetic) {
@@ -117,7 +117,7 @@ Causes picture_causes(std::span<const ShownPicture> shown) {
   if (all_errors == 0) return causes;
   causes.errors = causes.explained = errors > 0 ? errors : all_errors;
   if (const auto kind = kind_of_all(pictures)) {
-    // If roundings may have caused it, too, the cause is unknown.
+    // If roundings may also be the cause, the cause is unknown.
     const bool is_known = *kind == CauseKind::kBlack || !may_be_imprecise(pictures);
     causes.kind = is_known ? *kind : CauseKind::kUnknown;
     return causes;

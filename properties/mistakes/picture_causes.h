@@ -36,12 +36,12 @@ struct Imprecision {
 struct Causes {
   /// Of the pictures that have the right size.
   CauseKind kind = CauseKind::kNothingWrong;
-  /// Each explains all that is wrong; several if they make the same pictures of these scenes. Of
-  /// scenes that show little, pairs may stand beside single mistakes.
+  /// Each explains all wrong pixels; several if they make the same pictures of these scenes. For
+  /// scenes that show little, they may include pairs besides single mistakes.
   std::vector<Fault> alternatives = {};
   bool show_too_little = false;             ///< So that too many mistakes explain it.
   std::uint64_t errors = 0, explained = 0;  ///< Pixels.
-  /// Roundings of a formula that, together with the first alternative, explain all that is wrong.
+  /// Roundings of a formula that, with the first alternative, explain all wrong pixels.
   std::optional<Imprecision> imprecision = {};
   /// Pixels of pictures with width and height exchanged, if every one that is not square has that.
   std::uint64_t exchanged = 0;
@@ -61,39 +61,39 @@ inline constexpr std::uint64_t kFewestWrongPixelsOfTwo = 40;
 /// the effect of roundings, and of the renderer's own edges.
 inline constexpr double kMostLeftOfAll = 0.02;
 
-/// What explains the wrong pixels of all pictures together and contradicts none of them, right or
-/// wrong. One mistake that explains all, or else two that do, or else one that explains
+/// The cause that explains the wrong pixels of all pictures together and contradicts no picture,
+/// right or wrong: one mistake that explains all, or else two that do, or else one that explains
 /// kExplainedShare; the best, or none if another that makes other pictures is about as good. Where
-/// few mistakes show at all, pairs that explain as much as one are alternatives. Pixels
-/// that a relative change of the scene by kExcusedImageChange makes right are not errors, unless
-/// nothing else is wrong: then what makes exactly these pictures explains them. Wrong pictures that
-/// are black are explained only by a full explanation. If nothing else explains all, roundings do
-/// that may have caused every wrong pixel, alone or with what explains the pictures in which they
-/// count for little. Domain: valid scenes with cameras.
+/// few mistakes show at all, pairs that explain as much as one are alternatives. Pixels that a
+/// relative change of the scene by kExcusedImageChange makes right are not errors, unless nothing
+/// else is wrong: then the mistakes that make exactly these pictures explain them. Wrong pictures
+/// that are black need a full explanation. If nothing else explains all, roundings do so if they
+/// may have caused every wrong pixel, by themselves or with an explanation of the pictures that
+/// they hardly affect. Domain: valid scenes with cameras.
 Causes picture_causes(std::span<const ShownPicture> pictures);
 
-/// How many pixels of a picture neither a fault nor the roundings of a formula beside it explain.
+/// The number of pixels of a picture that neither a fault nor the roundings of a formula explain.
 std::uint64_t pixels_left(const ShownPicture& picture, const Fault& fault, Arithmetic arithmetic);
 
 /// The causes in words: the sentence of the alternatives, or the kind.
 std::vector<Explanation> explanations(const Causes& causes);
 
-/// A scene with a camera, and whether a program failed on it: gave no picture.
+/// A scene with a camera, and whether a program failed to draw it.
 struct TriedScene {
   const scene::Scene* scene = nullptr;
   bool failed = false;
 };
 
-/// How many scenes it must fail on, and how many not, at least.
+/// The least number of scenes on which it must fail, and on which it must not.
 inline constexpr std::size_t kFewestOfEachOutcome = 2;
 
-/// A property of scenes, and that a program fails only where they have it.
+/// A property that all scenes on which a program fails have, and no other.
 struct ShapeCause {
   std::string sentence;
   bool (*is)(const scene::Scene&) = nullptr;
 };
 
-/// What is common to all scenes on which a program fails, and to none of the others: "it fails only
+/// The property of all scenes on which a program fails, and of no others: "it fails only
 /// where the picture is not square". Empty unless there is exactly one such property.
 std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried);
 

@@ -45,13 +45,13 @@ namespace {
 
 using scene::Pixel;
 
-/// How many wrong pixels, and how many right ones, are looked at first.
+/// The number of wrong pixels, and of right ones, in the first sample.
 constexpr std::size_t kSampled = 24;
 constexpr std::size_t kSampleParts = 3;
 
-/// How many pixels are asked about at a time.
+/// The number of pixels in one call.
 constexpr std::size_t kPixelsAtATime = std::size_t{1} << 8;
-/// How many pixels of a picture tell what shows in it.
+/// The number of pixels of a picture that are compared to find what shows in it.
 constexpr std::size_t kSomePixels = std::size_t{1} << 12;
 
 bool shows_nothing(const ImageAnswer& image) {
@@ -177,7 +177,7 @@ void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& 
   }
   const auto doubtful = static_cast<std::size_t>(std::count_if(
       sights.begin(), sights.end(), [](const PossibleSight& one) { return one.is_doubtful; }));
-  // If most pixels are in doubt, excuses would make everything right.
+  // If most pixels were in doubt, excuses would make everything right.
   const std::vector<bool> shown = shown_of(taken.spheres.size(), picture_->image, made);
   const bool excuses = 2 * doubtful <= pixels_.size();
   for (std::size_t k = 0; k < pixels_.size(); ++k) {
@@ -191,7 +191,7 @@ void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& 
 }
 
 std::optional<std::uint64_t> Evidence::left(const FaultyView& view, std::uint64_t most) const {
-  // What explains only half of a picture is not its cause; a right picture contradicts it.
+  // An explanation of half of a picture is not its cause; a right picture contradicts it.
   most = std::min(most, std::max<std::uint64_t>(1, errors_ / 2));
   std::uint64_t count = 0;
   for (std::size_t first = 0; first < pixels_.size(); first += kPixelsAtATime) {

@@ -28,14 +28,14 @@ class Evidence {
   bool has_something_to_see() const;
   /// Every pixel shows the same sphere.
   bool is_uniform() const;
-  /// No pixel is black, and most show none of the spheres, or rightly some.
+  /// No pixel is black, and most have a colour of no sphere, or none is wrong.
   bool has_background() const;
 
   /// Pixels spread evenly over the picture; all of them if it is small.
   std::vector<scene::Pixel> some_pixels() const;
 
   /// Some of the pixels in parts, each spread over the whole picture, the wrong ones first;
-  /// left_of(): how many of a part differ from the fault's.
+  /// left_of(): the number in a part that differ from the fault's.
   std::span<const std::vector<scene::Pixel>> sample() const { return sample_; }
   std::uint64_t left_of(const std::vector<scene::Pixel>& part, const FaultyView& view) const;
 
@@ -43,7 +43,7 @@ class Evidence {
   /// if most pixels are certain.
   void tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& all) const;
 
-  /// How many pixels differ from the fault's, not counting those that a change of the scene by
+  /// The number of pixels that differ from the fault's, without those that a change of the scene by
   /// kExcusedImageChange makes agree; empty if more than `most`, or too many for the fault to be
   /// possible.
   std::optional<std::uint64_t> left(const FaultyView& view, std::uint64_t most) const;
@@ -64,15 +64,15 @@ class Evidence {
 /// Whether a pixel that shows `shown` is as expected.
 bool is_as(const std::optional<std::size_t>& shown, const std::optional<std::size_t>& expected);
 
-/// How many pixels of an image are not as expected.
+/// The number of pixels of an image that are not as expected.
 std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expected);
 
 using Pictures = std::vector<Evidence>;
 
-/// How many pixels of pictures are not exactly as a fault makes them.
+/// The number of pixels of pictures that are not exactly as a fault makes them.
 std::uint64_t count_otherwise(const Pictures& pictures, const Fault& fault);
 
-/// A fault that is not refuted, and how many pixels it does not explain.
+/// A fault that is not refuted, and the number of pixels that it does not explain.
 struct Suspect {
   Fault fault;
   std::uint64_t left = 0;
@@ -83,8 +83,9 @@ struct Suspects {
   bool are_too_many = false;  ///< Then the list is empty: the pictures show too little.
 };
 
-/// What explains pictures with errors, the best first, as picture_causes() has it; those with most
-/// errors come first. If all pictures are right except for excuses: what makes exactly these.
+/// The faults that explain pictures with errors, the best first (see picture_causes()); `pictures`
+/// with most errors come first. If all are right except for excuses: the faults that make exactly
+/// these.
 Suspects find_suspects(const Pictures& pictures);
 
 }  // namespace raycheck::properties

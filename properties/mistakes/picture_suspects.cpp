@@ -48,7 +48,7 @@ class BestSuspects {
   std::vector<Suspect> found_;
 };
 
-/// A cause leaves at most this many of the pixels that are looked at first, plus one in
+/// A cause leaves at most this many pixels of the first sample unexplained, plus one in
 /// kShareOfOne, or in kShareOfTwo if it is two mistakes.
 constexpr std::uint64_t kMostLeftOfSample = 4;
 constexpr std::uint64_t kShareOfOne = 4, kShareOfTwo = 12;
@@ -102,7 +102,7 @@ void keep_first_of_families(std::vector<Suspect>& suspects) {
   });
 }
 
-/// If some make exactly these pictures, up to one pixel, drops those that need excuses.
+/// If some suspects make exactly these pictures, up to one pixel, drops those that need excuses.
 void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
   const auto is_exact = [&](const Suspect& suspect) {
     return count_otherwise(pictures, suspect.fault) <= 1;
@@ -122,8 +122,8 @@ scene::Scene plain(scene::Scene scene) {
   return scene;
 }
 
-/// Of too many suspects keeps those that order spheres rightly, if any do, and of these the ones
-/// that show least in a plain picture.
+/// Of too many suspects keeps those that order spheres rightly, if there are such, and of these the
+/// ones that change a plain picture least.
 void keep_likeliest(std::vector<Suspect>& suspects, const Pictures& pictures) {
   if (suspects.size() <= kMostAlternatives || suspects.front().fault.size() > 1) return;
   const auto keep = [&](const auto& measure) {
@@ -141,7 +141,7 @@ void keep_likeliest(std::vector<Suspect>& suspects, const Pictures& pictures) {
 }
 
 /// The suspects to name: all, if they make the same pictures; if they are too many, the
-/// likeliest, or one that describes what is seen.
+/// likeliest, or one that describes the picture.
 std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures& pictures) {
   if (suspects.empty()) return suspects;
   keep_first_of_families(suspects);
@@ -189,7 +189,7 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures,
 }
 
 /// A mistake, and those that make the same pictures in its place, together with `other`; if they
-/// are too many to name, the one that describes what is seen, if any.
+/// are too many to name, the one that describes the picture, if any.
 std::vector<const Mistake*> alike_beside(const Mistake& other, const Mistake& mistake,
                                          const Pictures& pictures) {
   std::vector<const Mistake*> alike = {&mistake};
@@ -221,7 +221,7 @@ std::vector<Suspect> with_ties(const Suspect& pair, const Pictures& pictures) {
   return ties;
 }
 
-/// How many pixels a full explanation may leave.
+/// The most pixels that a full explanation may leave.
 std::uint64_t most_left_of_all(const Pictures& pictures, std::uint64_t errors) {
   return static_cast<std::uint64_t>(static_cast<double>(errors) * kMostLeftOfAll) +
          std::min<std::uint64_t>(pictures.size(), errors / 20);
@@ -240,12 +240,13 @@ std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t e
   return suspects.take();
 }
 
-/// Pictures in which fewer than one in this many mistakes shows tell little: what does not show in
-/// them may show beside another mistake, and accidents are likely.
+/// Pictures in which fewer than one in this many mistakes shows are weak evidence: other mistakes
+/// may show in them beside another one, and accidents are likely.
 constexpr std::size_t kShareThatShows = 10;
 
 /// Pairs of other mistakes, even of mistakes that do not show singly, that explain pictures as well
-/// as these single ones, one beyond kMostAlternatives at most; none where pictures tell enough.
+/// as these single ones, at most kMostAlternatives + 1; none if enough mistakes show in the
+/// pictures.
 std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pictures& pictures) {
   const std::vector<const Mistake*>& all = told_by_pictures();
   std::vector<Suspect> pairs;
@@ -270,7 +271,7 @@ std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pi
   return pairs;
 }
 
-/// The mistakes that make exactly these pictures, whose wrong pixels are all borderline.
+/// The mistakes that make exactly these pictures, in which all wrong pixels are borderline.
 std::vector<Suspect> exact_suspects(const Pictures& pictures) {
   std::vector<Suspect> suspects;
   for (const Mistake* mistake : told_by_pictures()) {

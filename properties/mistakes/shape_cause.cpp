@@ -12,7 +12,7 @@ namespace {
 
 using scene::Scene;
 
-/// Whether some ray meets nothing, but its line does.
+/// Whether some ray misses all spheres, and its line does not.
 bool has_ray_with_all_behind(const Scene& scene) {
   const auto rays = right_candidate().rays_from(scene.conventions.origin)(
       *scene.camera, scene.conventions, all_pixels(*scene.camera));

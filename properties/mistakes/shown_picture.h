@@ -9,7 +9,7 @@ namespace raycheck::properties {
 /// The exact nearest sphere of each pixel. Domain: a scene with a camera.
 ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions);
 
-/// What a renderer shows of a scene with a camera, under the conventions in it: an answer for every
+/// A renderer's picture of a scene with a camera, under the conventions in it: an answer for every
 /// pixel, which may be kSomeSphere.
 struct ShownPicture {
   scene::Scene scene;
@@ -18,8 +18,8 @@ struct ShownPicture {
   bool sides_exchanged = false;
 };
 
-/// What a candidate with images shows of a scene, under the conventions by which it is judged;
-/// empty where it fails.
+/// A candidate's picture of a scene, under the conventions by which it is judged; empty if it
+/// fails.
 std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& candidate);
 
 }  // namespace raycheck::properties

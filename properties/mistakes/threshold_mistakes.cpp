@@ -1,6 +1,6 @@
-// Comparisons with a number where there should be none: with an epsilon that is too large instead
-// of zero, or with a largest s. Of a family the first that makes the same answers, which drops the
-// fewest, is named: the actual number may be beyond.
+// Wrong comparisons with a number: with an epsilon that is too large instead of zero, or with a
+// largest s. Of a family the first that makes the same answers is named, which drops the fewest:
+// the actual number may be more extreme.
 
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ using scene::Ray;
 using scene::Sphere;
 using scene::Vector3;
 
-/// The sizes that are told apart, the one that drops the fewest first.
+/// The sizes of a family, from the one that drops the fewest.
 constexpr std::array<const char*, 11> kSizes = {"1e-10", "1e-9",  "1e-8", "1e-7", "1e-6", "1e-5",
                                                 "1e-4",  "0.001", "0.01", "0.1",  "1"};
 constexpr std::array<const char*, 8> kLargeSizes = {"1e9", "1e8", "1e7",  "1e6",

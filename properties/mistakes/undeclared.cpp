@@ -8,7 +8,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// A convention that a candidate may follow whatever it is told, or declares of the valid roots.
+/// A convention that a candidate may follow whatever the scene says, or another declaration of the
+/// valid roots.
 struct Followed {
   std::string text;
   DeclaredConventions declared;
@@ -58,7 +59,7 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
   return all;
 }
 
-/// Whether it answers alike, whatever it was told.
+/// Whether the answers are the same under both conventions.
 bool same_answers(Trial& one, Trial& other) {
   const Candidate& candidate = one.candidate();
   if (one.scene().camera && candidate.pixel_points && one.pixel_points() != other.pixel_points()) {
@@ -78,7 +79,7 @@ bool same_answers(Trial& one, Trial& other) {
   return !candidate.nearest || one.nearest() == other.nearest();
 }
 
-/// Whether a candidate answers alike when told to follow these conventions, and rightly.
+/// Whether a candidate gives the same answers under these conventions, and they are right.
 bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& candidate,
               const DeclaredConventions& under) {
   Candidate following = candidate;
@@ -90,7 +91,7 @@ bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& c
     const Verdict verdict = followed.apply(law);
     if (verdict.count(Standing::kDefect) > 0) return false;
     if (!same_answers(told.of(law), followed.of(law))) return false;
-    // Nor is another law broken: the hit class may be right where the root is not.
+    // No other law may be broken: the hit class may be right where the root is wrong.
     for (const Law& other : laws()) {
       if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;
     }
@@ -123,7 +124,7 @@ std::optional<RightUnder> right_under(const Law& law, const std::vector<Case>& c
     if (is_right(law, cases, candidate, one.declared)) return RightUnder{one.text, defects};
   }
   for (std::size_t one = 0; one < all.size(); ++one) {
-    // The other value of the same convention is beside it.
+    // Starts after both values of the first convention.
     for (std::size_t other = (one / 2 + 1) * 2; other < all.size(); ++other) {
       if (is_right(law, cases, candidate, all[one].declared.over(all[other].declared))) {
         return RightUnder{all[one].text + " and " + all[other].text, defects};

@@ -10,11 +10,11 @@
 
 namespace raycheck::properties {
 
-/// Conventions that a candidate does not declare, and under which it keeps a law that it breaks; or
-/// that count roots which those that it declares exclude.
+/// Conventions that a candidate follows without declaring them, and under which it keeps a law that
+/// it breaks; or under which roots count that its declared ones exclude.
 struct RightUnder {
   std::string conventions;    ///< "root = nearest"
-  std::uint64_t defects = 0;  ///< Under the conventions that it was asked under.
+  std::uint64_t defects = 0;  ///< Under the conventions that it declares.
 };
 
 /// The fewest such conventions, one or two, under which no answer about these cases is a defect,
