@@ -1,4 +1,4 @@
-// Parts of docs/what-is-caught.md, worked out again.
+// Computes parts of docs/what-is-caught.md again.
 
 #include "fast/intersect.h"
 #include "tests/caught/page.h"
@@ -25,7 +25,7 @@ struct Slice {
   const char* source;
 };
 
-TEST(WhatIsCaught, OfSmallErrorsIsWhatThePageSays) {
+TEST(WhatIsCaught, SmallErrorsAreAsOnThePage) {
   for (const Slice& slice : std::vector<Slice>{{"s", "parameter", "rays"},
                                                {"s", "backward-error", "ties"},
                                                {"Q", "hit-point", "ties"},
@@ -46,7 +46,7 @@ TEST(WhatIsCaught, OfSmallErrorsIsWhatThePageSays) {
   }
 }
 
-TEST(WhatIsCaught, OfMutantsIsWhatThePageSays) {
+TEST(WhatIsCaught, MutantsAreAsOnThePage) {
   const std::vector<mutants::Mutant> all = mutants::all_mutants();
   std::vector<mutants::Mutant> some;
   for (const mutants::Mutant& mutant : all) {
@@ -71,12 +71,12 @@ TEST(WhatIsCaught, OfMutantsIsWhatThePageSays) {
 
 class EachReport : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(EachReport, IsFoundByTheDefaultRunAsThePageSays) {
+TEST_P(EachReport, IsFoundByTheDefaultRunAsOnThePage) {
   const KnownReport& report = known_reports()[GetParam()];
   const FoundReport its = found(candidate_of(report));
   EXPECT_EQ(!its.law.empty(), report.is_found) << report.mutant;
   EXPECT_EQ(its.sentences, report.sentences) << report.mutant;
-  // What is not named, or not found, is listed with what it needs.
+  // Reports without a named cause, or not found, are listed with what is needed for that.
   EXPECT_EQ(report.sentences.empty(), !report.needed.empty()) << report.mutant;
   const std::string line = line_of(report, its);
   EXPECT_NE(page().find("\n" + line), std::string::npos) << line << "./run caught";
@@ -84,7 +84,7 @@ TEST_P(EachReport, IsFoundByTheDefaultRunAsThePageSays) {
 
 INSTANTIATE_TEST_SUITE_P(Known, EachReport, testing::Range(std::size_t{0}, known_reports().size()));
 
-TEST(KnownReports, AreMadeFromWhatBreaksNothing) {
+TEST(KnownReports, AreMadeFromACandidateThatBreaksNoLaw) {
   KnownReport right{"", "", "right",
                     [](const scene::Ray& ray, const scene::Sphere& sphere,
                        const scene::Conventions& conventions) {
@@ -97,7 +97,7 @@ TEST(KnownReports, AreMadeFromWhatBreaksNothing) {
   }
 }
 
-/// The prose of the page is its template's.
+/// The prose of the page comes from its template.
 TEST(WhatIsCaught, IsWrittenFromItsTemplate) {
   std::ifstream file(std::string(RAYCHECK_SOURCE_DIR) + "/docs/what-is-caught.in.md");
   const std::string text = page();

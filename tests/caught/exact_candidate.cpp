@@ -13,7 +13,7 @@ using namespace reference;
 
 constexpr int kBits = 256;
 
-/// `length` is that of what s counts multiples of.
+/// `length` is the length of one unit of s.
 Sighting sighting(const ExactRay& ray, const Sphere& sphere, const Conventions& conventions,
                   const reference::EnclosedRay& enclosed, const Enclosure& length) {
   Sighting result;
@@ -45,7 +45,7 @@ std::vector<T> list_of(std::span<const T> values) {
   return {values.begin(), values.end()};
 }
 
-/// One of the functions that are asked about pixels of a camera.
+/// A function of a candidate about pixels of a camera.
 template <class Answer, class Make>
 auto of_pixels(Make make) {
   using Kept = Remembered<std::vector<Answer>, Camera, Conventions, std::vector<Pixel>>;
@@ -68,7 +68,7 @@ Ray rounded_ray(const ExactRay& ray) {
 }
 
 FrameAnswer rounded_frame(const Camera& camera) {
-  // One row of pixels has no edges; the frame is the same.
+  // A single row of pixels cannot be sampled at edges; the frame is the same.
   Conventions conventions;
   conventions.samples = scene::Samples::kCentres;
   const reference::RoundedFrame frame = ExactCamera(camera, conventions).rounded_frame();
@@ -104,7 +104,7 @@ const std::vector<Sight>& Sights::of(const Scene& scene, const Conventions& conv
 
 namespace {
 
-/// The image that shows what is seen through some pixels, and nothing elsewhere.
+/// The image of the spheres seen through some pixels, black elsewhere.
 properties::ImageAnswer image_of(const Scene& scene, const Sights::Pixels& pixels,
                                  const std::vector<std::optional<properties::SeenAnswer>>& seen) {
   const Camera& camera = *scene.camera;

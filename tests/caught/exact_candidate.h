@@ -5,7 +5,7 @@
 
 namespace raycheck::caught {
 
-// What they are made of.
+// The types of candidates.
 using namespace properties;
 using namespace scene;
 
@@ -16,13 +16,13 @@ struct Sighting {
   double middle = 0;       ///< s where the line is nearest to the centre.
 };
 
-/// What a ray meets, the spheres in their order.
+/// The hits of a ray, in the order of the spheres.
 struct Sight {
   std::vector<Sighting> spheres;
   std::optional<std::size_t> nearest;
 };
 
-/// Answers that are remembered for a while, by what was asked.
+/// A cache of answers, by question.
 template <class Answer, class... Asked>
 class Remembered {
  public:
@@ -37,11 +37,11 @@ class Remembered {
   }
 
  private:
-  static constexpr std::size_t kMost = 24;  ///< A case and what laws make of it.
+  static constexpr std::size_t kMost = 24;  ///< A case and its variants by laws.
   std::deque<std::pair<std::tuple<Asked...>, Answer>> kept_;
 };
 
-/// The truth about rays and spheres; the last answers are remembered.
+/// The truth about rays and spheres, with a cache of the last answers.
 class Sights {
  public:
   using Rays = std::vector<scene::Ray>;
@@ -57,23 +57,23 @@ class Sights {
   Remembered<std::vector<Sight>, scene::Scene, scene::Conventions, Pixels> of_pixels_;
 };
 
-/// Where a correctly rounded answer is as near as the bounds ask: quotients of such lengths are
-/// normal doubles.
+/// The domain in which correctly rounded answers are within the bounds: quotients of such lengths
+/// are normal doubles.
 inline constexpr properties::Domain kRoundedDomain = {.smallest_length = 0x1p-500,
                                                       .largest_length = 0x1p500,
                                                       .smallest_camera_length = 0x1p-250,
                                                       .largest_camera_length = 0x1p250};
 
-/// What is seen of the spheres, changed; the nearest is the one of the least s.
+/// Changes the hits of the spheres; the nearest is the one of the least s.
 using ChangeSight = std::function<void(Sight&)>;
 
-/// Has a candidate answer, in all that it decides, what is true but for a change.
+/// Makes a candidate answer the truth with a change, in all its decisions.
 void answer_by_sights(properties::Candidate& candidate, const std::shared_ptr<Sights>& sights,
                       const std::shared_ptr<Sights::Pixels>& looked_at, const ChangeSight& change);
 
-/// `exact`: every answer is the exact one, correctly rounded, and remembered for a while. It is
-/// held to what anyone else's code is held to: the bounds of direct/cross, with no domain, and no
-/// promise of exact classes. An image shows the pixels that are `looked_at`, and nothing else.
+/// `exact`: every answer is the exact one, correctly rounded, and cached. It is judged like
+/// third-party code: by the bounds of direct/cross, with no domain, and no promise of exact hit
+/// classes. An image shows only the pixels that are `looked_at`.
 properties::Candidate exact_candidate(const std::shared_ptr<Sights>& sights,
                                       const std::shared_ptr<Sights::Pixels>& looked_at);
 

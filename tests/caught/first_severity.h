@@ -7,14 +7,14 @@
 
 namespace raycheck::caught {
 
-/// So many cases of a severity are to catch a mutant: as many as a campaign has by default.
+/// The number of cases of a severity that must catch a mutant: the default of a campaign.
 inline constexpr int kMutantCases = 100;
 
-/// Where a law first catches a mutant that it is to catch.
+/// The first severity at which a law catches a mutant that it must catch.
 struct FirstCaught {
   const mutants::Mutant* mutant;
   const properties::Law* law;
-  /// The lowest of kFewSeverities, or 0 of a source without a dial; empty: at none.
+  /// The lowest of kFewSeverities, or 0 for a source without a dial; empty: it is not caught.
   std::optional<int> severity = {};
 };
 

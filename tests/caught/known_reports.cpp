@@ -35,7 +35,7 @@ Hit point_at_a_radius(const Ray& ray, const Sphere& sphere, const Conventions& c
   return hit;
 }
 
-/// s from the origin seen from the centre, in radii, to a point of the world.
+/// s measured from the origin in the sphere's space (centred, in radii) to a point of the world.
 Hit measured_from_a_moved_origin(const Ray& ray, const Sphere& sphere,
                                  const Conventions& conventions) {
   Hit hit = right(ray, sphere, conventions);
@@ -171,7 +171,7 @@ std::span<const KnownReport> known_reports() {
        "point-at-a-radius",
        point_at_a_radius,
        {},
-       "a mistake in Q that knows the sphere: hits are changed knowing the ray alone"},
+       "a mistake in Q that depends on the sphere: the listed ones depend only on the ray"},
       {"AmanSachan1/Meteoros#2",
        "the distance is measured from an origin that was moved into the sphere's space",
        "measured-from-a-moved-origin",
@@ -193,29 +193,29 @@ std::span<const KnownReport> known_reports() {
        .said = "in floats, rays from far away miss small spheres",
        .mutant = "quadratic-in-floats",
        .hit = quadratic_in_floats,
-       .needed = "a declared level: within 1,024 radii it is what the textbook's formula loses in "
-                 "floats, which code that promises only ordinary cases may",
+       .needed = "a declared level: within 1,024 radii the textbook's formula loses as much in "
+                 "floats, which is allowed for code that promises only ordinary cases",
        .is_found = false,
        .precision = scene::Precision::kSingle},
       {.thread = "ebruneton/precomputed_atmospheric_scattering#21",
        .said = "in floats, -b + sqrt(b^2 - c) cancels near a planet's surface",
        .mutant = "sums-in-floats",
        .hit = sums_in_floats,
-       .needed = "nothing: floats that hold the camera so far from the planet's centre lose as "
-                 "much, and, as the thread says, the stable formula does not help",
+       .needed = "nothing: a camera that far from the planet's centre loses as much when rounded "
+                 "to floats, and, as the thread says, the stable formula does not help",
        .is_found = false,
        .precision = scene::Precision::kSingle},
       {"OGRECave/ogre#141",
-       "proposed: of the two roots that of least |s|",
+       "proposed: of the two roots the one with the smaller |s|",
        "least-size",
        least_size,
        {},
-       "a mistake of its own; pictures do not tell it from `s >= 0 is not tested`"},
+       "a separate mistake; pictures do not distinguish it from `s >= 0 is not tested`"},
       {.thread = "aardvark-platform/aardvark.base#127, RayTracing/raytracing.github.io#1058",
        .said = "exact tangents are missed",
        .mutant = "tangents-are-missed",
        .hit = tangents_are_missed,
-       .needed = "an ordinary law of tangents that doubles hold exactly, which excuses none: "
+       .needed = "an ordinary law about tangents that are exact in doubles, without excuses: "
                  "`--strict` breaks `class`",
        .is_found = false},
       {"arborx/ArborX#461",
@@ -223,13 +223,13 @@ std::span<const KnownReport> known_reports() {
        "sign-of-zero",
        sign_of_zero,
        {},
-       "few of its cases have b = 0: more of them for the sentence, and the mistake"},
+       "few cases have b = 0: more of them, and this mistake in the list"},
       {.thread = "mmp/pbrt-v4#497",
-       .said = "c/q is no number where q is 0",
+       .said = "c/q is not a number where q is 0",
        .mutant = "divided-by-zero",
        .hit = divided_by_zero,
        .needed =
-           "ordinary cases whose origin is an exact tangent's point: `--strict` breaks `axes`",
+           "ordinary cases with the origin at an exact tangent point: `--strict` breaks `axes`",
        .is_found = false},
       {"POV-Ray/povray#469",
        "nothing is found beyond 10^7 units",
@@ -240,7 +240,7 @@ std::span<const KnownReport> known_reports() {
         "hits with an s above about 1e9 (perhaps less) are dropped: the largest s that counts is "
         "too small"}},
       {"RenderKit/embree#230",
-       "what is nearer than the direction's length and the radius is missed",
+       "spheres nearer than the direction's length plus the radius are missed",
        "near-spheres-are-dropped",
        near_spheres_are_dropped,
        {},
@@ -257,7 +257,7 @@ std::span<const KnownReport> known_reports() {
        {"where the near root is below about 0.001 (perhaps more) the far one is taken: the epsilon "
         "is too large"}},
       {"snowkit/old-haxe-alpha#267",
-       "what lies behind the ray is hit",
+       "spheres behind the ray are hit",
        "behind-counts",
        behind_counts,
        {"s >= 0 is not tested: spheres behind the origin are hit"}},

@@ -6,32 +6,33 @@
 
 namespace raycheck::caught {
 
-// What they are made of.
+// The types of reports.
 using namespace properties;
 using namespace scene;
 
 /// A report about rays and spheres from the tracker of a library, and its mutant.
 struct KnownReport {
-  std::string_view thread;  ///< "owner/name#number"; more: that say the same.
+  std::string_view thread;  ///< "owner/name#number", or several that report the same.
   std::string_view said;
-  std::string_view mutant;  ///< Its name.
-  /// The reported formula in our words, else right.
+  std::string_view mutant;  ///< The name of its mutant.
+  /// The reported formula; everything else is right.
   properties::Hit (*hit)(const scene::Ray&, const scene::Sphere&, const scene::Conventions&);
-  /// What the default run is to name: each sentence that any broken law does.
+  /// The causes that the default run must name, over all broken laws.
   std::vector<std::string> sentences = {};
-  /// Where nothing, or not the truth, is said: what would say it.
+  /// If no cause is named, or a wrong one: what is needed for the right one.
   std::string_view needed = {};
   bool is_found = true;
   scene::Precision precision = scene::Precision::kDouble;
 };
 std::span<const KnownReport> known_reports();
 
-/// What `raycheck properties --candidate` says of a mutant.
+/// The result of `raycheck properties --candidate` for a mutant.
 struct FoundReport {
-  /// The first law that breaks, at which source, and after how many of its cases; empty: none.
+  /// The first broken law, its source, and the number of its cases until then; empty: no law
+  /// breaks.
   std::string law, source;
   std::int64_t cases = 0;
-  std::vector<std::string> sentences;  ///< Of any law, each once.
+  std::vector<std::string> sentences;  ///< The causes of all laws, each once.
 };
 properties::Candidate candidate_of(const KnownReport& report);
 FoundReport found(const properties::Candidate& candidate);

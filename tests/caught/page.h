@@ -8,14 +8,14 @@
 
 namespace raycheck::caught {
 
-/// A part of a table of the page: what one source adds to it.
+/// The part of a table of the page that belongs to one source.
 template <class Row>
 struct OfSource {
   const properties::CaseSource* source;
   std::vector<Row> rows;
 };
 
-/// How a cell of the tables of mutants, or of resolutions, is written.
+/// The text of a cell of the tables of mutants, or of resolutions.
 std::string cell_of(const FirstCaught& row, const properties::CaseSource& source);
 std::string cell_of(const Resolution& row);
 std::string line_of(const KnownReport& report, const FoundReport& found);
@@ -30,7 +30,7 @@ std::string resolution_tables(const std::vector<OfSource<Resolution>>& found);  
 std::string severity_tables(const std::vector<OfSource<Resolution>>& found);    // severities
 
 /// The cell of a page in the table below a heading, by the first words of its row and by its
-/// column; throws std::invalid_argument where there is none.
+/// column; throws std::invalid_argument if it does not exist.
 std::string cell_in(const std::string& page, const std::string& heading,
                     const std::vector<std::string>& row, std::string_view column);
 

@@ -7,10 +7,11 @@
 
 namespace raycheck::caught {
 
-/// So many severities of a source tell how what is caught depends on them.
+/// The number of severities of a source for the tables by severity.
 inline constexpr int kFewSeverities = 18;
 
-/// A source at each severity that is looked at, the lowest first; at none where it has no dial.
+/// A source at each severity that is judged, the lowest first; without a severity if it has no
+/// dial.
 inline std::vector<properties::ChosenSource> places_of(const properties::CaseSource& source,
                                                        int most = properties::kMostSeverities) {
   if (!source.severities) return {{&source, std::nullopt}};
@@ -21,12 +22,12 @@ inline std::vector<properties::ChosenSource> places_of(const properties::CaseSou
   return places;
 }
 
-/// Whether a law has anything to say about cases of a source.
+/// Whether a law applies to cases of a source.
 inline bool suits(const properties::Law& law, const properties::CaseSource& source) {
   return source.has_camera || !properties::speaks_of_cameras(law);
 }
 
-/// Calls visit(number, case) for so many cases of a place, the same every time, while it says true.
+/// Calls visit(number, case) for the cases of a place, the same every time, while it returns true.
 template <class Visit>
 void for_each_case(const properties::ChosenSource& place, int cases, Visit visit) {
   properties::Random seeds(1);

@@ -17,7 +17,7 @@ A sum(const A& a, const B& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-/// A unit vector across a vector that is no zero vector.
+/// A unit vector at right angles to a vector that is not zero.
 Vector3 across(const Vector3& v) {
   const Vector3 any = std::abs(v.x) < std::abs(v.y) ? Vector3{0, v.z, -v.y} : Vector3{-v.z, 0, v.x};
   return times(1 / std::hypot(any.x, any.y, any.z), any);
@@ -119,11 +119,11 @@ Candidate skewed_axes(const ExactParts& exact, double size) {
                     [size](FrameAnswer& frame) { frame.U = sum(frame.U, times(size, frame.W)); });
 }
 
-// Wrong decisions, in all that is decided: hits, nearest spheres, pixels.
+// Wrong decisions of every kind: hits, nearest spheres, pixels.
 
 void rank(Sight& sight) {
   const auto is_hit = [&](std::size_t k) { return sight.spheres[k].hit.has_value(); };
-  // Where doubles tie, the exact order stays.
+  // Ties in doubles keep the exact order.
   if (sight.nearest && !is_hit(*sight.nearest)) sight.nearest.reset();
   for (std::size_t k = 0; k < sight.spheres.size(); ++k) {
     if (!is_hit(k)) continue;
@@ -188,13 +188,13 @@ std::vector<Candidate> injected(const ErrorKind& kind, const ExactParts& exact) 
   return candidates;
 }
 
-/// One kind of error, and what the laws that may notice it noticed so far.
+/// One kind of error, and the errors that its laws noticed so far.
 struct Ladder {
   std::vector<Candidate> candidates;
   std::vector<Resolution> resolutions;
 };
 
-/// Goes down from the smallest error noticed so far, while the next is noticed.
+/// Tries smaller errors than the smallest noticed one while they are noticed.
 void descend(const Law& law, const Case& the_case, const std::vector<Candidate>& candidates,
              properties::SharedTruths& truths, std::optional<int>& noticed) {
   for (std::size_t next = noticed ? std::size_t(*noticed) + 1 : 0; next < candidates.size();

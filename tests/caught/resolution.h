@@ -8,7 +8,7 @@
 
 namespace raycheck::caught {
 
-/// An otherwise exact candidate, and what it is made of.
+/// An otherwise exact candidate, and its parts.
 struct ExactParts {
   std::shared_ptr<Sights> sights = std::make_shared<Sights>();
   std::shared_ptr<Sights::Pixels> looked_at = std::make_shared<Sights::Pixels>();
@@ -22,24 +22,25 @@ struct ErrorKind {
   /// The laws that might notice it.
   std::vector<std::string_view> laws;
   properties::Candidate (*inject)(const ExactParts& exact, double size);
-  bool of_rays_made = false;  ///< Of the rays that are made of a camera, not of given ones.
+  bool of_rays_made = false;  ///< It is in rays made from a camera, not in given ones.
   int base = 2;
   int smallest = 53;  ///< The largest k: no double differs by less.
 };
 
 std::span<const ErrorKind> error_kinds();
 
-/// So many cases of a source, of kFewSeverities of its severities in turn, are to notice an error.
-/// A case of given rays has one; of a camera it has several, with as many spheres each.
+/// The number of cases of a source, over kFewSeverities of its severities in turn, to notice an
+/// error. A case of given rays has one ray; a case of a camera has several, each with several
+/// spheres.
 constexpr int resolution_cases(const properties::CaseSource& source) {
   return source.has_camera ? 300 : 10000;
 }
 
-/// How small an error a law notices on the cases of a source.
+/// The smallest error that a law notices on the cases of a source.
 struct Resolution {
   const ErrorKind* kind;
   const properties::Law* law;
-  /// base^-k is the smallest error noticed, and every larger one is; empty: not even 1.
+  /// base^-k is the smallest error noticed, with all larger ones; empty: not even 1.
   std::optional<int> noticed = {};
   std::map<int, int> by_severity = {};  ///< The same at each severity that noticed any.
 };

@@ -1,5 +1,5 @@
-// Writes docs/what-is-caught.md: `what_is_caught TEMPLATE > PAGE`. What it is doing goes to stderr.
-// With a number of cases besides, injected errors are judged on so many.
+// Writes docs/what-is-caught.md: `what_is_caught TEMPLATE [CASES] > PAGE`, with progress on stderr.
+// CASES is the number of cases for injected errors.
 
 #include <cstdio>
 #include <ctime>
@@ -30,7 +30,7 @@ std::vector<caught::OfSource<caught::Resolution>> small_errors(std::optional<int
   });
 }
 
-/// A template with what its marks stand for; only that is worked out.
+/// A template with its marks filled in; only tables with a mark are computed.
 std::string filled(std::string text, std::optional<int> cases) {
   const std::vector<mutants::Mutant> all = mutants::all_mutants();
   std::optional<std::vector<caught::OfSource<caught::Resolution>>> kept;

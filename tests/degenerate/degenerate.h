@@ -6,11 +6,11 @@
 
 namespace raycheck::degenerate {
 
-// What they are made of.
+// The types of degenerate candidates.
 using namespace properties;
 using namespace scene;
 
-/// A right candidate, but for one part that does not compute what it is asked.
+/// A right candidate, except for one part that computes nothing from its input.
 struct Degenerate {
   std::string_view sentence;
   /// The laws that break it wherever its answers differ from the right ones.
@@ -21,7 +21,7 @@ struct Degenerate {
 /// Every degenerate candidate, each made from the right one; their names differ.
 std::vector<Degenerate> all_degenerate(const properties::Candidate& right);
 
-// The same by what is degenerate, each in the file of its name.
+// The same by the degenerate part, each in the file of its name.
 std::vector<Degenerate> degenerate_hits(const properties::Candidate& right);
 std::vector<Degenerate> degenerate_rays(const properties::Candidate& right);
 std::vector<Degenerate> degenerate_scenes(const properties::Candidate& right);
@@ -39,7 +39,7 @@ inline std::vector<Degenerate> joined(std::vector<Degenerate> all,
   return all;
 }
 
-/// Random numbers that depend on what was asked alone.
+/// Random numbers that depend only on the question.
 inline properties::Random random_of(std::initializer_list<double> asked) {
   std::uint64_t sum = 0;
   for (const double x : asked)

@@ -1,4 +1,4 @@
-// What says degenerate things of rays and spheres.
+// Degenerate answers about rays and spheres.
 
 #include "properties/mistakes/altered_hits.h"
 #include "reference/exact_ray.h"
@@ -12,7 +12,7 @@ using reference::ExactRay;
 
 using Answer = std::function<Hit(const Ray&, const Sphere&, const Conventions&)>;
 
-/// Every ray answered on its own; the nearest sphere is the one of the least s.
+/// Every ray is answered separately; the nearest sphere is the one of the least s.
 Candidate answering(Candidate candidate, std::string name, const Answer& answer) {
   candidate.name = std::move(name);
   properties::answer_by(candidate, [answer](Candidate::Rays rays, const Sphere& sphere,
@@ -24,7 +24,7 @@ Candidate answering(Candidate candidate, std::string name, const Answer& answer)
   return candidate;
 }
 
-/// The same where the right class is known: `value` is what a hit is answered with.
+/// The same with the right hit class: `value` returns the answer for hits.
 Candidate knowing_the_class(const Candidate& right, std::string name,
                             const std::function<HitAnswer(const Ray&)>& value) {
   return answering(right, std::move(name),
@@ -39,7 +39,7 @@ Candidate knowing_the_class(const Candidate& right, std::string name,
 Hit root_of_line(const Ray& ray, const Sphere& sphere, const Conventions& asked,
                  reference::WhichRoot root) {
   const ExactRay exact(ray);
-  // Of one of the two rays along the line both roots count, or the line meets nothing.
+  // Both roots count for one of the two rays along the line, unless the line misses.
   const Ray back = {ray.origin, {-ray.direction.x, -ray.direction.y, -ray.direction.z}};
   const auto ahead = exact.intersect(sphere);
   const auto behind = ExactRay(back).intersect(sphere);
@@ -70,7 +70,7 @@ std::vector<Degenerate> degenerate_classes(const Candidate& right) {
         "focal-and-pixel"},
        answering(right, "hits-at-1",
                  [](const Ray& ray, const auto&...) { return properties::hit_at(ray, 1); })},
-      {"every ray hits, no number says where",
+      {"every ray hits, at s = NaN",
        {"class", "parameter", "hit-point", "backward-error", "nearest-sphere"},
        always("hits-at-NaN", {kNaN, {kNaN, kNaN, kNaN}})},
       {"every ray hits infinitely far away",
@@ -97,7 +97,7 @@ std::vector<Degenerate> degenerate_values(const Candidate& right) {
       {"every hit is at the world's origin, s = 1",
        {"parameter", "hit-point", "backward-error", "nearest-sphere"},
        always("knows-hits-at-the-origin", {1, {}})},
-      {"no number says where a hit is",
+      {"every hit is at s = NaN",
        {"parameter", "hit-point", "backward-error"},
        always("knows-hits-at-NaN", {kNaN, {kNaN, kNaN, kNaN}})},
       {"the far root of the line, whatever its sign",
@@ -106,7 +106,7 @@ std::vector<Degenerate> degenerate_values(const Candidate& right) {
       {"the near root of the line, whatever its sign",
        {"nearest-root", "class"},
        of_line("near-root", reference::WhichRoot::kSmaller)},
-      {"a random answer, the same to the same question",
+      {"a random answer, the same for the same question",
        {"class", "parameter", "hit-point", "backward-error", "nearest-sphere", "scaling", "axes",
         "growing-radius", "focal-and-pixel"},
        answering(right, "random-hits",
@@ -121,7 +121,7 @@ std::vector<Degenerate> degenerate_values(const Candidate& right) {
   };
 }
 
-/// The answers to the rays and spheres that were asked about before these.
+/// The answers to the previous question about rays and spheres.
 class Before {
  public:
   explicit Before(const Candidate& right) : ask_(right.intersect) {}
@@ -173,7 +173,7 @@ Candidate ranking(const Candidate& right, std::string name,
 std::vector<Degenerate> degenerate_hits(const Candidate& right) {
   return joined(degenerate_classes(right),
                 {degenerate_values(right),
-                 {{"the answer to the question before",
+                 {{"the answer to the previous question",
                    {"class", "parameter", "hit-point", "backward-error", "nearest-sphere"},
                    answering_before(right)},
                   {"the first sphere, whatever the ray",

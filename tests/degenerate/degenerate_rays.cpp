@@ -1,4 +1,4 @@
-// What says degenerate things of cameras: axes, pixel points, rays.
+// Degenerate answers about cameras: axes, pixel points, rays.
 
 #include "tests/degenerate/degenerate.h"
 #include "tests/numbers.h"
@@ -6,7 +6,7 @@
 namespace raycheck::degenerate {
 namespace {
 
-/// What was made for the question before another.
+/// The answer to the previous question.
 template <class Asked, class Answer>
 class BeforeRays {
  public:
@@ -42,10 +42,10 @@ std::vector<Degenerate> degenerate_frames(const Candidate& right) {
        {"frame"},
        always("world-axes", {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})},
       {"the axes are zero", {"frame"}, always("zero-axes", {})},
-      {"the axes are no numbers",
+      {"the axes are NaN",
        {"frame"},
        always("NaN-axes", {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}})},
-      {"the axes of the camera before",
+      {"the axes of the previous camera",
        {"frame"},
        with_frame(right, "previous-axes",
                   [before, ask = right.frame](const Camera& camera) {
@@ -93,14 +93,14 @@ std::vector<Degenerate> degenerate_points(const Candidate& right) {
        {"pixel-point", "bounds", "image-plane"},
        with_points(right, "points-at-look-at",
                    [](const Camera& c, const Pixel&) { return c.look_at; })},
-      {"no pixel is anywhere",
+      {"every pixel is at NaN",
        {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero", "density",
         "square-pixels"},
        with_points(right, "points-at-NaN",
                    [](const Camera&, const Pixel&) {
                      return Point3{kNaN, kNaN, kNaN};
                    })},
-      {"pixels anywhere, each always at the same place",
+      {"random pixel points, the same for the same camera and pixel",
        {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero", "density",
         "square-pixels"},
        with_points(right, "random-points",
@@ -156,11 +156,11 @@ std::vector<Degenerate> degenerate_ray_makers(const Candidate& right) {
       {"rays without a direction",
        {"direction", "unit-direction", "ray-origin"},
        always("zero-rays", {})},
-      {"rays that are no numbers",
+      {"rays of NaN",
        {"direction", "unit-direction", "ray-origin"},
        always("NaN-rays", {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}})},
-      {"the rays of the camera before", {"direction", "ray-origin"}, with_previous_rays(right)},
-      {"unit rays from anywhere to anywhere, the same for the same camera and pixel",
+      {"the rays of the previous camera", {"direction", "ray-origin"}, with_previous_rays(right)},
+      {"random unit rays, the same for the same camera and pixel",
        {"direction", "ray-origin", "axes", "scaling"},
        with_rays(right, "random-rays",
                  [](const Camera& camera, const Pixel& pixel) {

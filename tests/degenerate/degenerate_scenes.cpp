@@ -1,5 +1,5 @@
-// What says degenerate things of whole scenes: which sphere is seen, which pixels a sphere may be
-// in, what is no scene at all.
+// Degenerate answers about whole scenes: the sphere that is seen, the pixels that a sphere may be
+// in, and whether a scene is valid.
 
 #include "tests/degenerate/degenerate.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 using See = std::function<std::optional<std::size_t>(const Scene&, const Pixel&)>;
 
-/// Through every pixel, and in every image.
+/// Shows the sphere of `see` through every pixel, and in every image.
 Candidate seeing(const Candidate& right, std::string name, const See& see) {
   Candidate candidate = renamed(right, std::move(name));
   candidate.visible = [see](const Scene& scene, const Conventions&, Candidate::Pixels pixels) {
@@ -35,14 +35,14 @@ std::vector<Degenerate> degenerate_sights(const Candidate& right) {
        {"visible-sphere", "image"},
        seeing(right, "sees-nothing",
               [](const Scene&, const Pixel&) { return std::optional<std::size_t>(); })},
-      {"every pixel sees the first sphere",
+      {"every pixel shows the first sphere",
        {"visible-sphere", "image"},
        seeing(right, "sees-first", [](const Scene&, const Pixel&) { return std::size_t{0}; })},
-      {"every pixel sees the last sphere",
+      {"every pixel shows the last sphere",
        {"visible-sphere", "image"},
        seeing(right, "sees-last",
               [](const Scene& scene, const Pixel&) { return scene.spheres.size() - 1; })},
-      {"every pixel sees any sphere or none",
+      {"every pixel shows a random sphere or none",
        {"visible-sphere", "image"},
        seeing(right, "sees-any",
               [](const Scene& scene, const Pixel& pixel) -> std::optional<std::size_t> {
@@ -54,7 +54,7 @@ std::vector<Degenerate> degenerate_sights(const Candidate& right) {
                 if (sphere == count) return {};
                 return static_cast<std::size_t>(sphere);
               })},
-      {"every pixel of an image shows some sphere, none can tell which",
+      {"every pixel of an image shows an unknown sphere",
        {"image"},
        [&] {
          Candidate candidate = renamed(right, "image-of-some");
@@ -67,7 +67,7 @@ std::vector<Degenerate> degenerate_sights(const Candidate& right) {
   };
 }
 
-/// The right plan, with something else said of every sphere.
+/// The right plan, with a changed statement about every sphere.
 Candidate planning(const Candidate& right, std::string name,
                    const std::function<void(const Scene&, SpherePlan&)>& say) {
   Candidate candidate = renamed(right, std::move(name));
@@ -94,7 +94,7 @@ void drop(SpherePlan& sphere, scene::LeftOut why) {
 
 std::vector<Degenerate> degenerate_plans(const Candidate& right) {
   return {
-      {"a plan that keeps everything everywhere, which is right: it only gains nothing",
+      {"a plan that keeps every sphere everywhere, which is right but saves nothing",
        {},
        planning(right, "plans-nothing", keep)},
       {"a plan that leaves out every sphere as outside the view",
@@ -102,14 +102,14 @@ std::vector<Degenerate> degenerate_plans(const Candidate& right) {
        planning(
            right, "drops-all",
            [](const Scene&, SpherePlan& sphere) { drop(sphere, scene::LeftOut::kOutsideView); })},
-      {"a plan whose every rectangle is the first pixel",
+      {"a plan in which every rectangle is the first pixel",
        {"plan-rectangles"},
        planning(right, "first-pixel-only",
                 [](const Scene& scene, SpherePlan& sphere) {
                   keep(scene, sphere);
                   sphere.pixels = {0, 1, 0, 1};
                 })},
-      {"a plan by which no ray starts inside a sphere, and nothing is behind",
+      {"a plan in which no ray starts inside a sphere, and no sphere is behind one",
        {"plan-roots"},
        planning(right, "never-inside-or-behind",
                 [](const Scene& scene, SpherePlan& sphere) {
@@ -119,7 +119,7 @@ std::vector<Degenerate> degenerate_plans(const Candidate& right) {
   };
 }
 
-/// The functions of a scene's parts, and those of whole scenes, changed.
+/// Changes the functions of a scene's parts, or those of whole scenes.
 template <class Change>
 void change_parts(Candidate& candidate, const Change& change) {
   change(candidate.frame);
@@ -139,10 +139,10 @@ void change_wholes(Candidate& candidate, const Change& change) {
 std::vector<Degenerate> degenerate_refusals(const Candidate& right) {
   const auto refuse = [](auto& function) {
     function = [](const auto&...) -> typename std::decay_t<decltype(function)>::result_type {
-      throw std::invalid_argument("this is no problem");
+      throw std::invalid_argument("refused");
     };
   };
-  // Where the right one refuses, an answer without content.
+  // Where the right one refuses, an empty answer.
   const auto answer = [](auto& function) {
     function = [ask = function](const auto&... asked) {
       try {

@@ -32,7 +32,7 @@ class OnEachSource : public testing::TestWithParam<std::string> {
   const CaseSource& source() const { return *find_case_source(GetParam()); }
 };
 
-TEST_P(OnEachSource, WhatIsDegenerateBreaksItsLawsAtEverySeverityOrItIsSaidWhyNot) {
+TEST_P(OnEachSource, DegenerateCandidatesBreakTheirLawsAtEverySeverityOrTheReasonIsListed) {
   std::set<const WhyExcused*> used;
   for (const ChosenSource& place : caught::places_of(source())) {
     for (const Judged& judged : room().judge(place, kDegenerateCases)) {
@@ -56,7 +56,7 @@ TEST_P(OnEachSource, WhatIsDegenerateBreaksItsLawsAtEverySeverityOrItIsSaidWhyNo
   }
 }
 
-TEST_P(OnEachSource, WhatIsRightBreaksNoLawAtAnySeverity) {
+TEST_P(OnEachSource, TheRightCandidateBreaksNoLawAtAnySeverity) {
   constexpr int kRightCases = 20;
   for (const ChosenSource& place : caught::places_of(source(), caught::kFewSeverities)) {
     for (const Judged& judged : room().judge_right(place, kRightCases)) {
@@ -68,7 +68,7 @@ TEST_P(OnEachSource, WhatIsRightBreaksNoLawAtAnySeverity) {
 INSTANTIATE_TEST_SUITE_P(Degenerate, OnEachSource, testing::ValuesIn(names_of(case_sources())),
                          by_name);
 
-TEST(DegenerateCandidates, HaveNamesOfTheirOwn) {
+TEST(DegenerateCandidates, HaveDistinctNames) {
   std::set<std::string> names;
   for (const Degenerate& degenerate : room().all()) names.insert(degenerate.candidate.name);
   EXPECT_EQ(names.size(), room().all().size());

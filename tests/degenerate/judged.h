@@ -8,10 +8,10 @@
 
 namespace raycheck::degenerate {
 
-/// What a law made of a degenerate candidate at one severity of a source.
+/// The result of a law for a degenerate candidate at one severity of a source.
 enum class Judgement {
   kBroken,    ///< Within the cases tried.
-  kRight,     ///< Every answer that it compared is the right one: degenerate is right here.
+  kRight,     ///< Every answer that it compared is right: the degenerate answer is right here.
   kNotAsked,  ///< It compared nothing.
   kExcused,   ///< Answers are wrong, all of them excused.
 };
@@ -24,17 +24,17 @@ struct Judged {
   properties::Verdict verdict = {};  ///< All cases together.
 };
 
-/// The degenerate candidates, and the right one that they are made of.
+/// The degenerate candidates, and the right one from which they are made.
 class DegenerateRoom {
  public:
   DegenerateRoom();
   const properties::Candidate& right() const { return right_; }
   std::span<const Degenerate> all() const { return all_; }
 
-  /// Each with each of its laws that suits the place, on the same cases until it is broken, or
-  /// excused kManyExcused decisions.
+  /// Judges each by each of its laws that suits the place, on the same cases, until the law is
+  /// broken or kManyExcused decisions are excused.
   std::vector<Judged> judge(const properties::ChosenSource& place, int cases) const;
-  /// The right one with every law, within caught::kRoundedDomain.
+  /// Judges the right one by every law, within caught::kRoundedDomain.
   std::vector<Judged> judge_right(const properties::ChosenSource& place, int cases) const;
 
  private:
@@ -46,13 +46,13 @@ class DegenerateRoom {
   std::vector<Degenerate> all_;
 };
 
-/// So many cases break what is degenerate, or excuse it.
+/// The number of cases in which degenerate candidates must break a law or be excused.
 inline constexpr int kDegenerateCases = 200;
-/// Who is excused so many wrong decisions, and of none convicted, is asked no further: a search for
-/// inputs close by takes a thousand times as long as a decision.
+/// After this many excused decisions without a defect a candidate is not judged further: a search
+/// for nearby inputs takes a thousand times as long as a decision.
 inline constexpr std::ptrdiff_t kManyExcused = 8;
 
-/// Why wrong answers of degenerate candidates are excused somewhere, rightly.
+/// The reason why wrong answers of degenerate candidates are rightly excused somewhere.
 struct WhyExcused {
   struct Severities {
     std::string_view source;

@@ -8,8 +8,8 @@ const Names kDecisions = {"class", "nearest-root", "nearest-sphere"};
 const Names kKnowTheClass = {"knows-hits-at-0", "knows-hits-at-the-origin"};
 
 constexpr const char* kManyAtTheSurface =
-    "rays start within a few roundings of every sphere's surface, so that which of those that are "
-    "hit is nearest depends on these";
+    "rays start within a few roundings of every sphere's surface, and which sphere is nearest "
+    "depends on these roundings";
 
 }  // namespace
 
@@ -19,8 +19,9 @@ std::span<const WhyExcused> why_excused() {
        kDecisions,
        {},
        "the impact parameter is within 2^-48 of the radius, and 16 u, 2^-49, of each input moves "
-       "it as far: a tangent is a miss for a radius a rounding smaller, its roots are as near "
-       "together as their distance from s = 0 is uncertain"},
+       "it as far: with a radius a rounding smaller a tangent is a miss, and its roots are as "
+       "close "
+       "together as the uncertainty of their distance from s = 0"},
       {{"tangent-ulps", 53, 53},
        {"parameter", "hit-point", "scaling", "axes"},
        {},
@@ -40,32 +41,31 @@ std::span<const WhyExcused> why_excused() {
       {{"surface", 15, 15},
        {"parameter", "hit-point"},
        {},
-       "the near root is of the size of the rounding of the inputs: 0 is right for inputs close "
-       "by"},
+       "the near root is of the size of the rounding of the inputs: 0 is right for nearby inputs"},
       {{"surface", 16, 16},
        {"parameter"},
        {},
        "the exact s is 0, where a relative error has no size and the condition number is infinite; "
-       "`backward-error` and `hit-point` convict a wrong one"},
+       "`backward-error` and `hit-point` catch a wrong one"},
       {{"distance", 14, 15},
        kDecisions,
        {},
-       "16 u of 10^14 radii is a fifth of a radius, of 10^15 more than one: which root, which "
-       "sphere and soon whether any is met depends on the last bits of the inputs"},
+       "16 u of 10^14 radii is a fifth of a radius, of 10^15 more than one: the root, the sphere "
+       "and even hit or miss depend on the last bits of the inputs"},
       {{"far-world", 15, 15},
        kDecisions,
        {},
-       "16 u of 10^15 is more than the whole scene, which any answer then may be right about"},
+       "16 u of 10^15 is more than the whole scene, so that any answer may be right"},
       {{"far-camera", 14, 15},
        {"class", "nearest-root", "nearest-sphere", "visible-sphere", "growing-radius", "scaling",
         "axes"},
        {},
-       "16 u of 10^15 is more than the whole scene, which any answer then may be right about"},
+       "16 u of 10^15 is more than the whole scene, so that any answer may be right"},
       {{"far-camera", 6, 15},
        {"image"},
        {},
-       "an image is excused by relative changes of 10^-6, which 10^6 away is the size of the "
-       "scene: no picture that is kept in single precision can show it"},
+       "an image is excused by relative changes of 10^-6, which at a distance of 10^6 is the size "
+       "of the scene: no picture in single precision can show it"},
       {{"up", 14, 15},
        {"class", "nearest-root", "nearest-sphere", "visible-sphere", "growing-radius",
         "focal-and-pixel", "scaling", "axes"},
@@ -75,8 +75,8 @@ std::span<const WhyExcused> why_excused() {
       {{"up", 5, 15},
        {"image"},
        {},
-       "an image is excused by relative changes of 10^-6, and of `up` and of the view these are as "
-       "much as a tenth of the angle between them: the image may be turned by as much"},
+       "an image is excused by relative changes of 10^-6, which for `up` and the view are up to a "
+       "tenth of the angle between them: the image may be turned by as much"},
       {{"near-plane", 14, 15}, {"nearest-sphere"}, kKnowTheClass, kManyAtTheSurface},
       {{"coincident", 15, 16},
        {"nearest-sphere"},
