@@ -157,8 +157,8 @@ TEST(Regressions, FindEitherOfTwoEqualSpheres) {
   EXPECT_EQ(nearest->ties, (std::vector<std::size_t>{0, 1}));
 }
 
-// tests/regressions/worst/: for each method the worst input known of `raycheck worst --by bound`,
-// on ordinary rays (the parameter) or cameras (the direction).
+// tests/regressions/worst/: for each method the worst known input from `raycheck worst --by bound`,
+// for ordinary rays (the parameter) or cameras (the direction).
 
 /// The pixels that a saved case names in its comment.
 std::vector<scene::Pixel> pixels_named_in(const std::string& text) {

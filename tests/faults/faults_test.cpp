@@ -1,5 +1,5 @@
-// A system call of `raycheck grade` fails once: no grade is wrong, nothing is lost, and something
-// is said. What is not finished is finished by the next run.
+// A system call of `raycheck grade` fails once: no grade is wrong, nothing is lost, and there is a
+// message. The next run finishes the rest.
 
 #include <cerrno>
 #include <cstring>
@@ -41,11 +41,11 @@ class FaultyGrading {
     return grade(out);
   }
 
-  /// Its file is as it is without a fault, times aside.
+  /// Its file is the same as without a fault, except for times.
   void expect_same(const std::string& name, const std::string& file, const std::string& out) const {
     const std::string text = without_times(grading_.file(name, file, out));
     std::string whole = without_times(grading_.file(name, file, "whole"));
-    // Where a fault meets the trial of a control group at the start there is none, as is said.
+    // If the trial of a control group at the start fails, the grade has none, and reports that.
     if (!has(text, kControlGroup) && has(whole, kControlGroup)) {
       whole = std::regex_replace(whole, std::regex(std::string(kControlGroup) + "[^\"]*"), "");
     }
@@ -56,8 +56,8 @@ class FaultyGrading {
                   << whole.substr(from, 200);
   }
 
-  /// The calls of this name that are tried to fail, by their numbers: so many, each from another
-  /// place in the program, where there are so many.
+  /// The numbers of `most` calls of this name that will fail, from different places in the program
+  /// if there are enough.
   std::set<std::int64_t> points(const std::string& name, std::size_t most) const {
     std::int64_t count = 0;
     std::vector<std::int64_t> places;
@@ -69,7 +69,7 @@ class FaultyGrading {
     }
     std::sort(places.begin(), places.end());
     std::set<std::int64_t> chosen;
-    // Places spread over the run; where there are few, any calls.
+    // Places spread over the run; if there are too few, any calls.
     for (std::size_t k = 0; k < std::min(most, places.size()); ++k) {
       chosen.insert(places[k * places.size() / std::min(most, places.size())]);
     }
@@ -89,7 +89,7 @@ class FaultyGrading {
   std::vector<std::string> folders_;
 };
 
-/// What a call of this name fails with, and in how many calls it is tried.
+/// The error with which a call of this name fails, and the number of calls to try.
 struct Fault {
   const char* call;
   int error;
@@ -104,10 +104,10 @@ class HostileFaults : public testing::TestWithParam<Fault> {
 };
 std::unique_ptr<FaultyGrading> HostileFaults::faulty_;
 
-TEST_P(HostileFaults, OfTheSystemMakeNoGradeWrongAndLoseNothing) {
+TEST_P(HostileFaults, InSystemCallsMakeNoGradeWrongAndLoseNothing) {
   const auto& [call, error, most] = GetParam();
   if (call == std::string("chown") && geteuid() != 0)
-    GTEST_SKIP() << "root alone gives folders to users of their own";
+    GTEST_SKIP() << "needs root: submissions are run as separate users";
   const FaultyGrading& faulty = *faulty_;
   const Grading& grading = faulty.grading();
   const std::set<std::int64_t> points = faulty.points(call, most);
@@ -154,7 +154,7 @@ void expect_internal(const Outcome& outcome) {
   expect_parts(outcome.err, {"raycheck: internal error: ", "injected\nThis is a bug in raycheck"});
 }
 
-TEST(InternalErrors, OfLawsAreChargedToNoCandidate) {
+TEST(InternalErrors, InLawsAreNotBlamedOnTheCandidate) {
   for (const std::string law :
        {"frame", "pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero",
         "density", "square-pixels", "direction", "ray-origin", "class", "parameter",
@@ -184,9 +184,9 @@ TEST(InternalErrors, EndEveryCommandThatJudges) {
   EXPECT_FALSE(fs::exists(page));
 }
 
-/// What the C++ library throws of a file is said with the file; what was copied in part is not
-/// taken for a copy.
-TEST(Faults, OfFilesAreSaidInWords) {
+/// Exceptions of the C++ library about a file are reported with its name; an incomplete copy does
+/// not count as a copy.
+TEST(Faults, InFilesAreReportedWithTheName) {
   const std::string folder = temporary_folder("library");
   const std::string library = built_submission("right.cpp", "right", folder);
   const std::string asked =
@@ -205,7 +205,7 @@ TEST(Faults, OfFilesAreSaidInWords) {
     const Variable which("RAYCHECK_FAULT",
                          "sendfile:" + std::to_string(k) + ":" + std::to_string(EIO));
     const Outcome outcome = run(asked);
-    if (outcome.exit_code == 0) continue;  // it went on without a layer of the sandbox
+    if (outcome.exit_code == 0) continue;  // it continued without a layer of the sandbox
     ++refused;
     EXPECT_TRUE(outcome.exit_code == 2 && has(outcome.err, ": Input/output error")) << outcome.err;
   }
@@ -229,22 +229,22 @@ TEST(InternalErrors, WriteNoUnitNoBaselineAndNoReport) {
   EXPECT_FALSE(fs::exists(file));
 }
 
-TEST(InternalErrors, OfTheGraderGiveNoPoints) {
+TEST(InternalErrors, InTheGraderGiveNoPoints) {
   const FaultyGrading faulty;
   const Variable preload("LD_PRELOAD", RAYCHECK_FAULTS);
   const Variable which("RAYCHECK_THROW", "0");
   const Outcome outcome = faulty.grade("out");
   EXPECT_EQ(outcome.exit_code, 70) << outcome.err;
   expect_parts(outcome.err, {"raycheck: internal error: wrong: "});
-  // What was graded before stays.
+  // Earlier grades are kept.
   EXPECT_EQ(faulty.grading().file("wrong", "result.json"), "");
   EXPECT_EQ(faulty.grading().file("drawn", "result.json"), "");
   faulty.expect_same("right", "result.json", "out");
 }
 
-/// What may fail is failed: this test would not hold if nothing were.
+/// Faults really occur: the tests above would also pass without any.
 TEST(HostileFaultsAtAll, AreNoticed) {
-  // Four are of the first process, which is tried again as another user where it fails.
+  // Four occur in the first process, which is started again as another user if it fails.
   const Outcome outcome = FaultyGrading().grade_with("pipe2:4:" + std::to_string(EMFILE), "out");
   EXPECT_NE(outcome.exit_code, 0) << outcome.out;
 }
@@ -257,7 +257,7 @@ std::vector<Fault> all_in(std::size_t most, std::vector<Fault> faults) {
   return faults;
 }
 
-/// Each in two calls, and at night in twelve: several suites, which run side by side.
+/// Each in two calls, and in twelve every night: several suites, which run in parallel.
 #define RAYCHECK_TRY_FAULTS(name, ...)                                                       \
   INSTANTIATE_TEST_SUITE_P(name, HostileFaults, testing::ValuesIn(all_in(2, {__VA_ARGS__})), \
                            kNameOfFault);                                                    \

@@ -4,9 +4,8 @@
 //   RAYCHECK_FAULT_COUNTS=FILE      takes, at the end, a line "NAME COUNT K..." for each name: K is
 //                                   the number of the first call from each place in the program
 //   RAYCHECK_THROW=K                the K-th operation on enclosures, from 0, throws an exception,
-//   as
-//                                   a fault of raycheck would
-// What the program starts has another environment, and no faults.
+//                                   as a bug in raycheck would
+// Child processes have another environment, and no faults.
 
 #include <dirent.h>
 #include <dlfcn.h>
@@ -45,10 +44,10 @@ constexpr std::size_t index_of(std::string_view name) {
   return k;
 }
 
-/// Where a call comes from: this function, the wrapper of the call, and the callers of it.
+/// The place of a call: this function, the wrapper of the call, and its callers.
 using Place = std::array<void*, 6>;
-/// There before other libraries' constructors make calls, and never destroyed: threads make some
-/// while the program ends.
+/// Exists before other libraries' constructors make calls, and is never destroyed: threads make
+/// calls while the program ends.
 std::array<std::map<Place, long>, kNames.size()>& first_calls() {
   static auto& all = *new std::array<std::map<Place, long>, kNames.size()>;
   return all;
@@ -58,7 +57,7 @@ void note_place(std::size_t which, long count) {
   static std::mutex mutex;
   static thread_local bool is_noting = false;
   if (std::getenv("RAYCHECK_FAULT_COUNTS") == nullptr || is_noting) return;
-  is_noting = true;  // what this calls itself is not noted
+  is_noting = true;  // calls of this function are not counted
   Place place{};
   backtrace(place.data(), place.size());
   const std::lock_guard lock(mutex);
@@ -114,7 +113,7 @@ const AtTheEnd at_the_end;
     return real(__VA_ARGS__);                                           \
   }
 
-// With the mode, which is only looked at where a file is made.
+// With the mode, which counts only if a file is created.
 #define RAYCHECK_FAULTY_OPEN(name, counted, parameters, ...)      \
   extern "C" int name(RAYCHECK_LIST parameters, int flags, ...) { \
     va_list more;                                                 \

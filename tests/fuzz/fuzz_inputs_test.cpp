@@ -1,4 +1,4 @@
-// What fuzzers start from, and what they once failed on, read by an ordinary build.
+// Seeds of fuzzers, and inputs on which they once failed, in an ordinary build.
 
 #include "tests/fuzz/targets.h"
 #include "tests/testing.h"

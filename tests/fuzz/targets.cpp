@@ -27,7 +27,7 @@ void try_to(const Read& read) {
   }
 }
 
-/// A folder of its own, so that no file lies beside the rubric.
+/// A separate folder, so that no other file lies beside the rubric.
 class Folder {
  public:
   Folder() : path_(std::filesystem::temp_directory_path() / "raycheck-fuzz-XXXXXX") {
@@ -92,7 +92,7 @@ void fuzz_rubric(std::string_view bytes) {
   }
 }
 
-/// Below the digest of a unit's file, which bytes by chance do not have.
+/// The content of a unit's file, without its digest, which random bytes do not have.
 void fuzz_unit(std::string_view bytes) {
   try {
     // As a unit of `properties` has it.
@@ -100,7 +100,7 @@ void fuzz_unit(std::string_view bytes) {
         std::pair<std::vector<properties::CampaignPart>, std::optional<properties::WorstCase>>;
     const std::string again = tools::to_bytes(tools::from_bytes<Result>(bytes));
     require(tools::to_bytes(tools::from_bytes<Result>(again)) == again,
-            "a result is another when written and read again");
+            "a result changes when it is written and read again");
   } catch (const std::invalid_argument&) {
   }
 }

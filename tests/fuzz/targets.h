@@ -4,8 +4,8 @@
 
 namespace raycheck::tests {
 
-// What is fuzzed, each a function of any bytes. What reads them may refuse them by the exception
-// that it documents; all else that is thrown, and what sanitizers find, is a defect.
+// The targets of fuzzing, each a function of any bytes. A reader may refuse them by its documented
+// exception; every other exception, and every finding of sanitizers, is a defect.
 
 void fuzz_toml_scene(std::string_view bytes);
 void fuzz_driver_file(std::string_view bytes);
@@ -14,7 +14,7 @@ void fuzz_reply(std::string_view bytes);
 void fuzz_picture(std::string_view bytes);
 void fuzz_unit(std::string_view bytes);
 
-/// Of a target, in tests/fuzz/regressions/NAME: inputs on which it failed once.
+/// Inputs on which a target failed once, in tests/fuzz/regressions/NAME.
 struct FuzzTarget {
   std::string_view name;
   void (*run)(std::string_view bytes);

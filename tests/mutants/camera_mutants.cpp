@@ -37,7 +37,7 @@ Candidate with_inputs(std::string name, std::function<void(Camera&, Conventions&
   return candidate;
 }
 
-/// Directions changed after the fact; `change` sees the camera and the pixel point.
+/// Directions changed after they are made; `change` gets the camera and the pixel point.
 Candidate with_directions(
     std::string name, std::function<Vector3(const Camera&, const Point3&, const Vector3&)> change) {
   Candidate candidate = named(std::move(name));

@@ -19,7 +19,7 @@ Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> cha
   return candidate;
 }
 
-/// Answers changed after the fact.
+/// Answers changed after they are made.
 Candidate with_hits(std::string name,
                     std::function<Hit(const Ray&, const Sphere&, const Conventions&, Hit)> change,
                     bool checked = true) {
@@ -37,7 +37,7 @@ Candidate with_hits(std::string name,
   return candidate;
 }
 
-/// Another choice among the two roots, of which the method is sure; input is checked as before.
+/// Another choice between the two roots; input is checked as before.
 Candidate with_choice(std::string name,
                       std::function<Hit(const Ray&, const fast::Roots&, const Conventions&)> choose,
                       bool checked = true) {
@@ -50,7 +50,7 @@ Candidate with_choice(std::string name,
 }
 
 /// The roots of a s^2 + b s + c by q = -(b - sign(b) sqrt(b^2 - 4ac))/2, which cancels where the
-/// other sign would not; for an origin on the surface q is 0, and c/q no number.
+/// other sign would not; for an origin on the surface q is 0, and c/q is not a number.
 Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventions& conventions,
                             const Hit&) {
   const auto dot = [](const scene::Vector3& u, const scene::Vector3& v) {
@@ -69,7 +69,7 @@ Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventi
   return properties::usual_choice(ray, roots, conventions);
 }
 
-/// What direct/cross chooses, but for a least s and a least discriminant.
+/// The choice of direct/cross, with a least s and a least discriminant.
 Hit usual_choice(const Ray& ray, const fast::Roots& roots, const Conventions& conventions,
                  double least_s = 0, double least_half_chord_sq = 0) {
   if (!(roots.half_chord_sq >= least_half_chord_sq)) return {};

@@ -14,7 +14,7 @@ Vector3 turned(const Vector3& D, double angle) {
   return {D.x + share * any.x, D.y + share * any.y, D.z + share * any.z};
 }
 
-/// Whether the line passes within `band` radii of the sphere's edge.
+/// Whether the line passes within `band` radii of tangency.
 bool is_in_band(const fast::Roots& roots, const Sphere& sphere, double band) {
   return std::abs(roots.half_chord_sq) < 2 * band * sphere.radius * sphere.radius;
 }

@@ -5,12 +5,12 @@
 
 namespace raycheck::mutants {
 
-// What they are made of.
+// The types of mutants.
 using namespace properties;
 using namespace scene;
 
-/// The candidate `direct/cross`, or `certified` where it is about what that alone promises, with
-/// one classic mistake.
+/// The candidate `direct/cross`, or `certified` for promises that only that makes, with one classic
+/// mistake.
 struct Mutant {
   std::string_view sentence;
   /// The laws that must catch it.
@@ -24,12 +24,12 @@ struct Mutant {
 properties::Candidate unmutated();
 properties::Candidate named(std::string name);
 
-/// The mutant that makes a classic mistake of properties/mistakes/mistakes.h, under a name of its
-/// own. Throws std::invalid_argument where no mistake has that sentence.
+/// The mutant of a classic mistake of properties/mistakes/mistakes.h, with this name. Throws
+/// std::invalid_argument where no mistake has that sentence.
 Mutant from_mistake(std::string name, std::string_view sentence,
                     std::vector<std::string_view> caught_by);
 
-/// By how much a careful candidate is off; not at all by default.
+/// The errors of a careful candidate; none by default.
 struct Fault {
   double s = 0;        ///< s times 1 + this
   double Q = 0;        ///< Q moved by this share of its distance from the world's origin
@@ -38,7 +38,7 @@ struct Fault {
   double band = 0;     ///< hit and miss exchanged where |b - r| < this r, b the impact parameter
 };
 
-/// What the mutants are made of, which breaks no law, but for a fault.
+/// The candidate from which mutants are made, which breaks no law, with a fault.
 properties::Candidate careful_candidate(std::string name, const Fault& fault);
 
 /// Every mutant; the names of their candidates differ.

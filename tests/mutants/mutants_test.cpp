@@ -1,5 +1,4 @@
-// Mutants are caught by the laws that they name; sound code passes the level that it should,
-// whatever the seed.
+// Mutants are caught by the laws that they name; sound code passes its level with every seed.
 
 #include "tests/mutants/mutants.h"
 
@@ -17,7 +16,7 @@ namespace {
 
 using namespace properties;
 
-/// As many cases as the first report that a user sees has.
+/// With the default number of cases, as in a user's first run.
 CampaignOptions at(Level level) { return options_of(CampaignOptions().cases, {}, level); }
 
 const std::vector<Mutant>& all() {
@@ -79,7 +78,7 @@ TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
 INSTANTIATE_TEST_SUITE_P(Mutants, EachMutant, testing::Range(std::size_t{0}, all().size()),
                          [](const auto& the_test) { return identifier(names()[the_test.param]); });
 
-TEST(Mutants, HaveNamesOfTheirOwn) {
+TEST(Mutants, HaveDistinctNames) {
   const auto its = names();
   EXPECT_EQ(std::set<std::string>(its.begin(), its.end()).size(), its.size());
   EXPECT_GE(its.size(), 25u);
@@ -93,7 +92,7 @@ TEST(Mutants, BreakEveryLaw) {
   for (const Law& law : laws()) EXPECT_TRUE(caught.contains(law.name)) << law.name;
 }
 
-TEST(Mutants, ComeFromACandidateThatBreaksNone) {
+TEST(Mutants, ComeFromACandidateThatBreaksNoLaw) {
   std::vector<const Law*> every;
   for (const Law& law : laws()) every.push_back(&law);
   const auto results = run_campaigns(every, unmutated(), at(Level::kDemanding));
@@ -106,7 +105,7 @@ TEST(Mutants, ComeFromACandidateThatBreaksNone) {
   }
 }
 
-/// What is small enough to be overlooked, on ordinary cases but where it is said.
+/// An error that is small enough to be overlooked, on ordinary cases by default.
 struct SmallFault {
   const char* name;
   Fault fault;
@@ -133,7 +132,8 @@ TEST(SmallFaults, BreakTheirLaws) {
   }
 }
 
-/// What the textbook's formula may lose on ordinary cases hides no larger error, in floats neither.
+/// The allowed loss of the textbook's formula on ordinary cases hides no larger error, not even in
+/// floats.
 TEST(SmallFaults, BreakTheirLawsWhereOnlyOrdinaryCasesArePromised) {
   const std::tuple<const char*, Fault, std::vector<std::string_view>, scene::Precision> faults[] = {
       {"s-2^-36", {.s = 0x1p-36}, {"parameter", "backward-error"}, scene::Precision::kDouble},
@@ -154,10 +154,10 @@ TEST(SmallFaults, BreakTheirLawsWhereOnlyOrdinaryCasesArePromised) {
 /// Cases of each law and seed: one or two of each severity of each source.
 constexpr int kCasesOfSeed = 100;
 
-/// Of so many comparisons one may be undecided: a choice among far spheres nearly tied.
+/// One in this many comparisons may be undecided: a choice among far spheres that nearly tie.
 constexpr std::uint64_t kComparedPerUndecided = 10000;
 
-/// How many seeds are tried; by hand RAYCHECK_LEVEL_SEEDS=1000.
+/// The number of seeds to try; by hand RAYCHECK_LEVEL_SEEDS=1000.
 int seeds() {
   const char* const given = std::getenv("RAYCHECK_LEVEL_SEEDS");
   return given != nullptr ? std::atoi(given) : 10;
@@ -179,7 +179,7 @@ const fast::IntersectMethod& cross_method() {
   throw std::logic_error("no method cross");
 }
 
-/// Every intersection behind one kind of rays, and rays that a textbook makes before `cross`.
+/// Every intersection method with one kind of rays, and a textbook's rays with `cross`.
 std::vector<Sound> sound_code() {
   std::vector<Sound> all = {{&fast::kLectureRays, &cross_method()},
                             {&fast::kFocalRays, &cross_method()}};
@@ -189,7 +189,7 @@ std::vector<Sound> sound_code() {
   return all;
 }
 
-/// What holds for textbooks' is a bound for code that promises none: that of direct/cross.
+/// Textbook code promises no bounds, so it is judged by those of direct/cross.
 Candidate candidate_of(const Sound& sound) {
   Candidate candidate = fast_candidate(*sound.rays, *sound.intersect);
   if (candidate.level != Level::kOrdinary) return candidate;
@@ -206,7 +206,7 @@ TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
   const Candidate candidate = candidate_of(GetParam());
   std::vector<std::string_view> names;
   for (const Law& law : laws()) {
-    // One of them with all laws: the others make the same rays, or intersect in the same way.
+    // Only `cross` is judged by the laws of rays: the other methods get the same rays.
     const bool makes_rays = GetParam().intersect == &cross_method();
     if (speaks_of_intersections(law) || makes_rays) names.push_back(law.name);
   }

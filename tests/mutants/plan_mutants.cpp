@@ -12,7 +12,7 @@ ScenePlan right_plan(const Scene& scene, const Conventions& conventions, Wanted 
   return scene::plan_scene(scene, conventions, wanted);
 }
 
-/// It sees by its plan, all that it is asked about.
+/// A candidate with this plan, which `visible` uses, too.
 Candidate with_plan(std::string name, MakePlan make) {
   Candidate candidate = named(std::move(name));
   candidate.plan = make;
@@ -31,7 +31,7 @@ Candidate with_plan(std::string name, MakePlan make) {
   return candidate;
 }
 
-/// What a right plan says of each sphere, changed.
+/// Changes the statements of a right plan about each sphere.
 Candidate with_spheres(std::string name,
                        std::function<void(const ScenePlan&, SpherePlan&)> change) {
   return with_plan(std::move(name),
@@ -44,7 +44,7 @@ Candidate with_spheres(std::string name,
                    });
 }
 
-/// One statement taken from the plan of another scene, or under other conventions.
+/// Takes one statement from the plan of another scene, or under other conventions.
 Candidate with_statement(std::string name, std::function<void(Scene&, Conventions&)> change,
                          std::function<void(const SpherePlan&, SpherePlan&)> take) {
   return with_plan(std::move(name), [change, take](const Scene& scene,
@@ -76,7 +76,7 @@ void from_the_eye(Scene&, Conventions& conventions) { conventions.origin = scene
 
 double middle(const Bounds& x) { return x.low + (x.high - x.low) / 2; }
 
-/// As wide as the disc through the centre: slopes (x -+ r)/z.
+/// Shrinks a rectangle to the disc through the centre: slopes (x -+ r)/z.
 void shrink_to_disc(const ScenePlan& plan, SpherePlan& sphere) {
   const double n = middle(plan.eye.near());
   const double z = n < 0 ? -middle(sphere.seen.w) : middle(sphere.seen.w);
@@ -95,7 +95,7 @@ void shrink_to_disc(const ScenePlan& plan, SpherePlan& sphere) {
   shrink(middle(sphere.seen.v), &scene::EyeSpace::row, sphere.pixels.j_begin, sphere.pixels.j_end);
 }
 
-/// The cone of one sphere is inside that of another, whichever is nearer.
+/// Whether the cone of one sphere is inside that of another, whichever is nearer.
 bool is_in_cone_of(const scene::EyeSphere& by, const scene::EyeSphere& sphere) {
   const double power = middle(sphere.power), power_by = middle(by.power);
   const double r = middle(sphere.radius), r_by = middle(by.radius);
@@ -121,7 +121,7 @@ ScenePlan hidden_by_angle(const Scene& scene, const Conventions& conventions, Wa
   return plan;
 }
 
-/// All but the last of equal spheres.
+/// Leaves out all but the last of equal spheres.
 ScenePlan last_of_equals(const Scene& scene, const Conventions& conventions, Wanted wanted) {
   ScenePlan plan = right_plan(scene, conventions, wanted);
   for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
@@ -142,11 +142,11 @@ std::vector<Mutant> rectangle_mutants() {
       {"rectangles are a row short at their last row",
        {"plan-rectangles"},
        with_spheres("short-last-row", [](const ScenePlan&, SpherePlan& s) { --s.pixels.j_end; })},
-      {"rectangles count rows from the bottom whatever was asked",
+      {"rectangles count rows from the bottom under every convention",
        {"plan-rectangles", "visible-sphere"},
        with_inputs("unflipped-rectangles",
                    [](Scene&, Conventions& asked) { asked.rows = scene::Rows::kBottomFirst; })},
-      {"rectangles have samples on edges whatever was asked",
+      {"rectangles have samples on edges under every convention",
        {"plan-rectangles"},
        with_inputs("rectangles-of-edges",
                    [](Scene& scene, Conventions& asked) {
@@ -168,7 +168,7 @@ std::vector<Mutant> rectangle_mutants() {
 
 std::vector<Mutant> left_out_mutants() {
   return {
-      {"the test for what is behind subtracts the radius",
+      {"the test for spheres behind the origin subtracts the radius",
        {"plan-left-out", "visible-sphere"},
        with_spheres("reaching-behind-is-behind",
                     [](const ScenePlan&, SpherePlan& s) {
@@ -184,13 +184,13 @@ std::vector<Mutant> left_out_mutants() {
            [](const SpherePlan& centre, SpherePlan& s) {
              if (centre.left_out == LeftOut::kOutsideView) leave_out(s, LeftOut::kOutsideView);
            })},
-      {"a sphere is hidden by any whose cone holds its own, nearer or not",
+      {"a sphere is hidden by any with a cone that contains its cone, nearer or not",
        {"plan-left-out", "visible-sphere"},
        with_plan("hidden-by-angle", hidden_by_angle)},
       {"the last of equal spheres is kept",
        {"plan-left-out"},
        with_plan("last-of-equals", last_of_equals)},
-      {"what is hidden is left out whatever is wanted",
+      {"hidden spheres are left out also where the nearest is not wanted",
        {"plan-left-out"},
        with_plan("hidden-from-all",
                  [](const Scene& scene, const Conventions& conventions, Wanted) {
@@ -238,7 +238,7 @@ Candidate seen_by_file_order() {
   return candidate;
 }
 
-/// The certified answers, changed.
+/// Changes certified answers.
 Candidate with_certified(std::string name,
                          std::function<void(const Scene&, std::optional<SeenAnswer>&)> change,
                          bool reversed = false) {
@@ -256,7 +256,7 @@ Candidate with_certified(std::string name,
   return candidate;
 }
 
-/// The image, changed.
+/// Changes the image.
 Candidate with_image(std::string name,
                      std::function<void(const Scene&, properties::ImageAnswer&)> change) {
   Candidate candidate = named(std::move(name));
@@ -282,7 +282,7 @@ std::vector<Mutant> image_mutants() {
                     }
                     image = turned;
                   })},
-      {"what cannot be told apart is no miss",
+      {"every pixel shows an unknown sphere",
        {"image"},
        with_image("image-all-hits",
                   [](const Scene&, properties::ImageAnswer& image) {
