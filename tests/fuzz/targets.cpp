@@ -31,7 +31,7 @@ void try_to(const Read& read) {
 class Folder {
  public:
   Folder() : path_(std::filesystem::temp_directory_path() / "raycheck-fuzz-XXXXXX") {
-    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no folder can be made");
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot create a folder");
   }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
@@ -47,9 +47,9 @@ void require(bool holds, const char* what) {
 }
 
 void require_read_back(const scene::Scene& read) {
-  require(scene::defects(read).empty(), "a scene that is not valid was read");
+  require(scene::defects(read).empty(), "the reader returned an invalid scene");
   require(scene::read_toml(scene::write_toml(read), "again.toml").scene == read,
-          "a scene is another when written and read again");
+          "a scene changes when it is written and read again");
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ void fuzz_toml_scene(std::string_view bytes) {
 
 void fuzz_driver_file(std::string_view bytes) {
   const std::string shown = scene::visible(bytes);
-  require(scene::visible(shown) == shown, "what is shown is shown otherwise");
+  require(scene::visible(shown) == shown, "visible text changes when it is made visible again");
   try {
     require_read_back(scene::read_driver_file(bytes, "f.txt").scene);
   } catch (const scene::SceneFileError&) {

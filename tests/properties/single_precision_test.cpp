@@ -1,4 +1,4 @@
-// Candidates judged in single precision: what is asked, what errors count, what is excused.
+// Candidates judged in single precision: their input, errors and excuses.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/case.h"
@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto kSingle = scene::Precision::kSingle;
 
-/// Doubles judged as floats, whose s, or D.x, are off by a share.
+/// Code in doubles judged as floats, with s, or D.x, off by a share.
 Candidate off_by(double s, double direction = 0) {
   Candidate candidate = judged_in(kSingle, fast_candidate(fast::kDirectRays, fast::kCross));
   candidate.intersect = [s, ask = candidate.intersect](const auto&... asked) {
@@ -30,7 +30,7 @@ Candidate off_by(double s, double direction = 0) {
   return candidate;
 }
 
-TEST(SinglePrecision, HoldsErrorsAgainstFloats) {
+TEST(SinglePrecision, MeasuresErrorsInUnitsOfFloats) {
   const auto is_broken = [](std::string_view law, const Candidate& candidate) {
     const CampaignOptions options = options_of(300, {}, Level::kOrdinary);
     return run_campaign(*find_law(law), candidate, options).finding() == Finding::kBroken;
@@ -67,11 +67,11 @@ TEST(SinglePrecision, AsksFloatsOnly) {
   const Candidate candidate = off_by(0);
   EXPECT_THROW(Trial(one, candidate), std::invalid_argument);
   EXPECT_NO_THROW(Trial(*rounded_case(one, kSingle).the_case, candidate));
-  // A campaign never does otherwise, whatever the law makes of a case.
+  // So does a campaign, for every law that changes a case.
   for (const Law& law : laws()) {
     Candidate watched = candidate;
-    watched.refuses = false;                       // of what is no problem it is asked otherwise
-    watched.pixel_rays = watched.focal_rays = {};  // they are given
+    watched.refuses = false;                       // invalid input would be no floats
+    watched.pixel_rays = watched.focal_rays = {};  // rays are given
     std::size_t asked = 0;
     watched.intersect = [&](Candidate::Rays rays, Candidate::Spheres spheres,
                             const scene::Conventions& by) {
@@ -89,7 +89,7 @@ TEST(SinglePrecision, AsksFloatsOnly) {
   }
 }
 
-TEST(SinglePrecision, KeepsBoundsInOwnUnits) {
+TEST(SinglePrecision, KeepsBoundsInUnitsOfTheArithmetic) {
   const Candidate cross = fast_candidate(fast::kDirectRays, fast::kCross);
   const Candidate lecture = fast_candidate(fast::kSingleRays, fast::kSingleLecture);
   const auto s = static_cast<std::size_t>(Quantity::kParameter);
@@ -119,13 +119,13 @@ TEST(RoundedCase, RoundsEveryNumberToTheNearestFloat) {
   const scene::Scene& scene = rounded.the_case->scene;
   EXPECT_EQ(scene.rays[0].origin.x, static_cast<double>(0.1F));
   EXPECT_EQ(scene.rays[0].direction.y, 1);            // a tie: to even
-  EXPECT_EQ(scene.spheres[0].centre.x, 1 + 0x1p-22);  // likewise
+  EXPECT_EQ(scene.spheres[0].centre.x, 1 + 0x1p-22);  // also a tie
   EXPECT_FALSE(is_of_format(given.scene, kSingle));
   EXPECT_TRUE(is_of_format(scene, kSingle));
   EXPECT_EQ(rounded_case(*rounded.the_case, kSingle).changed, 0u);
 }
 
-TEST(RoundedCase, LeavesOutWhatBecomesNoProblemAndSaysWhy) {
+TEST(RoundedCase, LeavesOutCasesThatBecomeInvalidWithTheReason) {
   Case one;
   one.scene.camera =
       scene::Camera{{1, 0, 0}, {1 + 0x1p-40, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 2, 2};

@@ -27,8 +27,8 @@ void fail(CandidateFunction<Answer(Arguments...)>& function) {
   function = [](Arguments...) -> Answer { throw InternalError("injected"); };
 }
 
-/// Of laws, and of what stands between them and a candidate.
-TEST(Trial, ChargesNoInternalErrorToTheCandidate) {
+/// In laws, and in code between them and a candidate.
+TEST(Trial, BlamesNoInternalErrorOnTheCandidate) {
   Candidate candidate = direct_cross();
   fail(candidate.frame), fail(candidate.pixel_points), fail(candidate.pixel_rays);
   fail(candidate.focal_rays), fail(candidate.intersect), fail(candidate.nearest);
@@ -44,8 +44,8 @@ TEST(Trial, ChargesNoInternalErrorToTheCandidate) {
   EXPECT_EQ(tried, 28);
 }
 
-/// Whatever a candidate's own function throws.
-TEST(Trial, TakesWhatACandidateThrowsForItsFailure) {
+/// For any type of exception.
+TEST(Trial, BlamesExceptionsOfACandidateOnIt) {
   Candidate candidate = direct_cross();
   candidate.intersect = [](auto&&...) -> std::vector<SphereHits> { throw 7; };
   const Case given = camera_case();
@@ -55,8 +55,7 @@ TEST(Trial, TakesWhatACandidateThrowsForItsFailure) {
   EXPECT_EQ(verdict.worst(1).front().wrong, Wrong::kFailed);
 }
 
-/// Nor what it answers.
-TEST(Trial, TakesASphereThatThereIsNotForItsFailure) {
+TEST(Trial, CountsASphereThatDoesNotExistAsAFailure) {
   Candidate candidate = direct_cross();
   candidate.nearest = [](Candidate::Rays rays, auto&&...) {
     return std::vector<std::optional<std::size_t>>(rays.size(), 2);
@@ -116,8 +115,8 @@ TEST(Trial, JudgesUnderTheDeclaredConventions) {
   EXPECT_FALSE(judge("direction", the_case, candidate).reason_left_out().empty());
 }
 
-/// The sphere reaches from 0 to 2 along the ray: whatever small change moves its near root to or
-/// off the origin, one of the roots stays ahead.
+/// The sphere reaches from 0 to 2 along the ray: any small change that moves the near root before
+/// or behind the origin leaves the other root ahead.
 TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
   const Case surface = one_ray({{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
   const Verdict missed = judge("class", surface, that_answers({}));
@@ -133,8 +132,8 @@ TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
   for (const double share : excuse.witness) EXPECT_LE(std::abs(share), kExcusedChange);
 }
 
-/// The smaller root lies behind the origin by a rounding: who answers it is wrong by a chord, which
-/// the law of roots judges, however its two answers differ.
+/// The smaller root lies behind the origin by a rounding: an answer with it is wrong by a chord,
+/// which only the law `nearest-root` judges, however the two answers differ.
 TEST(Trial, ComparesNoAnswersAtTheOtherRoot) {
   const Case inside = one_ray({{-0x1.fffffffffffffp-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
   for (const bool is_at_other : {true, false}) {
@@ -183,7 +182,7 @@ TEST(Trial, JudgesATangentByItsConvention) {
   }
 }
 
-TEST(Trial, HoldsAnErrorAgainstTheBoundAskedForOrTheCandidates) {
+TEST(Trial, ComparesAnErrorWithTheChosenBoundOrTheCandidates) {
   Candidate candidate = that_answers(HitAnswer{4 + 0x1p-48, {-1, 0, 0}});  // 8 ulp of 4 off
   const Case the_case = at_height(0);
   EXPECT_TRUE(judge("parameter", the_case, candidate).holds());
@@ -195,7 +194,7 @@ TEST(Trial, HoldsAnErrorAgainstTheBoundAskedForOrTheCandidates) {
   EXPECT_TRUE(judge("parameter", the_case, candidate, {.max_error = 5}).holds());
 }
 
-TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
+TEST(Trial, GivesNoExcuseAgainstAPromiseOfExactHitClasses) {
   Candidate candidate = that_answers(HitAnswer{5, {0, 1, 0}});
   candidate.smallest_length = 10;
   const Case outside = at_height(std::nextafter(1.0, 2.0));
@@ -209,7 +208,7 @@ TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
   EXPECT_FALSE(judge("class", outside, candidate).holds());
 }
 
-TEST(Trial, HoldsAnUnconditionalPromiseWhateverTheConditionNumberIs) {
+TEST(Trial, AppliesAnUnconditionalBoundAtEveryConditionNumber) {
   Case the_case = camera_case();
   the_case.scene.camera->eye = {1, 2, 4};
   the_case.scene.camera->up = {1, 2, 4 + 0x1p-30};
@@ -226,14 +225,14 @@ TEST(Trial, HoldsAnUnconditionalPromiseWhateverTheConditionNumberIs) {
   EXPECT_TRUE(judge("frame", the_case, candidate).holds());
 }
 
-TEST(Trial, AddsTheDomainOfCamerasWhereThereIsACamera) {
+TEST(Trial, AddsTheDomainOfCamerasIfThereIsACamera) {
   Candidate candidate;
   candidate.smallest_camera_length = 100;
   EXPECT_FALSE(is_inside_domain(candidate, camera_case().scene));
   EXPECT_TRUE(is_inside_domain(candidate, at_height(0).scene));
 }
 
-TEST(Trial, TakesACandidateThatFailsForADiscrepancy) {
+TEST(Trial, CountsAFailureAsADiscrepancy) {
   Candidate throwing;
   throwing.intersect = [](auto&&...) -> std::vector<SphereHits> {
     throw std::invalid_argument("I will not");
@@ -254,7 +253,7 @@ TEST(Trial, TakesACandidateThatFailsForADiscrepancy) {
   }
 }
 
-TEST(Trial, RefusesACaseThatIsNotAProblem) {
+TEST(Trial, RefusesAnInvalidCase) {
   Case the_case = at_height(0);
   the_case.scene.spheres[0].radius = -1;
   EXPECT_THROW(Trial(the_case, direct_cross()), std::invalid_argument);
@@ -275,7 +274,7 @@ std::vector<NearestHitError> errors_of(const std::vector<std::optional<std::size
   return nearest_hit_errors(trial, std::vector<std::int32_t>{1, touched, reference::kNoSphere});
 }
 
-/// Any of spheres that are equally near is right.
+/// Each of several equally near spheres is right.
 TEST(NearestHitError, IsMeasuredWhereTheSphereIsRight) {
   for (const std::size_t nearest : {1u, 2u}) {
     const auto errors = errors_of({nearest, 0, std::nullopt});

@@ -27,7 +27,7 @@ Discrepancy discrepancy(double error, std::size_t ray, Excuse excuse = {}) {
   return result;
 }
 
-TEST(Verdict, GivesDiscrepanciesItsLawAndKeepsThatOfOthers) {
+TEST(Verdict, SetsTheLawOfItsDiscrepanciesAndKeepsThoseOfMergedOnes) {
   Verdict of_a_law("parameter");
   of_a_law.add(discrepancy(4, 1));
   Verdict of_several;
@@ -57,7 +57,7 @@ TEST(Verdict, CountsMeasuredErrors) {
   EXPECT_EQ(tally.wrong_answers(), 0u);
 }
 
-TEST(Verdict, HasABoundWhereEveryErrorWasHeldToTheSame) {
+TEST(Verdict, HasABoundIfAllErrorsWereComparedWithTheSame) {
   const auto held_to = [](std::initializer_list<double> bounds) {
     Verdict all;
     for (const double bound : bounds) {
@@ -76,7 +76,7 @@ TEST(Verdict, HasABoundWhereEveryErrorWasHeldToTheSame) {
   EXPECT_EQ(decided.tallies().at(Quantity::kClass).bound(), std::nullopt);
 }
 
-TEST(Verdict, HoldsABoundToErrorsOverWhatItGrowsBy) {
+TEST(Verdict, ComparesABoundWithErrorsOverItsGrowth) {
   Verdict verdict;
   const auto add = [&](double error, double condition) {
     verdict.measured(Quantity::kParameter, at_ray(0), error, kBound);
@@ -110,14 +110,14 @@ TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   EXPECT_EQ(tally.count(Standing::kExcused), 1u);
   EXPECT_EQ(tally.count(Standing::kNotJudged), 1u);
   const Answered& hits = tally.answered[static_cast<std::size_t>(Expected::kHit)];
-  EXPECT_EQ(hits.asked, 4u);  // what is not judged is not asked
+  EXPECT_EQ(hits.asked, 4u);  // without the answer that is not judged
   EXPECT_EQ(hits.right, 1u);
   EXPECT_EQ(tally.worst_place.ray, 2u);  // the first without an excuse
   EXPECT_FALSE(tally.median().has_value());
   EXPECT_FALSE(tally.max().has_value());
 }
 
-TEST(Verdict, HoldsWhileNothingIsADefect) {
+TEST(Verdict, HoldsWithoutADefect) {
   for (const Excuse& excuse : {kIllConditioned, kWitness, kUndecided, kOutside}) {
     Verdict verdict;
     verdict.add(discrepancy(100, 0, excuse));
@@ -147,7 +147,7 @@ TEST(Verdict, NamesTheFirstQuestionThatWasAnsweredRightlyTooFewTimes) {
   EXPECT_EQ(measured.too_few_right(1), too_few_values);
   Verdict both = measured;
   both.measured(Quantity::kHitPoint, at_ray(0), kBound, kBound);
-  EXPECT_FALSE(both.too_few_right(1));  // values of one kind or another
+  EXPECT_FALSE(both.too_few_right(1));  // values of all quantities count together
   measured.count_ill_conditioned(Quantity::kParameter);
   EXPECT_FALSE(measured.too_few_right(1));
 }
@@ -181,7 +181,7 @@ TEST(Verdict, LetsNoQuantityHideTheOthers) {
   EXPECT_EQ(errors[4], kInfinity);  // excused
 }
 
-TEST(Verdict, ForgetsNoneOfTheWorstAndCountsAll) {
+TEST(Verdict, KeepsTheWorstAndCountsAll) {
   constexpr std::size_t kCount = 5 * kKeptDiscrepancies;
   Verdict verdict;
   for (std::size_t k = 0; k < kCount; ++k) {
@@ -238,7 +238,7 @@ void expect_equal(const Tally& a, const Tally& b) {
                is_earlier(b.worst_place, a.worst_place));
 }
 
-TEST(Verdict, IsTheSameInWhateverOrderItsPartsAreMerged) {
+TEST(Verdict, DoesNotDependOnTheOrderOfMerging) {
   std::mt19937_64 random(8);
   for (int round = 0; round < 20; ++round) {
     std::vector<Verdict> parts;
@@ -325,7 +325,7 @@ TEST(QuantileSketch, IsAtLeastTheExactQuantileAndWithinItsResolution) {
   EXPECT_GE(compared, 60);
 }
 
-TEST(QuantileSketch, IsTheSameInWhateverOrderNumbersAreAddedAndMerged) {
+TEST(QuantileSketch, DoesNotDependOnTheOrderOfAddingAndMerging) {
   std::mt19937_64 random(6);
   for (auto [name, numbers] : samples()) {
     const QuantileSketch expected = sketch_of(numbers);
@@ -349,7 +349,7 @@ TEST(QuantileSketch, IsTheSameInWhateverOrderNumbersAreAddedAndMerged) {
   }
 }
 
-TEST(QuantileSketch, HoldsNoMoreThanItsBinsAndWhatWaits) {
+TEST(QuantileSketch, HoldsOnlyItsBinsAndWaitingNumbers) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> binade(1, 2);
   QuantileSketch sketch;
@@ -364,7 +364,7 @@ TEST(QuantileSketch, HoldsNoMoreThanItsBinsAndWhatWaits) {
   EXPECT_EQ(merged.count(), 200 * sketch.count());
 }
 
-TEST(QuantileSketch, CountsWhatIsNoNumberAsInfiniteAndRefusesNegatives) {
+TEST(QuantileSketch, CountsNaNAsInfiniteAndRefusesNegatives) {
   EXPECT_EQ(sketch_of({std::nan("")}).max(), kInfinity);
   EXPECT_THROW(sketch_of({-1}), std::invalid_argument);
 }

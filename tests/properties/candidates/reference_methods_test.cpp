@@ -1,4 +1,4 @@
-// The reference as methods: right where they say so, and wrong where they say so.
+// The reference as methods: they keep their promises, and fail at their documented limits.
 
 #include "properties/candidates/reference_methods.h"
 
@@ -20,13 +20,13 @@ using scene::Tangent;
 
 const Sphere kUnitSphere = {{0, 0, 0}, 1};
 
-/// The digits of a certified error beyond a bound that the truth meets exactly: enclosures of
-/// ExactRay::kValueBits leave so much.
+/// The excess of a certified error over a bound that the truth meets exactly: the width of
+/// enclosures of ExactRay::kValueBits.
 constexpr double kCertifiedSlack = 0x1p-14;
 
 class EachExactMethod : public testing::TestWithParam<const fast::IntersectMethod*> {};
 
-/// Under every convention, and with its bound on s.
+/// Under every convention, and within its bound on s.
 TEST_P(EachExactMethod, KeepsTheLawsOnOrdinaryCases) {
   Candidate candidate = fast_candidate(fast::kDirectRays, *GetParam());
   auto& bound = candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)];
@@ -38,7 +38,7 @@ TEST_P(EachExactMethod, KeepsTheLawsOnOrdinaryCases) {
   }
 }
 
-/// Of small integers, ties included; over the whole range where it promises to.
+/// On small integers, including ties; over the whole range if it promises that.
 TEST_P(EachExactMethod, KeepsTheClass) {
   for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kAll}) {
     if (sizes == Sizes::kAll && !GetParam()->exact_class) continue;
@@ -68,14 +68,14 @@ bool meets(const fast::IntersectMethod& method, double y, double z) {
   return method.intersect_one({{-5, y, z}, {1, 0, 0}}, kUnitSphere, {}).has_value();
 }
 
-TEST(Arb128, DoesNotTellWhat128BitsDoNot) {
+TEST(Arb128, MissesDifferencesBelow128Bits) {
   // y^2 + z^2 exceeds 1 by 2^-140.
   EXPECT_TRUE(meets(kArb, 1, 0x1p-70));
   EXPECT_FALSE(meets(kReference, 1, 0x1p-70));
   EXPECT_FALSE(meets(kArb, 1, 0x1p-60));
 }
 
-TEST(ReferenceIntervals, MissesWhatItDoesNotDecide) {
+TEST(ReferenceIntervals, AnswersAMissIfItIsUndecided) {
   // y^2 + z^2 is 1 - 2^-52 + 2^-54 + 2^-106.
   EXPECT_TRUE(meets(kReference, 1 - 0x1p-53, 0x1p-27));
   EXPECT_FALSE(meets(kReferenceIntervals, 1 - 0x1p-53, 0x1p-27));

@@ -1,5 +1,5 @@
-// What the sources of cases make: a generator that never gives what it is for tests nothing. The
-// dials of families have tests of their own. How cases are shrunk, and scenes varied.
+// The cases of sources: a generator that never makes its kind of case tests nothing. (For
+// severities see families_test.cpp.) How cases are shrunk, and scenes varied.
 
 #include "properties/cases/case_source.h"
 
@@ -18,17 +18,17 @@ namespace {
 
 using scene::Scene;
 
-/// How many pairs of a ray and a sphere there are, by their exact class.
+/// The number of pairs of a ray and a sphere, by exact hit class.
 struct Mixture {
   int pairs = 0, hits = 0, misses = 0, tangents = 0;
 };
 
 Mixture count(const CaseSource& source, int severity, std::uint64_t seeds) {
   Mixture counts;
-  const Candidate nobody;
+  const Candidate no_functions;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const Case the_case = source.make(severity, seed);
-    Trial trial(the_case, nobody);
+    Trial trial(the_case, no_functions);
     for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
       for (std::size_t sphere = 0; sphere < the_case.scene.spheres.size(); ++sphere) {
         ++counts.pairs;
@@ -45,10 +45,10 @@ Mixture count(const CaseSource& source, int severity, std::uint64_t seeds) {
 /// Rays that meet two spheres first at the same parameter.
 int count_ties(const CaseSource& source, std::uint64_t seeds) {
   int ties = 0;
-  const Candidate nobody;
+  const Candidate no_functions;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const Case the_case = ChosenSource{&source}.make(seed);
-    Trial trial(the_case, nobody);
+    Trial trial(the_case, no_functions);
     for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
       const auto nearest =
           trial.exact_ray(ray).nearest(the_case.scene.spheres, the_case.scene.conventions);
@@ -68,7 +68,7 @@ TEST(CaseSource, KeepsMakingBothHitsAndMisses) {
       const Mixture counts = count(source, severity, 120);
       EXPECT_GE(counts.pairs, 120);
       EXPECT_GT(20 * (counts.hits + counts.tangents), counts.pairs);
-      // Nothing but tangents is what tangent-ulps is for at its highest.
+      // tangent-ulps has only tangents at its highest severity.
       const bool only_tangents = source.name == "tangent-ulps" && severity == highest;
       EXPECT_GT(20 * (only_tangents ? counts.tangents : counts.misses), counts.pairs);
     }
@@ -133,7 +133,7 @@ TEST(ChosenSource, NamesWhatIsWrong) {
   }
 }
 
-TEST(ChosenBy, IsEachSourceAboutAsOftenAsTheOthers) {
+TEST(ChosenBy, ChoosesAllSourcesAboutEquallyOften) {
   std::vector<ChosenSource> all;
   for (const CaseSource& source : case_sources()) all.push_back({&source});
   constexpr std::uint64_t kMean = 1000;
@@ -147,7 +147,7 @@ TEST(ChosenBy, IsEachSourceAboutAsOftenAsTheOthers) {
   }
 }
 
-TEST(ChosenBy, StaysWhatItWasWhereASourceMoreIsNotChosen) {
+TEST(ChosenBy, KeepsItsChoiceUnlessAnAddedSourceIsChosen) {
   std::vector<ChosenSource> all;
   for (const CaseSource& source : case_sources()) all.push_back({&source});
   Random seeds(1);
@@ -187,7 +187,7 @@ TEST(Shrink, OffersOnlySimplerFiniteDoubles) {
   }
 }
 
-/// Follows the first offer that still satisfies `keeps`, to the end.
+/// Follows the first offers that satisfy `keeps` to the end.
 double shrunk(double value, const std::function<bool(double)>& keeps) {
   for (;;) {
     const auto offers = simpler(value);
@@ -217,7 +217,7 @@ TEST(Shrink, FindsTheSmallestImageByHalving) {
   EXPECT_EQ(the_case.scene.camera->width, 46341);
 }
 
-/// As many as no memory holds with one number of each simpler.
+/// So large that copies with one simpler number each do not fit into memory.
 TEST(Shrink, TakesHalvesOfManySpheresFirstAndGivesUpWhereAllAreNeeded) {
   Case many;
   many.scene.rays = {{{}, {0, 0, 1}}};
@@ -273,8 +273,8 @@ TEST(Shrink, EndsAtAPlainCaseByValidOnes) {
 constexpr std::uint64_t kSeeds = 200;
 constexpr std::array kAll = {Variation::kScale, Variation::kSize, Variation::kSpheres};
 
-/// The eye is off the origin; four spheres that are mirror images, two above and below, one that
-/// hides one behind it.
+/// The eye is off the origin; four spheres that are mirror images, one above, one below, and one
+/// that hides another.
 Scene mirrored() {
   Scene result;
   result.camera = scene::Camera{{1, 2, 3}, {1, 2, 2}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 21, 21};
@@ -312,7 +312,7 @@ TEST(VariedScene, FollowsFromItsSeedAndIsValid) {
   EXPECT_GE(radii.size(), kSeeds - 5);
 }
 
-TEST(VariedScene, IsAsItWasWhereNothingVaries) {
+TEST(VariedScene, IsUnchangedIfNothingVaries) {
   EXPECT_EQ(varied_scene(bordered(), {}, 7), bordered());
 }
 

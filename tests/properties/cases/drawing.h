@@ -6,7 +6,7 @@
 
 namespace raycheck::properties {
 
-/// direct/cross, which makes images too, as renderers do: not large ones.
+/// direct/cross, which also draws small images, as renderers do.
 inline Candidate drawing_candidate() {
   Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
   candidate.most_image_pixels = 1 << 14;

@@ -1,5 +1,5 @@
-// Whether a family's dial sets what it says, measured from the doubles of its cases with
-// enclosures, never with the generator's own arithmetic.
+// Whether the severity of a source sets the documented quantity, measured from the doubles of its
+// cases with enclosures, never with the generator's arithmetic.
 
 #include "properties/cases/case_source.h"
 #include "properties/trial.h"
@@ -26,24 +26,25 @@ Enclosure3 lift(const Triple& v) {
   return {lift(v.x), lift(v.y), lift(v.z)};
 }
 
-/// What the dial sets, in one place of a case, and by how much the rounding of the case's own
-/// numbers may move it: where that is more than severity asks for, it is what there is.
+/// The quantity of the dial, in one place of a case, and the most by which the rounding of the
+/// case's numbers may move it: where that exceeds the value of the severity, it limits the test.
 struct Measured {
   Enclosure value;
   double noise = 0;
 };
 
-/// Factors for what two roundings may move.
+/// Factors for the effect of two roundings.
 constexpr double kBelow = 1 - 0x1p-40;
 constexpr double kAbove = 1 + 0x1p-40;
 
-/// A family whose severity k sets a value to base^k (or its inverse, or either) up to a factor.
+/// A source with a severity k that sets a value to base^k (or its inverse, or either) up to a
+/// factor.
 struct SeverityRow {
   std::string_view family;
   enum class Sets { kPower, kInverse, kEither } sets;
   double least;  ///< Factor of the power that values are at least,
   double most;   ///< and at most.
-  int highest;   ///< Severities above are tested on their own.
+  int highest;   ///< Severities above are tested separately.
   std::vector<Measured> (*measure)(const Case&);
 };
 
@@ -94,7 +95,7 @@ void expect_dial(const SeverityRow& row) {
   }
 }
 
-/// How often a ray starts outside a sphere or inside, towards its centre or away from it.
+/// The number of rays that start outside a sphere or inside, towards its centre or away from it.
 struct Sides {
   std::array<int, 4> counts = {};
 
@@ -234,7 +235,7 @@ std::vector<Measured> camera_scale(const Case& the_case) {
   return longest({norm(lift(camera.eye)), norm(lift(camera.look_at)), abs(lift(camera.near))});
 }
 
-/// The sine of the angle between up and the view.
+/// The sine of the angle between `up` and the view.
 std::vector<Measured> up(const Case& the_case) {
   const Camera& camera = camera_of(the_case);
   const Enclosure3 view = lift(camera.eye) - lift(camera.look_at);
@@ -297,7 +298,7 @@ const SeverityRow kRows[] = {
     {"direction-length", Sets::kEither, kBelow, 2 * kAbove, 1074, direction_length},
     {"far-camera", Sets::kPower, 0.5 * kBelow, 2 * kAbove, 15, far_camera},
     {"camera-scale", Sets::kEither, 0x1p-3, 0x1p6, 1074, camera_scale},
-    // An angle whose tangent is at most 0.9 has a sine of 0.66.
+    // A tangent of at most 0.9 is a sine of at most 0.67.
     {"up", Sets::kInverse, 0.37, 0.9, 15, up},
     {"field-of-view", Sets::kEither, 0.5 * kBelow, 2 * kAbove, 15, field_of_view},
     {"image-size", Sets::kPower, 1, 1, 30, image_size},
@@ -310,7 +311,7 @@ TEST_P(Family, SetsWhatItsDialSays) { expect_dial(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Families, Family, testing::ValuesIn(kRows),
                          [](const auto& the_test) { return identifier(the_test.param.family); });
 
-/// Calls visit(case, spheres as met) for many seeds of a family's highest severity.
+/// Calls visit(case, meetings) for many seeds of a source's highest severity.
 template <class Visit>
 void for_each_at_highest(std::string_view family, Visit visit) {
   const CaseSource& source = *find_case_source(family);
@@ -319,10 +320,10 @@ void for_each_at_highest(std::string_view family, Visit visit) {
 }
 
 TEST(FamilyHighest, OfTangentUlpsIsExactlyTangent) {
-  const Candidate nobody;
+  const Candidate no_functions;
   std::set<std::size_t> spheres;
   for_each_at_highest("tangent-ulps", [&](const Case& the_case) {
-    Trial trial(the_case, nobody);
+    Trial trial(the_case, no_functions);
     spheres.insert(the_case.scene.spheres.size());
     for (std::size_t k = 0; k < the_case.scene.spheres.size(); ++k) {
       EXPECT_EQ(trial.exact_intersection(0, k).hit_class, HitClass::kTangent);
@@ -338,7 +339,7 @@ TEST(FamilyHighest, OfSurfaceStartsExactlyOnIt) {
       const RayMeeting m = meeting(ray_of(the_case), sphere);
       EXPECT_EQ((dot(m.T, m.T) - m.radius * m.radius).certain_sign(), 0);
       ++(m.axial.certain_sign() == 1 ? entering : leaving);
-      // r^2 does not fit a double: those who square it round.
+      // r^2 is not a double, so that code that squares r rounds.
       full_width += std::fma(sphere.radius, sphere.radius, -sphere.radius * sphere.radius) != 0;
     }
   });

@@ -7,7 +7,7 @@
 
 namespace raycheck::properties {
 
-/// It computes whole rows: larger images are not given to it.
+/// It computes whole rows, and does not get larger images.
 inline constexpr std::int64_t kMostCertifiedPixelsAcross = 1 << 12;
 
 /// A row of the image.
@@ -26,8 +26,8 @@ inline Row seen_row(const reference::Visibility& visibility, std::int64_t j) {
   return row;
 }
 
-/// Certified visibility (reference/visibility/visibility.h) as a candidate, `certified`, with
-/// `visible` alone: by a plan with these `items`. It promises every decision.
+/// Certified visibility (reference/visibility/visibility.h) as a candidate, `certified`, with only
+/// `visible`, by a plan with these `items`. It promises every decision.
 inline Candidate certified_candidate(const scene::PlanItems& items = {}) {
   Candidate candidate;
   candidate.name = "certified";

@@ -28,13 +28,13 @@ template <class Triple>
 Enclosure3 exactly3(const Triple& v) {
   return {exactly(v.x), exactly(v.y), exactly(v.z)};
 }
-/// In two factors, as the power itself may be out of the range of doubles.
+/// In two factors, since the power may be outside the range of doubles.
 Enclosure power_of_two(int exponent) {
   return exactly(std::ldexp(1.0, exponent / 2)) * exactly(std::ldexp(1.0, exponent - exponent / 2));
 }
 
-/// Bounds times 2^exponent against the exact value, which an enclosure of 256 bits stands for: it
-/// may lie across an end by its own width.
+/// Compares bounds times 2^exponent with the exact value, given as an enclosure of 256 bits, which
+/// may exceed an end by its width.
 void expect_holds(const Bounds& bounds, int exponent, const Enclosure& exact) {
   ASSERT_LE(bounds.low, bounds.high);
   const auto at = [exponent](double end) { return exactly(end) * power_of_two(exponent); };
@@ -46,7 +46,7 @@ void expect_holds(const Bounds& bounds, int exponent, const Enclosure& exact) {
   }
 }
 
-/// How often both ends are known, and how often to 10 digits.
+/// The number of values with both ends known, and with 10 digits.
 struct Known {
   int all = 0, finite = 0, to_ten_digits = 0;
 
@@ -127,7 +127,7 @@ scene::Scene with_more_spheres(scene::Scene scene) {
   return scene;
 }
 
-TEST(Plan, OfASphereIsTheSameAloneAndAmongOthersOnEveryTarget) {
+TEST(Plan, OfASphereDoesNotDependOnOtherSpheresOnAnyTarget) {
   for (const CaseSource& source : case_sources()) {
     if (!source.has_camera) continue;
     SCOPED_TRACE(source.name);
@@ -155,7 +155,7 @@ TEST(Plan, OfASphereIsTheSameAloneAndAmongOthersOnEveryTarget) {
   }
 }
 
-/// What one pixel and sphere are in scaled lengths, exactly but for the axes, known to 512 bits.
+/// A pixel and a sphere in scaled lengths, exact except for the axes, which have 512 bits.
 struct Exact {
   Enclosure b, disc;
 };
@@ -191,7 +191,7 @@ Computed computed(const reference::FilteredSphere& sphere, double alpha, double 
   return {b.x, disc.x};
 }
 
-/// The largest shares of a bound that errors took.
+/// The largest ratios of an error to its bound.
 struct Shares {
   double disc = 0, numerator = 0;
   int compared = 0, decided = 0, by_moment = 0;
@@ -256,7 +256,7 @@ void compare(const Case& the_case, Shares& shares, Shares& in_pairs, Shares& in_
       const Enclosure b = n * w + y * v + x * u;
       const Enclosure disc = b * b - c * (n * n + x * x + y * y);
       const double E = sphere.decided / reference::kDecidedBeyond;
-      // Of rays that pass so far that the bound says nothing, only that they miss.
+      // For rays that pass too far away for a useful bound, only that they miss.
       const Enclosure S_sq = r * r * exactly(sizes.A);
       const bool passes_far = (disc + exactly(3) * S_sq).certain_sign() == -1;
       if (has_pairs && !passes_far) {
@@ -306,7 +306,7 @@ TEST(VisibilityBound, HoldsOnEverySourceOfCameras) {
     hwy::SetSupportedTargetsForTest(0);
     EXPECT_LE(shares.disc, 1);
     EXPECT_LE(shares.numerator, 1);
-    // It bounds all pixels and spheres at once, but it is no idle bound.
+    // It bounds all pixels and spheres at once, and yet is not too large.
     EXPECT_GT(shares.disc, 0x1p-6);
     EXPECT_GT(shares.compared, 200);
     EXPECT_LE(in_pairs.disc, 1);

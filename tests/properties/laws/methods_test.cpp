@@ -1,5 +1,5 @@
-// Every method of fast/ against every law, with fixed seeds; and the promises that a method is
-// known to break, which must stay broken in the same place.
+// Every method of fast/ against every law, with fixed seeds; and the laws that a method is known to
+// break, which must stay broken in the same place.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kCases = 900;
 
-/// What a law must compare in kCases cases of direct/cross, at the least: any law, and those of
-/// which more is known about two thirds of what they do compare.
+/// The least number of comparisons of a law in kCases cases of direct/cross: for any law, and for
+/// some laws about two thirds of the actual number.
 constexpr std::uint64_t kLeastOfAny = 60;
 const std::map<std::string_view, std::uint64_t> kLeastCompared = {
     {"frame", 2400},          {"pixel-point", 1700},
@@ -64,10 +64,10 @@ void expect_caught(std::string_view law, const Candidate& candidate, std::string
       << candidate.name << " keeps " << law << " on " << source;
 }
 
-/// A plan is made of the scene alone, before there are rays and hits: the same for every method.
+/// A plan depends only on the scene, not on rays and hits: it is the same for every method.
 bool is_of_plans(const Law& law) { return needs_any(law.needs, Needs::kPlan); }
 
-/// The laws that it is true of.
+/// The laws that satisfy a condition.
 template <class Is>
 Names laws_that(Is is) {
   Names names;
@@ -77,7 +77,7 @@ Names laws_that(Is is) {
   return names;
 }
 
-/// Those to which it makes a difference how spheres are intersected.
+/// The laws that depend on how spheres are intersected.
 Names laws_of_intersections() {
   return laws_that([](const Law& law) {
     return !is_of_plans(law) && (speaks_of_intersections(law) || !speaks_of_cameras(law));
@@ -96,7 +96,7 @@ TEST(EveryLaw, HoldsForDirectCross) {
     const Verdict& verdict = results[k].verdict;
     const auto least = kLeastCompared.find(all_laws()[k]);
     EXPECT_GE(verdict.compared(), least == kLeastCompared.end() ? kLeastOfAny : least->second);
-    // Excuses are for the few: a law that excuses most of what it compares says nothing.
+    // Excuses must be rare: a law that excuses most answers tests nothing.
     std::uint64_t excused = verdict.count(Standing::kExcused);
     for (const auto& [quantity, tally] : verdict.tallies()) excused += tally.ill_conditioned;
     EXPECT_LT(2 * excused, verdict.compared());
@@ -114,8 +114,8 @@ Candidate with_direct_rays(std::string_view intersection) {
   throw std::invalid_argument(std::string(intersection));
 }
 
-/// The methods that keep their promises everywhere, `cross` aside, which has its own test, or those
-/// that do not.
+/// The methods that keep their promises everywhere, except `cross`, which has a separate test; or
+/// those that do not.
 std::vector<std::string> methods(bool keep) {
   std::vector<std::string> names;
   for (const fast::IntersectMethod* method : fast::intersect_methods()) {
@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, KeptEverywhere, testing::ValuesIn(methods(true
 /// fast/robust_test.cpp holds it to that.
 TEST(Robust, PromisesTheExactClass) { EXPECT_TRUE(with_direct_rays("robust").exact_class); }
 
-/// Methods that make rays, where they keep all laws but some.
+/// Sources on which methods of rays keep all laws except some.
 struct RaysKept {
   const fast::PixelRayMethod* method;
   std::set<std::string_view> broken;
@@ -147,11 +147,11 @@ const RaysKept kRaysKept[] = {
     // P - E cancels, and a hit inherits the error of its ray's direction.
     {&fast::kLectureRays, {"direction", "parameter", "hit-point", "axes", "focal-and-pixel"}},
     {&fast::kIncrementalRays, {"bounds"}},
-    // Near the world's origin.
+    // Only near the world's origin.
     {&fast::kSingleRays, {}, "cameras"},
 };
 
-/// Of all laws to which it makes a difference how rays are made.
+/// For all laws that depend on how rays are made.
 TEST(EveryLawOfRays, HoldsWhereItIsKept) {
   for (const auto& [method, broken, source] : kRaysKept) {
     const Names kept =
@@ -169,7 +169,7 @@ class LessStableMethod : public testing::TestWithParam<std::string> {
 TEST_P(LessStableMethod, IsCaughtOnFarAndGrazingSpheres) {
   for (const auto& [law, source] :
        {std::pair("class", "distance"), {"class", "tangency"}, {"parameter", "distance"}}) {
-    // In floats that is what the textbook's formula may lose near tangents.
+    // In floats the textbook's formula is allowed this loss near tangents.
     const bool is_textbook = std::string(candidate().name) == "direct/single-quadratic";
     if (is_textbook && law == std::string("class") && source == std::string("tangency")) continue;
     expect_caught(law, candidate(), source);
@@ -191,7 +191,7 @@ TEST(RaysOfLessStableMethods, AreCaughtFarFromTheOriginAndByTheBitsOfTheLastColu
   }
 }
 
-TEST(FocalRays, LeaveOutWhatSpeaksOfPixelPoints) {
+TEST(FocalRays, LeaveOutLawsOfPixelPoints) {
   const Candidate focal = fast_candidate(fast::kFocalRays, fast::kCross);
   const Names of_points = {"pixel-point",     "bounds",  "image-plane",   "centre-pixel",
                            "pixel-zero-zero", "density", "square-pixels", "focal-and-pixel"};

@@ -1,5 +1,5 @@
-// The laws of the plan on every source of cases, for every choice of what the plan does; and that
-// all of what it may leave out does occur.
+// The laws of the plan on every source of cases, with each item of the plan on and off; and that
+// plans leave out spheres for every reason.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/cases/case_text.h"
@@ -19,8 +19,8 @@ using scene::PlanItems;
 constexpr const char* kPlanLaws[] = {"plan-left-out", "plan-rectangles", "plan-roots",
                                      "visible-sphere"};
 
-/// Cases of each source: 200, or what RAYCHECK_PLAN_CASES says (100,000, every night); one of every
-/// severity at the least.
+/// Cases of each source: 200, or RAYCHECK_PLAN_CASES (100,000 every night); at least one of every
+/// severity.
 std::uint64_t cases_of(const CaseSource& source) {
   const char* const asked = std::getenv("RAYCHECK_PLAN_CASES");
   const std::uint64_t cases = asked == nullptr ? 200 : std::strtoull(asked, nullptr, 10);
@@ -28,9 +28,8 @@ std::uint64_t cases_of(const CaseSource& source) {
   return std::max(cases, static_cast<std::uint64_t>(severities));
 }
 
-/// A camera whose middle pixel looks along a given ray, at its spheres: some fill the image, some
-/// are a pixel wide. Empty where the eye and what it looks at are too far apart in size for
-/// doubles.
+/// A camera with a given ray as that of its middle pixel: some of its spheres fill the image, some
+/// are a pixel wide. Empty where the lengths differ too much for doubles.
 std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
   Random random(seed);
   const scene::Ray& ray = of_rays.scene.rays.front();
@@ -56,7 +55,7 @@ std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
   return result;
 }
 
-/// So many cases of the source, each with a camera, its severities each as often as the other.
+/// That number of cases of the source, each with a camera, with all severities equally often.
 template <class Body>
 void for_each_case(const CaseSource& source, std::uint64_t cases, Body body) {
   const int severities = source.severities ? source.severities->highest + 1 : 1;
@@ -69,7 +68,7 @@ void for_each_case(const CaseSource& source, std::uint64_t cases, Body body) {
   }
 }
 
-/// What each law compared.
+/// The number of comparisons of each law.
 using Compared = std::map<std::string_view, std::uint64_t>;
 
 void expect_laws_hold(const Case& the_case, const Candidate& candidate, Compared& compared,
@@ -100,7 +99,7 @@ TEST_P(EachSource, KeepsTheLawsOfThePlan) {
     expect_laws_hold(the_case, certified, compared);
   });
   // Rays at the end of the range have no camera; images may be too large for `certified`.
-  EXPECT_GE(4 * seen, cases);  // what leaves the range when a camera is made of it has none
+  EXPECT_GE(4 * seen, cases);  // cases that leave the range with a camera are skipped
   EXPECT_GE(compared["visible-sphere"], 4 * seen);
   const std::uint64_t of_plans =
       compared["plan-left-out"] + compared["plan-rectangles"] + compared["plan-roots"];
@@ -113,7 +112,7 @@ TEST_P(EachSource, KeepsTheLawsOfThePlan) {
 
 INSTANTIATE_TEST_SUITE_P(Sources, EachSource, testing::ValuesIn(names_of(case_sources())), by_name);
 
-/// What plans left out, or need not ask.
+/// Counts of spheres that plans left out, and of tests that they made unnecessary.
 struct Savings {
   std::map<LeftOut, int> left_out;
   int smaller_rectangles = 0, no_far_root = 0, no_behind_test = 0, scaled = 0, aligned = 0;
@@ -157,7 +156,7 @@ TEST(Plans, LeaveOutSomethingOfEveryKind) {
   EXPECT_EQ(crowds.aligned, 0);
   const Savings plain = savings_of(*find_case_source("plain-cameras"), 500);
   EXPECT_EQ(plain.aligned, 500);
-  EXPECT_GT(plain.left_out.at(LeftOut::kHidden), 20);  // equal ones
+  EXPECT_GT(plain.left_out.at(LeftOut::kHidden), 20);  // equal spheres
   EXPECT_GT(savings_of(*find_case_source("camera-scale"), 500).scaled, 300);
 }
 
@@ -188,7 +187,7 @@ PlanItems items_with(bool others, const Item& item, bool value) {
 
 class EachItem : public testing::TestWithParam<Item> {
  protected:
-  /// Cases of every source for both sides that may do what `items` say.
+  /// Judges cases of every source, for the certified and a fast candidate with these `items`.
   void expect_laws_hold_with(const PlanItems& items) {
     const Candidate certified = certified_candidate(items);
     const Candidate fast = fast_candidate(fast::kDirectRays, fast::kRobust, items);
@@ -208,7 +207,9 @@ class EachItem : public testing::TestWithParam<Item> {
   }
 };
 
-TEST_P(EachItem, OffKeepsTheLaws) { expect_laws_hold_with(items_with(true, GetParam(), false)); }
+TEST_P(EachItem, SwitchedOffKeepsTheLaws) {
+  expect_laws_hold_with(items_with(true, GetParam(), false));
+}
 TEST_P(EachItem, AloneKeepsTheLaws) { expect_laws_hold_with(items_with(false, GetParam(), true)); }
 
 INSTANTIATE_TEST_SUITE_P(Items, EachItem, testing::ValuesIn(kItems),
@@ -217,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(Items, EachItem, testing::ValuesIn(kItems),
                          });
 
 TEST(PlanItems, AreAllTried) {
-  // As many flags as there are bytes: an item that is added is added above.
+  // PlanItems has one flag per byte: a new item must be added above.
   EXPECT_EQ(std::size(kItems), sizeof(PlanItems));
 }
 

@@ -1,5 +1,5 @@
-// Laws where t_min, t_max and culling say which roots count: who follows them exactly passes, who
-// is off at the ends does not.
+// Laws under t_min, t_max and culling: code that follows them exactly passes, code that treats the
+// ends wrongly does not.
 
 #include "properties/search/campaign.h"
 #include "tests/properties/one_ray.h"
@@ -33,7 +33,7 @@ Candidate follower(const Change& mistake = [](scene::Conventions&) {}) {
   return candidate;
 }
 
-/// A ray along x from 0 with roots at 2 and 4 of a sphere of radius 1, and others beside.
+/// A ray along x from 0 with roots at 2 and 4 of a sphere of radius 1, and other rays and spheres.
 Case a_case(const scene::ValidRoots& valid) {
   Case one;
   one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}, {{2.5, 0, 0}, {1, 0, 0}}, {{0, 0.5, 0}, {1, 0, 0}}};
@@ -64,14 +64,14 @@ TEST(ValidRootsLaws, HoldWhereTheyAreFollowed) {
   }
 }
 
-TEST(ValidRootsLaws, TellWhoIsOffAndCallDefectsWhatLiesFarFromTheEnds) {
+TEST(ValidRootsLaws, FindWrongEndsAndReportDefectsFarFromThem) {
   using C = scene::Conventions;
   const Change keep = [](C&) {}, ignore = [](C&c) { c.valid = {}; },
                open_min = [](C&c) { c.valid.ends = scene::Ends::kOpenMin; },
                open_max = [](C&c) { c.valid.ends = scene::Ends::kOpenMax; },
                absolute = [](C&c) { c.valid.unit = scene::TUnit::kAbsolute; };
-  // The near root of the first ray is 2, the far one of the second sphere 7: at an end it is not
-  // said who is wrong.
+  // The near root of the first ray is 2, the near one of the second sphere 7: at an end a wrong
+  // answer is not a defect.
   const scene::ValidRoots closed{2, 7, scene::Ends::kClosed, {}, {}};
   const scene::ValidRoots open{2, 7, scene::Ends::kOpen, {}, {}};
   struct Row {
@@ -102,7 +102,7 @@ TEST(ValidRootsLaws, TellWhoIsOffAndCallDefectsWhatLiesFarFromTheEnds) {
   }
 }
 
-/// Of the law that counts it, "" where it is not told.
+/// The law that reports a defect; "" without one.
 std::string told_as_defect(const scene::ValidRoots& valid, const Change& mistake) {
   for (const char* law : {"class", "nearest-root"}) {
     const Verdict found = verdict(law, follower(mistake), valid);
@@ -114,8 +114,9 @@ std::string told_as_defect(const scene::ValidRoots& valid, const Change& mistake
   return "";
 }
 
-/// Whose answer its own interval excludes needs no proof: >= for > is a defect at the very end.
-TEST(ValidRootsLaws, CallDefectsWhatTheirOwnIntervalExcludes) {
+/// An answer outside the interval by which it is judged is a defect without further proof: so is >=
+/// for > at the very end.
+TEST(ValidRootsLaws, ReportAnswersOutsideTheIntervalAsDefects) {
   const auto closed = [](scene::Conventions& c) { c.valid.ends = scene::Ends::kClosed; };
   // The near root of the first ray is 2, the far one 4; 7 and 11 of the second sphere.
   EXPECT_EQ(told_as_defect({2, 7, scene::Ends::kOpenMin, {}, {}}, closed), "nearest-root");
@@ -126,7 +127,7 @@ TEST(ValidRootsLaws, CallDefectsWhatTheirOwnIntervalExcludes) {
   EXPECT_EQ(told_as_defect({2, 7, scene::Ends::kOpen, {}, {}}, [](auto&) {}), "");
 }
 
-/// s is 1/3, above the double nearest to it, which is the best answer.
+/// s is 1/3, slightly above the nearest double, which is the best answer.
 TEST(ValidRootsLaws, LetTheExactRootBeRoundedToAnOpenEnd) {
   Case one = one_ray({{0, 0, 0}, {3, 0, 0}}, {{2, 0, 0}, 1});
   one.scene.conventions.valid = {1.0 / 3, kNoEnd, scene::Ends::kOpen, {}, {}};
@@ -143,7 +144,7 @@ TEST(ValidRootsLaws, LetTheExactRootBeRoundedToAnOpenEnd) {
 TEST(ValidRootsLaws, ScaleAbsoluteEndsWithTheScene) {
   const scene::ValidRoots absolute{2.5, 7, scene::Ends::kClosed, {}, {}};
   EXPECT_GT(verdict("scaling", follower(), absolute).compared(), 0u);
-  // Who keeps them is told apart.
+  // A candidate that does not scale them is wrong.
   EXPECT_GT(
       verdict("scaling", follower([](auto& c) { c.valid.t_min = 2.5; }), absolute).discrepancies(),
       0u);

@@ -24,7 +24,7 @@ std::vector<Case> cases_of(std::initializer_list<const char*> sources, std::uint
   return cases;
 }
 
-/// Some of whose lengths are of each size that is told apart.
+/// Cases with lengths of each size in the families of mistakes.
 const std::vector<Case>& fixed_cases() {
   static const std::vector<Case> kCases = [] {
     std::vector<Case> cases =
@@ -60,7 +60,7 @@ Sentences sentences_for(const Candidate& candidate,
       sentences.push_back(explanation.sentence);
       continue;
     }
-    // Others are wrong answers, too, and not explained by that.
+    // Other answers are wrong, too, for another reason.
     if (explanation.sentence != kNotNumbers) {
       EXPECT_GE(static_cast<double>(explanation.explained),
                 kExplainedShare * static_cast<double>(explanation.errors));
@@ -70,7 +70,7 @@ Sentences sentences_for(const Candidate& candidate,
   return sentences;
 }
 
-/// Right under one convention, whatever it is told.
+/// Right under one convention, whatever the scene says.
 template <class Value>
 Candidate following(Value scene::Conventions::*member, Value value) {
   Candidate candidate = fast_candidate(fast::kDirectRays, *fast::intersect_methods().front());
@@ -106,7 +106,7 @@ Candidate counting_all(scene::ValidRoots declared) {
   return candidate;
 }
 
-/// Declares that nothing counts beyond s = 4, and drops what lies farther away than a length of 4.
+/// Declares that nothing counts beyond s = 4, and drops hits at a distance of more than 4.
 Candidate cut_at_a_length() {
   Candidate candidate = counting_all({.t_max = 4});
   answer_by(candidate, [ask = hits_of(candidate)](Candidate::Rays rays, const scene::Sphere& sphere,
@@ -126,7 +126,7 @@ struct Undeclared {
   std::string text;
 };
 
-/// Of exact tangents another class is excused: inputs close by have it.
+/// The other hit class of exact tangents is excused: nearby inputs have it.
 TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
   const Undeclared all[] = {
       {following(&scene::Conventions::rows, scene::Rows::kTopFirst), "rows = top-first"},
@@ -153,7 +153,7 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
     }
     EXPECT_GT(broken, 0u);
   }
-  // What is right under none is not told so.
+  // Code that is right under none of them gets no such cause.
   const Candidate wrong = candidate_of("no ray ever hits a sphere");
   const auto of_class = laws_named({"class"});
   const auto result = run_campaigns(of_class, wrong, options_of(400, {}, Level::kOrdinary));
@@ -162,9 +162,9 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
   }
 }
 
-/// Cases that are left out, where roots are close to a declared end, are counted, and so are small
-/// errors beside answers that are no numbers.
-TEST(Causes, AreOfAllWrongAnswers) {
+/// The count includes cases that are left out, with roots close to a declared end, and small errors
+/// beside answers that are not numbers.
+TEST(Causes, CountAllWrongAnswers) {
   const Law& of_class = *find_law("class");
   Candidate far = candidate_of("spheres are solid: from inside s is 0");
   far.declared.valid = scene::ValidRoots{.t_max = 50};
@@ -189,13 +189,13 @@ TEST(Causes, AreOfAllWrongAnswers) {
   EXPECT_LT(both[0].explained, both[0].errors);
 }
 
-TEST(Mistakes, HaveSentencesOfTheirOwn) {
+TEST(Mistakes, HaveDistinctSentences) {
   std::set<std::string> sentences;
   for (const Mistake& mistake : mistakes()) EXPECT_TRUE(sentences.insert(mistake.sentence).second);
   EXPECT_GE(sentences.size(), 60u);
 }
 
-/// The indices of the mistakes that are made on the way to a ray, or after it.
+/// The indices of the mistakes that are made before rays are complete, or after that.
 std::vector<std::size_t> indices(bool on_the_way) {
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < mistakes().size(); ++k) {
@@ -220,7 +220,7 @@ class EachMistake : public testing::TestWithParam<std::size_t> {
   const Mistake& mistake() const { return mistakes()[GetParam()]; }
 };
 
-/// Where the cases do not tell the sizes of a family apart, the first of them.
+/// The mistake, or the one of its family that was named, since cases may not distinguish sizes.
 const Mistake& as_told(const Mistake& mistake, const Sentences& sentences) {
   const auto is_alike = [&](const Mistake& other) {
     return &other == &mistake || (!other.family.empty() && other.family == mistake.family);
@@ -229,8 +229,8 @@ const Mistake& as_told(const Mistake& mistake, const Sentences& sentences) {
   return named != nullptr && is_alike(*named) ? *named : mistake;
 }
 
-/// Its candidate, if need be as one that returns distances, or that declares which roots count;
-/// none where only pictures show it.
+/// A candidate that can make the mistake, if necessary one that returns distances, or declares
+/// which roots count; empty if only pictures show it.
 std::optional<Candidate> who_may_make(const Mistake& mistake) {
   for (const Returns returns : {Returns::kHit, Returns::kDistance}) {
     for (const scene::ValidRoots& valid : {scene::ValidRoots{}, scene::ValidRoots{.t_max = 4}}) {
@@ -243,9 +243,9 @@ std::optional<Candidate> who_may_make(const Mistake& mistake) {
   return {};
 }
 
-TEST_P(EachMistake, IsExplainedByItsOwnSentenceAlone) {
-  // What the spheres are is not asked together with what the camera is, and single rays do not tell
-  // what a picture shows beyond an image.
+TEST_P(EachMistake, IsExplainedOnlyByItsSentence) {
+  // Mistakes in cameras and in spheres are sought separately, and single rays do not show the
+  // pixels of a picture outside the image.
   const auto says = [&](const char* words) {
     return mistake().sentence.find(words) != std::string::npos;
   };
@@ -263,7 +263,7 @@ INSTANTIATE_TEST_SUITE_P(OfHits, EachMistake, testing::ValuesIn(indices(false)))
 
 using EachMistakeInRays = EachMistake;
 
-TEST_P(EachMistakeInRays, IsAmongTheExplanationsOfRaysAlone) {
+TEST_P(EachMistakeInRays, IsAmongTheExplanationsOfOnlyRays) {
   if (!who_may_make(mistake())) return;
   Candidate candidate;
   candidate.pixel_rays = mistake().candidate.pixel_rays;
@@ -276,7 +276,7 @@ INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInRays, testing::ValuesIn(indices(t
 
 using EachMistakeInHits = EachMistake;
 
-TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfNearestSpheresAlone) {
+TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfOnlyNearestSpheres) {
   const auto may = who_may_make(mistake());
   Candidate candidate;
   candidate.returns = may->returns;
@@ -293,9 +293,9 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfNearestSpheresAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInHits, testing::ValuesIn(indices(false)));
 
-/// But for methods that take d^2 as a difference: where it loses digits they are told so. What
-/// overflows is told that it is no number.
-TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
+/// Except that lost digits are reported for methods that compute d^2 as a difference, and "not a
+/// number" for overflows.
+TEST(AnswerExplanation, IsEmptyForARightCandidateOnHardCases) {
   const std::set<std::string_view> differences = {"quadratic", "stable-quadratic", "lecture",
                                                   "kahan"};
   for (const auto* rays : fast::pixel_ray_methods()) {
@@ -322,7 +322,7 @@ TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
   }
 }
 
-TEST(AnswerExplanation, OfTwoMistakesAtOnceIsBoth) {
+TEST(AnswerExplanation, OfTwoMistakesAtOnceNamesBoth) {
   const auto both = [](const char* one, const char* other) {
     return candidate_with(std::array{find_mistake(one), find_mistake(other)});
   };
@@ -346,7 +346,7 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceIsBoth) {
       both("s >= 0 is not tested: spheres behind the origin are hit", "s is half of the right one"),
       "s >= 0 is not tested: spheres behind the origin are hit; and s is half of the right "
       "one");
-  // Two formulas for the same.
+  // Two formulas for the same thing.
   candidate = candidate_of("U has the wrong sign");
   candidate.frame = [right = candidate_of("V is up itself, not made perpendicular to W").frame,
                      left = candidate.frame](const scene::Camera& camera) {
@@ -355,7 +355,7 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceIsBoth) {
   EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 
-TEST(AnswerExplanation, OfRaysAloneSaysNothingOfHits) {
+TEST(AnswerExplanation, OfOnlyRaysDoesNotNameHits) {
   Candidate candidate;
   candidate.focal_rays = candidate_of("directions are not normalised: D = P - E").focal_rays;
   EXPECT_EQ(sentences_for(candidate), Sentences{"directions are not normalised: D = P - E"});
@@ -369,7 +369,7 @@ Case large_sphere() {
   return the_case;
 }
 
-TEST(AnswerExplanation, OfOneWrongAnswerIsOneThatNumbersTell) {
+TEST(AnswerExplanation, OfOneWrongAnswerNeedsItsNumbers) {
   for (const char* miss : {"no ray ever hits a sphere",
                            "r^2 is an integer of 32 bits: it wraps around from a radius of 46,341 "
                            "on"}) {
@@ -380,7 +380,7 @@ TEST(AnswerExplanation, OfOneWrongAnswerIsOneThatNumbersTell) {
   EXPECT_EQ(sentences_for(candidate_of(far), {large_sphere()}), Sentences{far});
 }
 
-TEST(AnswerExplanation, IsOfEachPart) {
+TEST(AnswerExplanation, IsFoundForEachPart) {
   Candidate candidate = candidate_of("rows are upside down");
   candidate.intersect = candidate_of("the far root is taken for the near one").intersect;
   candidate.nearest = candidate_of("the last sphere in the file wins").nearest;
@@ -392,7 +392,7 @@ TEST(AnswerExplanation, IsOfEachPart) {
   EXPECT_EQ(sentences_for(candidate),
             (Sentences{"rows are upside down", "the far root is taken for the near one",
                        "the last sphere in the file wins"}));
-  // A wrong root is reason enough for a wrong sphere.
+  // A wrong root is a sufficient reason for a wrong sphere.
   candidate.nearest = candidate_of("the far root is taken for the near one").nearest;
   EXPECT_EQ(sentences_for(candidate),
             (Sentences{"rows are upside down", "the far root is taken for the near one"}));
@@ -402,7 +402,7 @@ TEST(AnswerExplanation, IsOfEachPart) {
             (Sentences{"rows are upside down", "the last sphere in the file wins"}));
 }
 
-/// The last sphere in the file, met or not: so it wins where it is met, but not only there.
+/// The last sphere in the file, hit or not: "the last sphere in the file wins" explains only part.
 TEST(AnswerExplanation, ContradictsFewAnswers) {
   Candidate candidate;
   candidate.nearest = [](Candidate::Rays rays, Candidate::Spheres spheres, const auto&) {
@@ -413,7 +413,7 @@ TEST(AnswerExplanation, ContradictsFewAnswers) {
   EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 
-TEST(AnswerExplanation, OfWhatIsNoNumberIsThatOfAMistakeThatMakesNone) {
+TEST(AnswerExplanation, OfNaNNamesAMistakeThatMakesNaN) {
   constexpr const char* kLost = "the axes are lost: all are zero";
   Candidate candidate;
   candidate.pixel_rays = candidate.focal_rays = [](const auto&, const auto&, auto pixels) {
@@ -425,7 +425,7 @@ TEST(AnswerExplanation, OfWhatIsNoNumberIsThatOfAMistakeThatMakesNone) {
   EXPECT_EQ(sentences_for(candidate), Sentences{kLost});
 }
 
-TEST(AnswerExplanation, LosesNoSentenceToAnswersThatAreNoNumbers) {
+TEST(AnswerExplanation, NamesOtherCausesBesideNaN) {
   constexpr const char* kWrong = "s >= 0 is not tested: spheres behind the origin are hit";
   Candidate candidate = candidate_of(kWrong);
   candidate.nearest = nullptr;
@@ -447,7 +447,7 @@ TEST(AnswerExplanation, LosesNoSentenceToAnswersThatAreNoNumbers) {
   EXPECT_EQ(found[1].errors, found[0].errors + found[1].explained);
 }
 
-TEST(AnswerExplanation, PassesOverCasesThatTheCandidateFailsOn) {
+TEST(AnswerExplanation, SkipsCasesOnWhichTheCandidateFails) {
   Candidate candidate = candidate_of("U and W have the wrong sign, as by W = A - E");
   int asked = 0;
   candidate.frame = [&asked, base = candidate.frame](const scene::Camera& camera) {
@@ -494,15 +494,16 @@ Candidate with_hits(const Change& change) {
 }
 
 /// Roundings of d^2 move s, not Q beside the ray.
-TEST(AnswerExplanation, OfAWrongPointIsNotRoundings) {
+TEST(AnswerExplanation, OfAWrongPointDoesNotNameRoundings) {
   const Candidate candidate = with_hits([](const auto& ray, const auto& sphere, Hit& hit) {
     hit->point = hit_at(ray, sphere.radius).point;
   });
   EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 
-/// Whoever misses what is far, and hits the rest, does not miss everything, and has no sign wrong.
-TEST(AnswerExplanation, OfWhatIsMissedFarAwayIsNotWhatWouldBeMissedElsewhere) {
+/// Code that misses far spheres, and hits the others, does not miss everything, and has no wrong
+/// sign.
+TEST(AnswerExplanation, OfMissedFarSpheresNamesNoMistakeThatMissesNearOnes) {
   const Candidate candidate = with_hits([](const auto& ray, const auto& sphere, Hit& hit) {
     const scene::Vector3 T = sphere.centre - ray.origin;
     if (std::hypot(T.x, T.y, T.z) > 100 * sphere.radius) hit.reset();
@@ -512,8 +513,8 @@ TEST(AnswerExplanation, OfWhatIsMissedFarAwayIsNotWhatWouldBeMissedElsewhere) {
   EXPECT_TRUE(causes(*find_law("class"), telling_cases(result, kCasesOfACause), candidate).empty());
 }
 
-/// Half the chord, from a point on the sphere: no root, and not lost digits.
-TEST(AnswerExplanation, OfWhatLiesBetweenTheRootsIsNotRoundings) {
+/// Half the chord, from a point on the sphere: neither a root nor lost digits.
+TEST(AnswerExplanation, OfAPointBetweenTheRootsDoesNotNameRoundings) {
   const scene::Sphere sphere = {{0, 0, 5}, 3};
   const scene::Ray ray = {{0, 0, 2}, {0.6, 0, 0.8}};
   const PossibleHit hit = possible_hit(Arithmetic::kDifference, ray, sphere, {});
@@ -560,7 +561,7 @@ MakeRoots roots_of(SquareOfChord square) {
   };
 }
 
-TEST(AnswerExplanation, OfLostDigitsSaysWhatWasLostAndWhere) {
+TEST(AnswerExplanation, OfLostDigitsNamesTheTermAndTheDistance) {
   const auto expect = [](SquareOfChord square, const char* said) {
     const Sentences sentences = sentences_of_roots(roots_of(square));
     ASSERT_EQ(sentences.size(), 1u) << said;
@@ -595,8 +596,8 @@ TEST(AnswerExplanation, OfLostDigitsSaysWhatWasLostAndWhere) {
       << of_floats.front();
 }
 
-/// Cases in which other roots count are left out; of the rest nothing is said where it is less.
-TEST(AnswerExplanation, OfLostDigitsIsOfMostCases) {
+/// Cases in which other roots count are left out; if those are most cases, nothing is named.
+TEST(AnswerExplanation, OfLostDigitsNeedsMostCases) {
   Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
   answer_by(candidate, hits_by({.roots = roots_of([](auto&, auto&, auto& T, double v, double r) {
                                   return r * r - (dot(T, T) - v * v);
@@ -611,8 +612,8 @@ TEST(AnswerExplanation, OfLostDigitsIsOfMostCases) {
   EXPECT_EQ(sentences_for(candidate, cases), Sentences());
 }
 
-/// Tiny roots of origins on the sphere: inputs close by have others.
-TEST(AnswerExplanation, OfWhatTheInputIsUnsureOfIsNone) {
+/// Tiny roots of origins on the sphere: nearby inputs have others.
+TEST(AnswerExplanation, IsEmptyForErrorsWithinTheRoundingOfTheInput) {
   const Candidate candidate = with_hits([](const auto& ray, const auto&, Hit& hit) {
     if (hit->parameter < 1e-12) *hit = hit_at(ray, 2 * hit->parameter);
   });
@@ -623,8 +624,8 @@ TEST(AnswerExplanation, OfWhatTheInputIsUnsureOfIsNone) {
   EXPECT_EQ(sentences_for(candidate, cases), Sentences());
 }
 
-/// Of easy cases some that give no number; of harder ones digits that are lost.
-TEST(AnswerExplanation, OfAnotherCauseAtAnotherLevelIsToldToo) {
+/// Some easy cases give NaN; harder ones lose digits.
+TEST(AnswerExplanation, NamesAnotherCauseAtAnotherLevel) {
   const MakeRoots naive = roots_of(
       [](auto&, auto&, auto& T, double v, double r) { return r * r - (dot(T, T) - v * v); });
   const auto roots = [naive](const scene::Ray& ray, const scene::Sphere& sphere) {
@@ -640,7 +641,7 @@ TEST(AnswerExplanation, OfAnotherCauseAtAnotherLevelIsToldToo) {
   EXPECT_TRUE(sentences.back().starts_with("d^2 loses its digits")) << sentences.back();
 }
 
-TEST(AnswerExplanation, OfAnEyeThatIsAddedAndSubtractedIsThat) {
+TEST(AnswerExplanation, NamesAnEyeThatIsAddedAndSubtracted) {
   Case far = cases_of({"plain-cameras"}, 1).front();
   scene::Camera& camera = far.scene.camera.emplace();
   camera.eye = {1e4, 2e3, 3e3};
@@ -668,7 +669,7 @@ TEST(AnswerExplanation, OfAnEyeThatIsAddedAndSubtractedIsThat) {
   EXPECT_EQ(sentences_for(candidate, cases_of({"cameras"}, 40)), Sentences());
 }
 
-TEST(AnswerExplanation, OfAQThatCancelsIsToldByTheLargerRoot) {
+TEST(AnswerExplanation, NamesAQThatCancelsByTheLargerRoot) {
   const auto by_q = [](double sign) {
     return [sign](const scene::Ray& ray, const scene::Sphere& sphere) {
       fast::Roots roots = fast::kCross.roots(ray, sphere);

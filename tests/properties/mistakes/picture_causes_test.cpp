@@ -1,5 +1,5 @@
-// Which mistakes pictures show; and faults that are no classic mistakes: none is named for them,
-// unless scenes of one shape alone have them.
+// Mistakes in pictures are found; faults that are not classic mistakes get no cause, unless they
+// occur only in scenes with one property.
 
 #include "properties/mistakes/picture_causes.h"
 
@@ -17,8 +17,8 @@ namespace {
 
 using namespace scene;
 
-/// Spheres at a billionth of a length from the eye, at ten times as much, and so on: what is
-/// compared with a fixed small number loses the first of them.
+/// Spheres at a billionth of a length from the eye, at ten times that, and so on: comparisons with
+/// a fixed small number lose the first of them.
 Scene ladder(Scene scene) {
   Camera& camera = *scene.camera;
   camera.near = camera.left = camera.bottom = -1e-10;
@@ -32,7 +32,7 @@ Scene ladder(Scene scene) {
   return scene;
 }
 
-/// The scene that tells classic mistakes apart.
+/// The scene that distinguishes classic mistakes.
 const Scene& probe() {
   static const Scene kProbe =
       scene::load_scene(RAYCHECK_SOURCE_DIR "/scene/examples/probe.toml").scene;
@@ -54,7 +54,7 @@ std::vector<Scene> rubric_scenes() {
       scenes.push_back(rubric_scene(name));
     }
     scenes.push_back(probe());
-    // Around the eye, where the far root counts.
+    // Around the eye, so that the far root counts.
     scenes.push_back(scenes.front());
     scenes.back().spheres = {{{0, 0, -2}, 4}, {{0.5, 0.25, -4}, 0.75}};
     scenes.push_back(ladder(scenes.front()));
@@ -110,7 +110,7 @@ std::size_t count_alike(const Mistake& its, const std::vector<Scene>& scenes) {
       [&](const Mistake& other) { return differences({&its}, {&other}, scenes) == 0; }));
 }
 
-TEST(PictureCausesOfEveryMistake, AreItsOwn) {
+TEST(PictureCausesOfEveryMistake, NameIt) {
   const std::vector<Scene> scenes = rubric_scenes();
   int named = 0, alone = 0;
   for (const Mistake& its : mistakes()) {
@@ -137,7 +137,7 @@ TEST(PictureCausesOfEveryMistake, AreItsOwn) {
   EXPECT_GE(alone, 85);
 }
 
-TEST(PictureCauses, UnderOtherConventionsAreTheirMistakes) {
+TEST(PictureCauses, AreFoundUnderOtherConventions) {
   std::vector<Scene> scenes = rubric_scenes();
   for (Scene& scene : scenes) {
     scene.conventions = {scene::Rows::kTopFirst, scene::Samples::kCentres, scene::Origin::kFocal,
@@ -155,12 +155,12 @@ TEST(PictureCauses, UnderOtherConventionsAreTheirMistakes) {
   }
 }
 
-/// What is shown of a scene is another one, exactly.
+/// The exact picture of another scene.
 Sentences sentences_for(const Scene& scene, const Scene& shown) {
   return sentences_for({{scene, exact_image(shown, shown.conventions)}});
 }
 
-TEST(PictureCauses, OfTheFieldOfViewOfTheOtherSideAreThatAlone) {
+TEST(PictureCauses, NameOnlyTheFieldOfViewIfItIsThatOfTheOtherSide) {
   for (const bool is_wide : {true, false}) {
     Scene scene = probe();
     Camera& camera = *scene.camera;
@@ -180,7 +180,7 @@ TEST(PictureCauses, OfTheFieldOfViewOfTheOtherSideAreThatAlone) {
   }
 }
 
-TEST(PictureCauses, OfRadiiThatAreHalvedOrDoubledAreThat) {
+TEST(PictureCauses, NameRadiiThatAreHalvedOrDoubled) {
   for (const auto& [factor, sentence] :
        {std::pair(0.5, "the radius is taken for the diameter: spheres are half as large"),
         {2.0, "the diameter is taken for the radius: spheres are twice as large"}}) {
@@ -190,9 +190,9 @@ TEST(PictureCauses, OfRadiiThatAreHalvedOrDoubledAreThat) {
   }
 }
 
-/// Of a sphere between the eye and the image plane little tells them apart: pairs of mistakes show
-/// there that do not show alone.
-TEST(PictureCauses, OfASphereBeforeThePlaneAreAllThatShowItOrNone) {
+/// With only a sphere between the eye and the image plane many causes make the same picture: there
+/// pairs of mistakes show that do not show singly.
+TEST(PictureCauses, OfASphereBeforeThePlaneAreAllThatExplainItOrNone) {
   const Scene scene =
       scene::load_scene(RAYCHECK_SOURCE_DIR "/scene/examples/sphere-between-eye-and-plane.toml")
           .scene;
@@ -211,7 +211,7 @@ TEST(PictureCauses, OfASphereBeforeThePlaneAreAllThatShowItOrNone) {
   }
 }
 
-/// Of the same mistakes where there is more to see.
+/// The same mistakes in pictures that show more.
 TEST(PictureCausesOfTwoMistakes, MayBeOneInTheBoundsAndOneInTheirPixels) {
   for (const char* bounds :
        {"left is -right and bottom is -top",
@@ -235,7 +235,7 @@ TEST(PictureCausesOfTwoMistakes, MayBeOneInTheBoundsAndOneInTheirPixels) {
   }
 }
 
-TEST(PictureCauses, OfTangentsAreTheirConvention) {
+TEST(PictureCauses, NameTheConventionOfTangents) {
   Scene scene = rubric_scenes().front();
   scene.camera->width = scene.camera->height = 5;
   // The ray of the middle pixel is tangent to the first.
@@ -248,7 +248,7 @@ TEST(PictureCauses, OfTangentsAreTheirConvention) {
   EXPECT_EQ(sentences_for(pictures), Sentences{"a tangent counts as a miss"});
 }
 
-TEST(PictureCauses, OfALargePictureAreThoseOfASmallOne) {
+TEST(PictureCauses, AreTheSameForLargePictures) {
   Scene scene = probe();
   scene.camera->width = 360;
   scene.camera->height = 234;
@@ -259,7 +259,7 @@ TEST(PictureCauses, OfALargePictureAreThoseOfASmallOne) {
   }
 }
 
-/// What is lost there no mistake has to explain.
+/// Mistakes need not explain pixels that are lost by overflow.
 TEST(PictureCauses, AreNotSoughtWhereSquaresOverflow) {
   const Fault fault = {mistake("rows are upside down")};
   Candidate candidate;
@@ -273,7 +273,7 @@ TEST(PictureCauses, AreNotSoughtWhereSquaresOverflow) {
   }
 }
 
-TEST(PictureCausesOfTwoMistakes, AreBoth) {
+TEST(PictureCausesOfTwoMistakes, NameBoth) {
   constexpr std::array kCommon = {
       "rows are upside down",
       "rows and columns are exchanged",
@@ -286,7 +286,7 @@ TEST(PictureCausesOfTwoMistakes, AreBoth) {
   const std::vector<Scene> scenes = rubric_scenes();
   int pairs = 0, found = 0;
   for (std::size_t a = 0; a < kCommon.size(); ++a) {
-    // Each with every second one of the others.
+    // Each with every second of the other mistakes.
     for (std::size_t b = a + 1; b < kCommon.size(); b += 2) {
       const Fault fault = {mistake(kCommon[a]), mistake(kCommon[b])};
       if (!can_be_together(*fault[0], *fault[1])) continue;
@@ -295,7 +295,7 @@ TEST(PictureCausesOfTwoMistakes, AreBoth) {
       if (causes.kind == CauseKind::kUnknown) continue;
       ASSERT_EQ(causes.kind, CauseKind::kExplained);
       ++found;
-      // Two mistakes may make what one makes.
+      // Two mistakes may make the same pictures as one.
       for (const Fault& other : causes.alternatives) {
         EXPECT_LE(differences(fault, other, scenes), causes.errors / 50 + scenes.size())
             << sentence_of(fault) << ": " << sentence_of(other);
@@ -306,8 +306,8 @@ TEST(PictureCausesOfTwoMistakes, AreBoth) {
   EXPECT_GE(found, pairs - 1);
 }
 
-/// What either may be is named, too.
-TEST(PictureCausesOfTwoMistakes, AreTheTiesOfBoth) {
+/// The alternatives to either mistake are named, too.
+TEST(PictureCausesOfTwoMistakes, NameTheTiesOfBoth) {
   const std::vector<ShownPicture> pictures =
       shown_with({mistake("left and right are both negated"),
                   mistake("s >= 0 is not tested: spheres behind the origin are hit")},
@@ -332,7 +332,7 @@ TEST(PictureCauses, ContradictNoRightPicture) {
 
 constexpr const char* kBlack = "the picture is black: it shows no sphere";
 
-TEST(PictureCauses, OfBlackPicturesIsBlackness) {
+TEST(PictureCauses, NameBlackPictures) {
   std::vector<ShownPicture> pictures = shown_with({}, rubric_scenes());
   for (std::size_t k : {1u, 3u}) {
     std::fill(pictures[k].image.begin(), pictures[k].image.end(), std::nullopt);
@@ -344,7 +344,7 @@ TEST(PictureCauses, OfBlackPicturesIsBlackness) {
   EXPECT_EQ(sentences_for(pictures), Sentences{kBlack});
 }
 
-/// What shows nothing of one scene only may be a mistake that shows there alone.
+/// A mistake may show only in the one scene that is black.
 TEST(PictureCauses, OfABlackPictureAmongRightOnesMayBeAMistake) {
   Scene tiny = rubric_scenes().front();
   tiny.camera->near *= 1e-6;
@@ -371,11 +371,11 @@ TEST(PictureCauses, OfABlackPictureAmongRightOnesMayBeAMistake) {
                   [&](const Fault& one) { return one.front()->family == fault.front()->family; }));
 }
 
-TEST(PictureCauses, OfExchangedSidesAreNamedUnlessARightPictureContradicts) {
+TEST(PictureCauses, NameExchangedSidesUnlessARightPictureContradicts) {
   const auto is_oblong = [](const ShownPicture& one) {
     return one.scene.camera->width != one.scene.camera->height;
   };
-  // What is wrong with the others is named too.
+  // Mistakes in the other pictures are named, too.
   for (const Fault& fault : {Fault{}, Fault{mistake("rows are upside down")}}) {
     std::vector<ShownPicture> pictures = shown_with(fault, rubric_scenes());
     std::uint64_t pixels = 0;
@@ -394,7 +394,7 @@ TEST(PictureCauses, OfExchangedSidesAreNamedUnlessARightPictureContradicts) {
   }
 }
 
-/// Spheres that are seen from so many radii away.
+/// Spheres at this distance in radii.
 Scene far_scene(double radii) {
   Scene scene = rubric_scenes().front();
   scene::Camera& camera = *scene.camera;
@@ -404,7 +404,7 @@ Scene far_scene(double radii) {
   return scene;
 }
 
-/// What methods of fast/ show.
+/// The pictures of methods of fast/.
 std::vector<ShownPicture> shown_by(const fast::PixelRayMethod& rays,
                                    const fast::IntersectMethod& intersect,
                                    const std::vector<Scene>& scenes) {
@@ -420,7 +420,7 @@ std::vector<ShownPicture> shown_by(const fast::PixelRayMethod& rays,
 
 constexpr const char* kDifference = "d^2 loses its digits from 10^";
 
-TEST(PictureCauses, OfRoundingsAreThoseOfTheLeastFormula) {
+TEST(PictureCauses, NameTheFormulaWithTheFewestRoundings) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   for (const auto* intersect : {&fast::kLecture, &fast::kQuadratic}) {
@@ -441,15 +441,15 @@ TEST(PictureCauses, OfRoundingsAreThoseOfTheLeastFormula) {
   EXPECT_EQ(sentences_for(shown_by(fast::kDirectRays, fast::kCross, scenes)), Sentences());
 }
 
-/// Far spheres that are not seen at all are no roundings: some number is too small.
-TEST(PictureCauses, OfFarSpheresThatAreDroppedAreNoRoundings) {
+/// Far spheres that show in no pixel are not lost by roundings: some limit is too small.
+TEST(PictureCauses, OfFarSpheresThatAreDroppedDoNotNameRoundings) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   const char* const sentence =
       "hits with an s above about 1e5 (perhaps less) are dropped: the largest s that counts is too "
       "small";
   EXPECT_EQ(sentences_for(shown_with({mistake(sentence)}, scenes)), Sentences{sentence});
-  // Of one of two far spheres nothing is seen, whatever the cause.
+  // One of two far spheres is missing, for an unknown reason.
   std::vector<ShownPicture> pictures = shown_with({}, scenes);
   for (auto& sphere : pictures.back().image) {
     if (sphere == 0u) sphere.reset();
@@ -457,7 +457,7 @@ TEST(PictureCauses, OfFarSpheresThatAreDroppedAreNoRoundings) {
   EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kUnknown);
 }
 
-TEST(PictureCauses, OfRoundingsBesideAMistakeAreBoth) {
+TEST(PictureCauses, OfRoundingsBesideAMistakeNameBoth) {
   const Fault fault = {mistake("top is -bottom")};
   std::vector<ShownPicture> pictures = shown_with(fault, rubric_scenes());
   pictures.push_back(shown_by(fast::kDirectRays, fast::kLecture, {far_scene(2e8)}).front());
@@ -466,13 +466,13 @@ TEST(PictureCauses, OfRoundingsBesideAMistakeAreBoth) {
                       "8 radii away, where larger numbers cancel (r^2 - |T x D|^2 keeps them)"});
 }
 
-/// Where nothing is certain, nothing is known.
-TEST(PictureCauses, OfRoundingsAreNotNamedByOnePictureInDoubt) {
+/// All pixels are in doubt.
+TEST(PictureCauses, DoNotNameRoundingsByOnePictureInDoubt) {
   const auto pictures = shown_by(fast::kSingleRays, fast::kSingleLecture, {far_scene(2e6)});
   EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kUnknown);
 }
 
-TEST(PictureCauses, OfWhatIsNoPictureOfSpheresAreSaid) {
+TEST(PictureCauses, NamePicturesWithoutSpheres) {
   std::vector<ShownPicture> pictures = shown_with({}, rubric_scenes());
   for (ShownPicture& one : pictures) std::fill(one.image.begin(), one.image.end(), 0);
   EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kUniform);
@@ -637,7 +637,7 @@ TEST(ShapeCause, IsWhatAllFailuresHaveInCommonAndNothingElse) {
                                  s.camera->bottom != -s.camera->top;
                         }),
             "it fails only where the bounds are not symmetric");
-  // Bounds uneven one way alone.
+  // Bounds that are uneven in only one direction.
   std::vector<Scene> uneven = scenes;
   for (int k = 0; k < 4; ++k) {
     uneven.push_back(scenes.front());
@@ -665,8 +665,8 @@ TEST(ShapeCause, NeedsBothOutcomesMoreThanOnce) {
             std::nullopt);
 }
 
-/// Two shapes that the scenes do not tell apart are none.
-TEST(ShapeCause, IsNoneWhereTwoWouldDo) {
+/// If two properties fit the scenes, neither is named.
+TEST(ShapeCause, IsEmptyIfTwoPropertiesFit) {
   std::vector<Scene> scenes = rubric_scenes();
   std::erase_if(scenes, [](const Scene& s) {
     const scene::Camera& c = *s.camera;

@@ -1,5 +1,5 @@
-// Verdicts in single precision against an oracle that shares nothing with reference/. A slice of it
-// runs in ctest; RAYCHECK_FLOAT_PAIRS=1000000 in the environment makes it so many pairs.
+// Verdicts in single precision against an oracle that shares no code with reference/. A part of it
+// runs in ctest; RAYCHECK_FLOAT_PAIRS=1000000 in the environment sets the number of pairs.
 
 #include <boost/multiprecision/mpfr.hpp>
 
@@ -17,8 +17,8 @@ namespace {
 using namespace properties;
 using scene::Precision;
 
-/// About 6600 bits, in which products of four floats' sums are exact; so are square roots and
-/// quotients that floats, and what lies halfway between two of them, are equal to.
+/// About 6600 bits, in which products of four sums of floats are exact; so are square roots and
+/// quotients that equal a float, or the middle between two.
 using Wide = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<2000>,
                                            boost::multiprecision::et_off>;
 
@@ -32,7 +32,7 @@ int gap_exponent(const Wide& x) {
   return std::max(exponent - kFloatDigits, kLeastFloat);
 }
 
-/// x in gaps between floats around `at`; 0 of 0, infinite of 0 otherwise.
+/// x in gaps between floats around `at`; for `at` = 0: 0 if x is 0, else infinite.
 double in_gaps(const Wide& x, const Wide& at) {
   if (at == 0) return x == 0 ? 0 : kInfinity;
   return Wide(ldexp(x, -gap_exponent(at))).convert_to<double>();
@@ -69,7 +69,7 @@ struct RootPair {
     }
     discriminant = b * b - a * c;
   }
-  /// By the quotient that does not cancel, of exact signs.
+  /// By the quotient that does not cancel, with exact signs.
   Wide root(int which) const {
     const Wide root = sqrt(discriminant);
     if (c == 0) return (b > 0) == (which > 0) && b != 0 ? Wide(2 * b / a) : Wide(0);
@@ -84,18 +84,18 @@ struct RootPair {
   }
 };
 
-/// Where coordinates cancel exactly, what is left of 6600 bits is 0.
+/// x, or 0 if it is the rounding error of coordinates that cancel exactly.
 Wide cleaned(const Wide& x, const Wide& of) {
   return abs(x) < abs(of) * Wide(ldexp(Wide(1), -5000)) ? Wide(0) : x;
 }
 
-/// What integers say of a ray and a sphere whose numbers are floats, and of an answer. It shares
-/// nothing with reference/: the literal formulas in MPFR, at a precision that loses nothing.
+/// The truth about a ray and a sphere with floats as numbers, and about an answer. It shares no
+/// code with reference/: the literal formulas in MPFR, at a precision without roundings.
 struct FloatTruth {
   bool is_line_hit = false;   ///< The line meets the sphere.
   bool is_tangent = false;    ///< In a double root.
   bool is_hit = false;        ///< Under the `root` convention, tangents counted.
-  double s = 0;               ///< Correctly rounded to float, of a hit.
+  double s = 0;               ///< Correctly rounded to float, for a hit.
   std::array<double, 3> Q{};  ///< Likewise.
 };
 
@@ -123,7 +123,7 @@ FloatTruth float_truth(const scene::Ray& ray, const scene::Sphere& sphere, scene
   return truth;
 }
 
-/// Domain: the same, of a hit; finite answers.
+/// Domain: the same, for a hit; finite answers.
 FloatErrors float_errors(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
                          double s, const scene::Point3& Q) {
   const RootPair pair(ray, sphere);
@@ -152,14 +152,14 @@ FloatErrors float_errors(const scene::Ray& ray, const scene::Sphere& sphere, sce
 
 constexpr Precision kSingle = Precision::kSingle;
 constexpr std::size_t kUsualPairs = 5000;
-/// Bounds of reference/ are upper ones, too large by that much at most.
+/// Bounds of reference/ are upper bounds, too large by at most this.
 constexpr double kWidth = 1e-8;
-/// Exact values of which nothing is left at the width of doubles: errors of less ulps than that.
+/// Errors of fewer ulps than this may vanish in the width of doubles.
 constexpr double kLeastError = 0x1p-28;
 
 double as_float(double x) { return scene::rounded_to(kSingle, x); }
 
-/// How an answer is off on purpose.
+/// The deliberate error of an answer.
 enum class Fault { kNone, kUlps, kOtherRoot, kMiss, kFalseHit };
 
 /// The answer of floats-in-doubles, off by a few ulps, at the other root, missing or made up.
@@ -192,15 +192,15 @@ std::optional<properties::HitAnswer> answer_to(const scene::Ray& ray, const scen
   return properties::HitAnswer{s, Q};
 }
 
-/// What is said of one pair.
+/// The verdict on one pair.
 struct Verdicts {
   bool missed = false, false_hit = false, wrong_root = false;
-  double s_error = 0, Q_error = 0;  ///< 0: none, or no error.
-  std::vector<double> s, Q;         ///< Exact; empty where nothing was said.
+  double s_error = 0, Q_error = 0;  ///< 0: exact, or not measured.
+  std::vector<double> s, Q;         ///< Exact; empty without a verdict.
 };
 
-/// A candidate that repeats answers, outside of whose domain everything lies: nothing is excused,
-/// and no witness is searched.
+/// A candidate that repeats given answers, with an empty domain, so that nothing is excused and no
+/// witness is searched.
 properties::Candidate that_answers(
     const std::vector<std::vector<std::optional<properties::HitAnswer>>>& by_sphere,
     Precision precision) {
@@ -224,7 +224,7 @@ properties::Candidate that_answers(
 struct Counts {
   std::size_t pairs = 0, hits = 0, misses = 0, tangents = 0, wrong = 0, errors = 0, zeros = 0;
   std::size_t differ = 0;
-  std::string first;  ///< What differs.
+  std::string first;  ///< The first difference.
 };
 
 bool is_close(double bound, double error) {
@@ -232,7 +232,7 @@ bool is_close(double bound, double error) {
   return bound >= error * (1 - kWidth) - kLeastError && bound <= error * (1 + kWidth) + kLeastError;
 }
 
-/// Judges the pairs of a case, and holds the verdicts against the oracle's.
+/// Judges the pairs of a case, and compares the verdicts with the oracle's.
 void compare(const Case& the_case, scene::Root root, properties::Random& random,
              Precision judged_in, Counts& counts) {
   std::vector<std::vector<std::optional<properties::HitAnswer>>> answers;
@@ -339,7 +339,7 @@ TEST(FloatOracle, AgreesWithEveryVerdictOnFloats) {
   EXPECT_GE(counts.tangents, pairs / 1000);
 }
 
-TEST(FloatOracle, TellsVerdictsInDoublesFromThoseInFloats) {
+TEST(FloatOracle, DistinguishesVerdictsInDoublesAndInFloats) {
   const Counts counts = compare_on_all_sources(500, Precision::kDouble);
   EXPECT_GE(counts.differ, 100u);
 }

@@ -11,8 +11,9 @@ namespace {
 const Candidate kGood = fast_candidate(fast::kDirectRays, fast::kCross);
 const Candidate kBad = fast_candidate(fast::kDirectRays, fast::kQuadratic);
 
-/// Answers that are wrong alike agree; no hit of them is right, whether there are misses or not.
-TEST(Campaign, SaysOfAnswersThatAreWrongAlikeThatTooFewAreRight) {
+/// Answers that are wrong in the same way agree; none of their hits is right, with or without
+/// misses.
+TEST(Campaign, ReportsTooFewRightIfAnswersAreWrongInTheSameWay) {
   const Candidate misses = that_misses([](const auto&) { return true; });
   for (const char* law : {"scaling", "axes"}) {
     for (const char* source : {"rays", "inside@16"}) {
@@ -26,7 +27,7 @@ TEST(Campaign, SaysOfAnswersThatAreWrongAlikeThatTooFewAreRight) {
   }
 }
 
-/// Whether a verdict, and how it came about, is the same.
+/// Expects the same verdict, with the same counts.
 void expect_same(const CampaignPart& a, const CampaignPart& b) {
   EXPECT_EQ(a.source.name(), b.source.name());
   EXPECT_EQ(a.counts.cases, b.counts.cases);
@@ -38,7 +39,7 @@ void expect_same(const CampaignPart& a, const CampaignPart& b) {
   }
 }
 
-TEST(Campaign, TakesAPartAsItIsWhateverOthersThereAre) {
+TEST(Campaign, PartsDoNotDependOnEachOther) {
   CampaignOptions some = options_of(120, {"rays", "distance", "horizon@2"});
   CampaignOptions alone = options_of(40, {"distance"});
   const auto all = run_campaign(*find_law("class"), kBad, some).parts;
@@ -51,8 +52,8 @@ TEST(Campaign, TakesAPartAsItIsWhateverOthersThereAre) {
   for (std::size_t k = 0; k < of_distance.size(); ++k) expect_same(all[k + 1], of_distance[k]);
 }
 
-/// In one pass, by units in any order, each candidate asked once for all laws.
-TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
+/// In one pass, by units in any order, each candidate called once for all laws.
+TEST(Campaign, OfManyLawsAndCandidatesEqualsSeparateOnes) {
   CampaignOptions some = options_of(5 * kUnitCases, {"rays", "distance@9"});
   std::vector<const Law*> laws;
   for (const char* name : {"class", "nearest-root", "parameter", "hit-point"}) {
@@ -90,9 +91,8 @@ TEST(Campaign, OfManyLawsAndCandidatesIsThatOfEachAlone) {
   EXPECT_TRUE(any_broken);
 }
 
-/// Units that are kept depend on nothing that was run before; others end where a law is known to be
-/// broken.
-TEST(Campaign, KeepsUnitsThatDependOnThemselvesAlone) {
+/// Units that are kept do not depend on earlier ones; others skip laws that are known to be broken.
+TEST(Campaign, KeptUnitsDoNotDependOnEarlierOnes) {
   CampaignOptions some = options_of(3 * kUnitCases, {"distance@12"});
   for (const bool are_kept : {true, false}) {
     Campaigns after({{{find_law("class")}, some}}, are_kept),
@@ -104,16 +104,16 @@ TEST(Campaign, KeepsUnitsThatDependOnThemselvesAlone) {
   }
 }
 
-/// A case of a source depends on its number alone, however many there are: so units of a large
-/// campaign are larger, and there are never many more than kMostUnits.
-TEST(Campaign, HasUnitsOfMoreCasesWhereItIsLarger) {
+/// A case of a source depends only on its number, not on their count. Units of a large campaign are
+/// larger, so that there are never many more than kMostUnits.
+TEST(Campaign, HasLargerUnitsIfItIsLarger) {
   const auto few = options_of(200, {"rays"}), many = options_of(1'000'000'000, {"rays"});
   Campaigns small({{{find_law("class")}, few}});
   const Campaigns large({{{find_law("class")}, many}});
   EXPECT_EQ(small.unit_count(), 4u);
   EXPECT_GT(large.unit_count(), std::size_t{kMostUnits / 2});
   EXPECT_LE(large.unit_count(), std::size_t{kMostUnits + 1});
-  // Its first unit has more cases than all of the small one: they begin alike.
+  // Its first unit has more cases than the whole small campaign, and begins with the same.
   std::vector<scene::Scene> asked[2];
   for (const bool is_large : {false, true}) {
     Candidate seen = kGood;
@@ -135,7 +135,7 @@ TEST(Campaign, HasUnitsOfMoreCasesWhereItIsLarger) {
 }
 
 /// Each of another source or kind; all cases are judged.
-TEST(Campaign, KeepsGoingUntilSoManyFailuresDiffer) {
+TEST(Campaign, KeepsGoingUntilThatManyFailuresDiffer) {
   CampaignOptions some = options_of(2000, {"distance", "tangency", "tangent-ulps"});
   const CampaignResult first = run_campaign(*find_law("class"), kBad, some);
   some.keep_going = 2;
@@ -159,8 +159,8 @@ TEST(Campaign, KeepsGoingUntilSoManyFailuresDiffer) {
   }
 }
 
-/// Whoever only fails is asked no more after some units; who answers in one of these is.
-TEST(Campaign, AsksWhoAnswersNothingNoMore) {
+/// A candidate that only fails is dropped after some units, unless it answers in one of them.
+TEST(Campaign, DropsACandidateThatAnswersNothing) {
   CampaignOptions some = options_of(500);
   for (const std::size_t answered_in : {std::size_t{1}, kUnitsToFail}) {
     Campaigns campaigns({{{find_law("class"), find_law("scaling")}, some}});
@@ -191,7 +191,7 @@ TEST(Campaign, GoesOnAfterABreak) {
     whole += part.counts.cases == 100 ? 1 : 0;
     EXPECT_EQ(part.is_broken(), !part.verdict.holds());
     if (!part.is_broken()) continue;
-    // The string finds it again.
+    // The replay string finds it again.
     EXPECT_TRUE(run_replay(parse_replay(part.breaks.front().replay), kBad).failure);
   }
   EXPECT_FALSE(result.parts.front().is_broken());
@@ -206,7 +206,7 @@ TEST(Campaign, GoesOnAfterABreak) {
                 .replay);
 }
 
-/// How many cases each part of a campaign has, by its name.
+/// The number of cases of each part of a campaign, by its name.
 std::map<std::string, std::int64_t> cases_of(const CampaignOptions& asked) {
   std::map<std::string, std::int64_t> cases;
   Law law = *find_law("class");
@@ -251,9 +251,9 @@ TEST(Campaign, SharesCasesAmongTheSeveritiesOfEveryLevelUpToItsOwn) {
   }
 }
 
-/// Breaks a law where ordinary cases are broken, whatever harder ones there are.
-TEST(Campaign, OfALevelBreaksWhatTheOneBeforeItBreaks) {
-  // Wrong on few cases, whatever their severity.
+/// Harder cases do not displace the ordinary ones that break a law.
+TEST(Campaign, OfALevelBreaksTheLawsThatEasierLevelsBreak) {
+  // Wrong on few cases, of any severity.
   const Candidate rare =
       that_misses([](const auto& sphere) { return sphere.radius > 0.5 && sphere.radius < 0.6; });
   CampaignOptions asked = options_of(500, {}, Level::kOrdinary);
@@ -283,13 +283,13 @@ TEST(Campaign, JudgesNothingOutsideTheStatedDomain) {
   EXPECT_EQ(none.counts.not_judged, 200);
   EXPECT_EQ(none.verdict.compared(), 0u);
   EXPECT_EQ(none.finding(), Finding::kNotJudged);
-  // A promise of the class goes beyond the domain.
+  // A promise of exact hit classes holds also outside the domain.
   small.exact_class = true;
   EXPECT_EQ(run_campaign(*find_law("class"), small, asked).counts.not_judged, 0);
   EXPECT_EQ(run_campaign(*find_law("parameter"), small, asked).counts.not_judged, 200);
 }
 
-TEST(Campaign, AsksNothingThatIsNoProblemUnderTheDeclaredConventions) {
+TEST(Campaign, SkipsCasesThatAreInvalidUnderTheDeclaredConventions) {
   Candidate edges = kGood;
   edges.declared.samples = scene::Samples::kEdges;
   CampaignOptions asked = options_of(200, {"image-size@0"});  // one pixel across, or down
@@ -298,7 +298,7 @@ TEST(Campaign, AsksNothingThatIsNoProblemUnderTheDeclaredConventions) {
   EXPECT_FALSE(result.failure);
 }
 
-TEST(Campaign, DoesNotHoldBeforeEnoughWasRight) {
+TEST(Campaign, DoesNotHoldWithTooFewRightAnswers) {
   const Law& law = *find_law("class");
   EXPECT_EQ(run_campaign(law, kGood, options_of(200)).finding(), Finding::kHolds);
   CampaignOptions few = options_of(6, {"rays"});
@@ -308,7 +308,7 @@ TEST(Campaign, DoesNotHoldBeforeEnoughWasRight) {
   EXPECT_TRUE(result.verdict.holds());
 }
 
-TEST(Campaign, HoldsExcusesAgainstACandidateWhenItIsStrict) {
+TEST(Campaign, CountsExcusedAnswersAsBreaksIfItIsStrict) {
   CampaignOptions asked = options_of(400, {"tangency@16"});
   const CampaignResult mild = run_campaign(*find_law("class"), kGood, asked);
   ASSERT_GT(mild.verdict.count(Standing::kExcused), 0u);
@@ -333,7 +333,7 @@ TEST(Campaign, EndsWhenItIsInterrupted) {
   until_ten.interrupted = [&] { return answered >= 10; };
   const CampaignResult result =
       run_campaign(*find_law("class"), counting, options_of(1000), until_ten);
-  // That of which the law is not done with is not counted.
+  // A case that the law has not finished is not counted.
   EXPECT_GE(result.counts.cases, 9);
   EXPECT_LE(result.counts.cases, 10);
   EXPECT_EQ(answered, 10);

@@ -30,7 +30,7 @@ const NumberRange& range_called(const Ranges& ranges, std::string_view name) {
   throw std::logic_error("no such number");
 }
 
-/// The number of that name in a case, found without named_numbers().
+/// The number with this name in a case, found without named_numbers().
 double& number_in(Case& the_case, std::string_view name) {
   scene::Scene& scene = the_case.scene;
   if (name == "sphere 0 radius") return scene.spheres[0].radius;
@@ -68,7 +68,7 @@ TEST(Ranges, EndAtTheLastDoubleBelowTheCandidatesThreshold) {
   EXPECT_FALSE(radius.is_any);
   EXPECT_FALSE(radius.certified);
   EXPECT_GT(radius.samples, 2 * kPointsBetween);
-  // By hand: a ray along the axis meets the sphere while its centre is no farther than r from it.
+  // By hand: a ray along the axis meets the sphere while its centre is at most r from the axis.
   const NumberRange& across = range_called(found, "sphere 0 centre x");
   EXPECT_NEAR(across.span.greatest, 0.25, 1e-14);
   EXPECT_NEAR(across.span.least, -0.25, 1e-14);
@@ -77,7 +77,7 @@ TEST(Ranges, EndAtTheLastDoubleBelowTheCandidatesThreshold) {
     if (range.is_any || range.is_exact()) continue;
     EXPECT_TRUE(is_tight(candidate, kInFront, range)) << range.name;
   }
-  for (const double off : {-1.0, 1.0}) {  // a range that is off by one number is seen to be
+  for (const double off : {-1.0, 1.0}) {  // is_tight() notices a range that is off by one number
     NumberRange wrong = radius;
     wrong.span.greatest = std::nextafter(radius.span.greatest, off);
     EXPECT_FALSE(is_tight(candidate, kInFront, wrong)) << off;
@@ -93,7 +93,7 @@ TEST(Ranges, CountFloatsForACandidateInSinglePrecision) {
   EXPECT_EQ(greatest, static_cast<double>(std::nextafter(0.5F, 0.0F)));
 }
 
-TEST(Ranges, AreCutWhereANumberBetweenBreaksNothing) {
+TEST(Ranges, EndBeforeANumberThatDoesNotBreakTheLaw) {
   const Candidate candidate = that_misses([](const auto& sphere) {
     return sphere.radius < 0.5 && !(sphere.radius > 0.385 && sphere.radius < 0.43);
   });
@@ -104,7 +104,7 @@ TEST(Ranges, AreCutWhereANumberBetweenBreaksNothing) {
   EXPECT_EQ(radius.span, (Span{0.43, std::nextafter(0.5, 0)}));
 }
 
-TEST(Ranges, SayWhatMayBeAnythingAndWhatMattersExactly) {
+TEST(Ranges, ReportNumbersThatMayBeAnythingAndThoseThatMatterExactly) {
   const Candidate blind = that_misses([](const auto&) { return true; });
   const Case inside = one_ray({{0, 0, 0}, {1, 1, 0}}, {{0, 0, 0}, 1});
   const Ranges any = ranges_of(kClassLaw, blind, inside);
@@ -118,7 +118,7 @@ TEST(Ranges, SayWhatMayBeAnythingAndWhatMattersExactly) {
   EXPECT_FALSE(exact.is_any);
 }
 
-/// Whose answers are all wrong breaks the law everywhere: by false hits, then by misses.
+/// Code with only wrong answers breaks the law everywhere: by false hits, then by misses.
 TEST(Ranges, KeepTheKindOfDefect) {
   Candidate opposite = that_misses([](const auto&) { return false; });
   opposite.intersect = [](const auto&... asked) {
@@ -142,7 +142,7 @@ TEST(Ranges, KeepTheKindOfDefect) {
   EXPECT_GT(large.least, 0.9);
 }
 
-TEST(Ranges, AskNoMoreThanTheyMayAndTheSameEachTime) {
+TEST(Ranges, KeepTheirBudgetOfQuestionsAndAreReproducible) {
   int asked = 0;
   Candidate candidate = that_misses([](const auto&) { return true; });
   const auto misses = candidate.intersect;
@@ -196,7 +196,7 @@ TEST(Ranges, NameEveryNumberOfACamera) {
   EXPECT_EQ(found.numbers.back().name, "sphere 0 radius");
 }
 
-TEST(Ranges, AreOfWhatBreaksTheLawAndIsAskedAtLittleCost) {
+TEST(Ranges, AreSoughtOnlyForBrokenLawsAndCheapQuestions) {
   EXPECT_TRUE(ranges_of(kClassLaw, kByCross, kInFront).numbers.empty());
   Candidate candidate = that_misses([](const auto&) { return true; });
   const Verdict missed = run_case(kClassLaw, candidate, kInFront).failure->verdict;
@@ -211,7 +211,7 @@ TEST(Ranges, AreOfWhatBreaksTheLawAndIsAskedAtLittleCost) {
 
 // Certificates.
 
-/// The numbers of a span, ends and numbers next to them among them.
+/// Some numbers of a span, including the ends and the numbers next to them.
 std::vector<double> some_of(const Span& span, int count, Random& random) {
   std::vector<double> some = {span.least, span.greatest, std::nextafter(span.least, span.greatest),
                               std::nextafter(span.greatest, span.least)};
@@ -222,7 +222,8 @@ std::vector<double> some_of(const Span& span, int count, Random& random) {
   return some;
 }
 
-/// At how many of so many numbers in a range the method's class is the exact one, or the law holds.
+/// The number of `count` numbers in a range at which the method's hit class is exact, or the law
+/// holds.
 int count_right(const Candidate& candidate, const fast::IntersectMethod& method, const Case& shrunk,
                 const NumberRange& range, int count, Random& random) {
   int right = 0;
@@ -273,8 +274,8 @@ TEST(CertifiedRanges, BreakTheLawAtEveryNumberTried) {
   EXPECT_GT(whole, 10);
 }
 
-/// What is counted above is seen in a range that goes on where the law holds.
-TEST(CertifiedRanges, AreRefutedWhereTheLawHoldsInThem) {
+/// count_right() notices a range that continues where the law holds.
+TEST(CertifiedRanges, AreRefutedIfTheLawHoldsInThem) {
   Random random(1);
   const Candidate candidate = fast_candidate(fast::kDirectRays, fast::kLecture);
   const auto shrunk = far_failure(candidate, 1);
@@ -314,7 +315,7 @@ TEST(CertifiedRanges, NeedTheCandidatesClassAndTheTruth) {
   Case with_point = *shrunk;
   with_point.scene.spheres.push_back({{1, 2, 3}, 0});
   EXPECT_TRUE(certain(lecture, *shrunk, kind));
-  EXPECT_FALSE(certain(lecture, with_point, kind));  // whose distance may leave the domain
+  EXPECT_FALSE(certain(lecture, with_point, kind));  // its distance may leave the domain
   Candidate after_one = lecture;
   after_one.declared.valid->t_min = 1;
   EXPECT_FALSE(certain(after_one, *shrunk, kind));

@@ -1,4 +1,4 @@
-// What an answer is worth: one case for every outcome, and what a family shows of a method.
+// The quality of answers: one case for every outcome, and the stability of a method on a source.
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/search/stress.h"
@@ -33,7 +33,7 @@ Outcome outcome(double height, const Candidate& candidate) {
 const double kParameter = 5 - std::sqrt(0.75);
 constexpr double kGap = 0x1p-50;
 
-TEST(Stability, TellsExactFromAccurateFromUnstable) {
+TEST(Stability, DistinguishesExactAccurateAndUnstable) {
   EXPECT_EQ(outcome(0.5, that_answers_parameter(kParameter)), Outcome::kExact);
   EXPECT_EQ(outcome(0.5, that_answers_parameter(kParameter + 3 * kGap)), Outcome::kAccurate);
   EXPECT_EQ(outcome(0.5, that_answers_parameter(kParameter + 1000 * kGap)), Outcome::kUnstable);
@@ -59,7 +59,7 @@ TEST(Stability, UsesTheBackwardErrorAtATangent) {
   EXPECT_TRUE(std::isinf(verdict.tallies().at(Quantity::kParameter).worst_condition.value()));
 }
 
-TEST(Stability, TellsDefectsFromExcusedDecisionsFromThoseOutsideTheDomain) {
+TEST(Stability, DistinguishesDefectsExcusedDecisionsAndThoseOutsideTheDomain) {
   const auto count = [](const Verdict& verdict, Outcome outcome) {
     return verdict.tallies().at(Quantity::kClass).count(outcome);
   };
@@ -72,7 +72,7 @@ TEST(Stability, TellsDefectsFromExcusedDecisionsFromThoseOutsideTheDomain) {
   EXPECT_EQ(count(weigh("class", at_height(0.5), narrow), Outcome::kOutsideDomain), 1u);
 }
 
-TEST(Stress, JudgesIntersectionsAloneOnTheRaysOfACamera) {
+TEST(Stress, JudgesIntersectionsOnTheGivenRaysOfACamera) {
   StressOptions options;
   options.cases = 200;
   const std::vector<Candidate> candidates = {fast_candidate(fast::kDirectRays, fast::kCross)};
