@@ -87,8 +87,8 @@ double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
                     const scene::Sphere& sphere);
 /// The same for a centre at that distance, in radii.
 constexpr double plain_change_at(double radii) { return (3 * radii * radii + 1) / 2; }
-/// The factor by which the change that excuses a decision grows with it: a quarter of it, since r
-/// alone has to make up for a change of 4 u of all inputs.
+/// The factor by which the change that excuses a decision grows with it: a quarter of it, since one
+/// r has to make up for a change of 4 u of all inputs.
 constexpr double plain_growth(double plain_change) {
   return plain_change > 4 ? plain_change / 4 : 1;
 }

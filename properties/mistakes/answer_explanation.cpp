@@ -70,8 +70,8 @@ std::vector<Fault> pairs_of(Examination& examination, std::vector<const Mistake*
   std::erase_if(mistakes, [&](const Mistake* one) {
     return !examination.shows(one->candidate, steps.first, steps.last, tolerance);
   });
-  const auto is_too_much = [&](const Mistake* alone) {
-    return examination.wrong_numbers(steps.last, tolerance, &alone->candidate) >=
+  const auto is_too_much = [&](const Mistake* one) {
+    return examination.wrong_numbers(steps.last, tolerance, &one->candidate) >=
            kFewestErrorsOfACause;
   };
   std::set<std::pair<std::string_view, std::string_view>> known;

@@ -226,9 +226,9 @@ Candidate seen_by_file_order() {
                                                     Candidate::Pixels pixels) {
     std::vector<std::optional<SeenAnswer>> answers(pixels.size());
     for (std::size_t sphere = scene.spheres.size(); sphere-- > 0;) {
-      Scene alone = scene;
-      alone.spheres = {scene.spheres[sphere]};
-      const auto seen = visible(alone, conventions, pixels);
+      Scene single = scene;
+      single.spheres = {scene.spheres[sphere]};
+      const auto seen = visible(single, conventions, pixels);
       for (std::size_t k = 0; k < seen.size(); ++k) {
         if (seen[k]) answers[k] = {sphere, seen[k]->parameter};
       }

@@ -112,7 +112,7 @@ std::size_t count_alike(const Mistake& its, const std::vector<Scene>& scenes) {
 
 TEST(PictureCausesOfEveryMistake, NameIt) {
   const std::vector<Scene> scenes = rubric_scenes();
-  int named = 0, alone = 0;
+  int named = 0, single = 0;
   for (const Mistake& its : mistakes()) {
     if (!its.is_told_by_pictures) continue;
     const Causes causes = picture_causes(shown_with({&its}, scenes));
@@ -125,7 +125,7 @@ TEST(PictureCausesOfEveryMistake, NameIt) {
         EXPECT_LE(differences({&its}, other, scenes), 1u) << its.sentence;
       }
       ++named;
-      alone += causes.alternatives.size() == 1 ? 1 : 0;
+      single += causes.alternatives.size() == 1 ? 1 : 0;
       continue;
     }
     const bool shows_little = causes.errors < kFewestWrongPixels;
@@ -134,7 +134,7 @@ TEST(PictureCausesOfEveryMistake, NameIt) {
     EXPECT_TRUE(shows_little || is_one_of_many || is_plain) << its.sentence;
   }
   EXPECT_GE(named, 133);
-  EXPECT_GE(alone, 85);
+  EXPECT_GE(single, 85);
 }
 
 TEST(PictureCauses, AreFoundUnderOtherConventions) {

@@ -41,9 +41,9 @@ void expect_same(const CampaignPart& a, const CampaignPart& b) {
 
 TEST(Campaign, PartsDoNotDependOnEachOther) {
   CampaignOptions some = options_of(120, {"rays", "distance", "horizon@2"});
-  CampaignOptions alone = options_of(40, {"distance"});
+  CampaignOptions separate = options_of(40, {"distance"});
   const auto all = run_campaign(*find_law("class"), kBad, some).parts;
-  const auto of_distance = run_campaign(*find_law("class"), kBad, alone).parts;
+  const auto of_distance = run_campaign(*find_law("class"), kBad, separate).parts;
   ASSERT_EQ(of_distance.size(), 16u);
   ASSERT_EQ(all.size(), 18u);
   EXPECT_EQ(all.front().source.name(), "rays");
@@ -76,13 +76,14 @@ TEST(Campaign, OfManyLawsAndCandidatesEqualsSeparateOnes) {
   for (std::size_t candidate = 0; candidate < candidates.size(); ++candidate) {
     for (std::size_t law = 0; law < laws.size(); ++law) {
       const CampaignResult its = together.finished(candidate, law, candidates[candidate]);
-      const CampaignResult alone = run_campaign(*laws[law], candidates[candidate], some);
-      EXPECT_EQ(its.finding(), alone.finding());
-      ASSERT_EQ(its.parts.size(), alone.parts.size());
-      for (std::size_t k = 0; k < its.parts.size(); ++k) expect_same(its.parts[k], alone.parts[k]);
-      ASSERT_EQ(its.failure.has_value(), alone.failure.has_value());
+      const CampaignResult separate = run_campaign(*laws[law], candidates[candidate], some);
+      EXPECT_EQ(its.finding(), separate.finding());
+      ASSERT_EQ(its.parts.size(), separate.parts.size());
+      for (std::size_t k = 0; k < its.parts.size(); ++k)
+        expect_same(its.parts[k], separate.parts[k]);
+      ASSERT_EQ(its.failure.has_value(), separate.failure.has_value());
       if (its.failure) {
-        EXPECT_EQ(its.failure->replay, alone.failure->replay);
+        EXPECT_EQ(its.failure->replay, separate.failure->replay);
       }
       any_broken = any_broken || its.failure;
       EXPECT_EQ(its.counts.cases < some.cases, its.failure.has_value());
@@ -96,11 +97,11 @@ TEST(Campaign, KeptUnitsDoNotDependOnEarlierOnes) {
   CampaignOptions some = options_of(3 * kUnitCases, {"distance@12"});
   for (const bool are_kept : {true, false}) {
     Campaigns after({{{find_law("class")}, some}}, are_kept),
-        alone({{{find_law("class")}, some}}, are_kept);
+        separate({{{find_law("class")}, some}}, are_kept);
     ASSERT_TRUE(after.run(0, {&kBad, 1}, {}).front().is_broken());
     const CampaignPart part = after.run(2, {&kBad, 1}, {}).front();
     EXPECT_EQ(part.counts.cases > 0, are_kept);
-    if (are_kept) expect_same(part, alone.run(2, {&kBad, 1}, {}).front());
+    if (are_kept) expect_same(part, separate.run(2, {&kBad, 1}, {}).front());
   }
 }
 

@@ -52,7 +52,7 @@ TEST(Stability, BlamesTheProblemWhereItsConditionNumberIsLarge) {
 }
 
 TEST(Stability, UsesTheBackwardErrorAtATangent) {
-  // s off by e makes Q off the sphere by e^2 only: a backward error of about 2^-60 is no fault.
+  // s off by e makes Q off the sphere by e^2 only: a backward error of about 2^-60 is harmless.
   EXPECT_EQ(outcome(1, that_answers_parameter(5 - 0x1p-30)), Outcome::kIllConditioned);
   EXPECT_EQ(outcome(1, that_answers_parameter(5 - 0x1p-10)), Outcome::kUnstable);
   const Verdict verdict = weigh("parameter", at_height(1), that_answers_parameter(5 - 0x1p-30));
