@@ -177,7 +177,7 @@ struct Promises {
   /// The same for rays made from a camera, where a hit inherits the error of its ray; empty:
   /// max_error.
   std::array<std::optional<double>, kQuantityCount> max_error_end_to_end = {};
-  /// Whether the bound on a quantity holds whatever its condition number is; otherwise it grows
+  /// Whether the bound on a quantity holds at every condition number; otherwise it grows
   /// with it (bound_growth).
   std::array<bool, kQuantityCount> is_unconditional = {};
   /// It decides hit or miss exactly for every given ray: neither near-tangency nor the domain

@@ -48,7 +48,7 @@ std::uint64_t take(std::string::const_iterator& at, std::string::const_iterator 
 }  // namespace
 
 void QuantileSketch::add(double number) {
-  if (number < 0) throw std::invalid_argument("number: a quantile sketch counts what is >= 0");
+  if (number < 0) throw std::invalid_argument("number: a quantile sketch counts only numbers >= 0");
   if (std::isnan(number)) number = std::numeric_limits<double>::infinity();
   max_ = std::max(max_, number);
   ++count_;

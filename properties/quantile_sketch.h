@@ -38,7 +38,7 @@ class QuantileSketch {
 
   /// Equal if the same numbers were counted, up to the sketch's resolution.
   bool operator==(const QuantileSketch& other) const;
-  /// How many entries are held.
+  /// The number of entries.
   std::size_t size() const { return bins_.size() + waiting_.size(); }
   template <class Archive>
   void save(Archive& archive) const {

@@ -79,10 +79,9 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
   return {ray, sphere, hit == nullptr ? std::nullopt : std::optional(hit->parameter)};
 }
 
-/// How many roundings of the inputs those of the textbook's v^2 - |T|^2 + r^2 amount to, as a
+/// The number of roundings of the inputs that equal those of the textbook's v^2 - |T|^2 + r^2, as a
 /// change of r: at most (2 |T||v| + |T|^2 + r^2)/2r^2. 0 where the candidate promises more than
-/// ordinary cases, beyond kOrdinaryDistance, and nearer a
-/// tangent than kOrdinaryTangency.
+/// ordinary cases, beyond kOrdinaryDistance, and nearer a tangent than kOrdinaryTangency.
 double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
                     const scene::Sphere& sphere);
 /// The same for a centre at that distance, in radii.

@@ -122,7 +122,7 @@ struct Stability {
   Outcome outcome = Outcome::kExact;
 };
 
-/// In what way a decision was wrong.
+/// The way in which a decision was wrong.
 enum class Wrong {
   kNot,
   kMissed,
@@ -337,7 +337,7 @@ std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies);
 /// The most discrepancies that a verdict keeps; a bad candidate has one in every pixel.
 inline constexpr std::size_t kKeptDiscrepancies = 1000;
 
-/// A law's verdict on a case, or on several, merged: left out with a reason, or what was compared
+/// A law's verdict on a case, or on several, merged: left out with a reason, or the comparisons
 /// and the discrepancies found; it holds when none is a defect.
 class Verdict {
  public:

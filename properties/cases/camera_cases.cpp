@@ -28,7 +28,7 @@ Case cameras(int, std::uint64_t seed) {
   });
 }
 
-/// Small integers, axis-aligned views, odd images: what people try first, full of exact ties.
+/// Small integers, axis-aligned views, odd images: the usual first tests, full of exact ties.
 Case plain_cameras(int, std::uint64_t seed) {
   return valid_case(seed, [](Random& random, Case& result) {
     Camera camera;

@@ -148,7 +148,7 @@ constexpr CaseSource kPixelSourceTable[] = {
      SeverityRange{"log2 of the pixels across", 2, kMostPixelsLog2, 14, kMostPixelsLog2},
      image_size},
     {"near-plane", "image planes 10^-k radii off the surface of a sphere", true,
-     // All methods decide correctly, though the pixel's own rounding comes before that of surface.
+     // All methods decide correctly, though roundings of the pixel add to those of `surface`.
      SeverityRange{"log10 of the radius over the pixel's distance from the surface", 10, 15, 6, 15},
      near_plane}};
 

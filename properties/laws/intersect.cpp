@@ -42,7 +42,7 @@ struct Encounter {
     // Roots may be closer than numbers of the format: the correctly rounded one is never wrong.
     return reference::is_at_other_root(ray, sphere, *exact, s) && s != rounded_s();
   }
-  /// Whether the candidate reports a hit that its own interval excludes.
+  /// Whether the candidate reports a hit outside the interval by which it is judged.
   bool is_excluded() const {
     return answer != nullptr && properties::is_excluded(answer_of(ray, sphere, answer),
                                                         exact != nullptr ? *exact : Intersection{},

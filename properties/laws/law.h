@@ -33,7 +33,7 @@ enum class Needs : unsigned {
   kSpheres = 1 << 10,
   kSeveralSpheres = 1 << 11,
   kRefusals = 1 << 12,
-  // Of what a candidate returns of a hit:
+  // Of the values that a candidate returns for a hit:
   kParameters = 1 << 13,  ///< s, or a distance.
   kPoints = 1 << 14,      ///< Q
   kEither = 1 << 15       ///< One of the two.
@@ -41,7 +41,7 @@ enum class Needs : unsigned {
 constexpr Needs operator|(Needs a, Needs b) {
   return static_cast<Needs>(static_cast<unsigned>(a) | static_cast<unsigned>(b));
 }
-/// Whether one of `some` is among what is needed.
+/// Whether one of `some` is needed.
 constexpr bool needs_any(Needs needs, Needs some) {
   return (static_cast<unsigned>(needs) & static_cast<unsigned>(some)) != 0;
 }
@@ -56,7 +56,7 @@ inline constexpr Needs kOfIntersections =
 
 /// The first need that a trial does not meet, as a sentence; empty when it meets all.
 std::string_view what_is_missing(Needs needs, const Trial& trial);
-/// Whether its scene meets all needs, whatever the candidate lacks.
+/// Whether its scene meets all needs, regardless of the candidate.
 bool scene_suits(Needs needs, const Trial& trial);
 
 /// A case with a camera's rays as given rays, and the pixel of each.

@@ -14,7 +14,7 @@
 
 namespace raycheck::properties {
 
-/// The relative error up to which an answer counts as right, or as what a mistake makes; the second
+/// The relative error up to which an answer counts as right, or as that of a mistake; the second
 /// is tried if nothing is explained with the first, for code that computes in `float`s.
 inline constexpr std::array<double, 2> kAnswerTolerances = {1e-6, 1e-4};
 

@@ -185,7 +185,7 @@ std::vector<Mistake> ray_mistakes() {
        .rays = {.direction = unchanged},
        .hits = {.roots = roots_of_unit}},
       {.sentence =
-           "only what lies between the eye and the image plane is seen: near is taken for far",
+           "only spheres between the eye and the image plane are seen: near is taken for far",
        .step = Step::kRay,
        .rays = {.direction = unchanged, .starts_at_eye = true},
        .hits = {.choose = before_the_plane},

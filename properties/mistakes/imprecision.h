@@ -46,7 +46,7 @@ PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const sce
 
 /// Whether a formula may show a sphere along a ray.
 struct PossibleSight {
-  bool allows = false;       ///< What was shown is possible.
+  bool allows = false;       ///< The answer that was shown is possible.
   bool is_doubtful = false;  ///< More than one answer is possible.
   double radii = 0;          ///< The distance, in radii, of the most doubtful sphere.
 };

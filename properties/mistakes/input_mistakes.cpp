@@ -196,7 +196,7 @@ std::vector<Mistake> view_mistakes() {
   return {
       camera_mistake("near has the wrong sign, the image plane is behind the eye",
                      [](Camera& its, auto&) { its.near = -its.near; }),
-      camera_mistake("the image plane is always 1 in front of the eye, as where d is taken for the "
+      camera_mistake("the image plane is always 1 in front of the eye, as if d were the "
                      "far plane",
                      [](Camera& its, auto&) { its.near = std::copysign(1, its.near); }),
       camera_mistake(
@@ -223,7 +223,7 @@ std::vector<Mistake> view_mistakes() {
           "the eye is ignored: E = (0, 0, 0)", [](Camera& its, auto&) { its.eye = {}; },
           Step::kFrame),
       camera_mistake(
-          "the eye is ignored but in W: P = nW + alpha U + beta V, D = P/|P|",
+          "the eye is ignored except in W: P = nW + alpha U + beta V, D = P/|P|",
           [](Camera& its, auto&) {
             const scene::Vector3 view = its.look_at - its.eye;
             its.look_at = {view.x, view.y, view.z};

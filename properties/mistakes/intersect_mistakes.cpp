@@ -268,7 +268,7 @@ std::vector<Mistake> intersect_mistakes() {
                near_wherever_ahead),
            of_answers("spheres are solid: from inside s is 0", of_solid(false), "marched"),
            of_answers(
-               "T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
+               "T . D = 0 counts as a miss: rays at right angles to T never hit spheres around "
                "their origin",
                [](const Ray& ray, const Roots& roots, const Conventions& c) {
                  return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
@@ -318,7 +318,7 @@ std::vector<Mistake> intersect_mistakes() {
                       const bool is_on = x * x + y * y + z * z == sphere.radius * sphere.radius;
                       return is_on ? hit_at(ray, 0.5 * hit.parameter) : hit;
                     }),
-           of_segments("t_max is tested the wrong way round: only what lies beyond counts",
+           of_segments("t_max is tested the wrong way round: only hits beyond it count",
                        [](const Ray& ray, const Roots& roots, const Conventions& c) {
                          return meets(roots, c) && roots.smaller > c.valid.t_max
                                     ? Hit(hit_at(ray, roots.smaller))

@@ -87,7 +87,7 @@ std::optional<AnswerCause> cancelling_q(Examination& examination) {
         return roots.smaller < 0 && s * norm(ray.direction) > std::abs(roots.axial_distance);
       });
   if (!found) return {};
-  return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels", *found);
+  return small_cause("q = b + sgn(b) sqrt(b^2 - ac) has the wrong inner sign: it cancels", *found);
 }
 
 /// d^2 as a difference that cancels: s loses digits that r^2 - |T x D|^2 keeps, also if too much is

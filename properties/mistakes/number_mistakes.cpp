@@ -175,7 +175,7 @@ std::vector<BoundChange> bound_changes() {
        }},
       {"the bounds of rows are those of columns",
        [](Camera& its) { its.bottom = its.left, its.top = its.right; }},
-      {"the height is corrected for an aspect ratio that the bounds hold already",
+      {"the height is corrected for an aspect ratio that the bounds already contain",
        [](Camera& its) { its.top = its.bottom + (its.top - its.bottom) * aspect(its); }},
       {"the aspect ratio is corrected twice: alpha is multiplied by width/height",
        [](Camera& its) { scale(its, aspect(its), 1); }},

@@ -62,7 +62,7 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
     causes.kind = CauseKind::kImprecise;
     return true;
   }
-  // More roundings leave as many certain pictures or fewer: if as many, what is found is the same.
+  // More roundings never leave more certain pictures: if as many, the result is the same.
   std::size_t known = pictures.size();
   std::vector<Suspect> found;
   for (const Arithmetic arithmetic : kArithmetics) {

@@ -51,7 +51,7 @@ constexpr std::size_t kSampleParts = 3;
 
 /// The number of pixels in one call.
 constexpr std::size_t kPixelsAtATime = std::size_t{1} << 8;
-/// The number of pixels of a picture that are compared to find what shows in it.
+/// The number of pixels of a picture that are compared to find the mistakes that show in it.
 constexpr std::size_t kSomePixels = std::size_t{1} << 12;
 
 bool shows_nothing(const ImageAnswer& image) {

@@ -123,7 +123,7 @@ const ThresholdFamily kFamilies[] = {
        return usual_choice(ray, roots, c);
      },
      marched_roots, false},
-    {"a d^2 below about ", " (perhaps more) is taken for that: the epsilon is too large",
+    {"a d^2 below about ", " (perhaps more) is raised to that: the epsilon is too large",
      "least chords", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);

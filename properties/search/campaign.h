@@ -40,7 +40,7 @@ struct CampaignOptions {
   std::size_t keep_going = 1;
 };
 
-/// Counts of cases by what was done with them.
+/// Counts of cases by their treatment.
 struct CaseCounts {
   std::int64_t cases = 0;       ///< Tried, before an end or a break.
   std::int64_t left_out = 0;    ///< Of those, the ones to which the law does not apply, or which

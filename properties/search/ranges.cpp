@@ -175,7 +175,7 @@ class RangeSearch {
     return between(from, to, std::move(ranks));
   }
 
-  /// How far towards one end of the format the law breaks.
+  /// The last number towards one end of the format up to which the law breaks.
   Rank end_towards(Rank last, Rank from) {
     Rank end = from;
     std::optional<Rank> beyond;
@@ -227,7 +227,7 @@ class RangeSearch {
     return is_certain(law_, candidate_, cases, kind_);
   }
 
-  /// How far from a number at which the law breaks to another it certainly does.
+  /// The last number from `from` towards `to` up to which the law is proved to break.
   Rank certain_towards(Rank to, Rank from, int& boxes) {
     if (from == to || boxes-- <= 0) return from;
     const bool has_one_sign = from == 0 || to == 0 || (from < 0) == (to < 0);

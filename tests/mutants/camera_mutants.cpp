@@ -107,7 +107,7 @@ std::vector<Mutant> plane_mutants() {
       from_mistake("beta-by-width", "rows are divided by the width",
                    {"pixel-point", "image-plane", "bounds"}),
       from_mistake("aspect-twice",
-                   "the height is corrected for an aspect ratio that the bounds hold already",
+                   "the height is corrected for an aspect ratio that the bounds already contain",
                    {"square-pixels", "bounds", "pixel-point"}),
       {"everything is half a pixel to the right",
        {"centre-pixel", "bounds", "pixel-point"},
@@ -122,7 +122,7 @@ std::vector<Mutant> plane_mutants() {
        with_inputs("single-step",
                    [](Camera& c, Conventions&) {
                      const double steps = static_cast<double>(c.width) - 1;
-                     int exponent = 0;  // which a double keeps: the digits are what is lost
+                     int exponent = 0;  // floats lose only digits, doubles keep the exponent
                      const double step = std::frexp((c.right - c.left) / steps, &exponent);
                      const auto kept = static_cast<double>(static_cast<float>(step));
                      c.right = c.left + std::ldexp(kept, exponent) * steps;

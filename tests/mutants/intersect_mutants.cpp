@@ -93,7 +93,7 @@ std::vector<Mutant> choice_mutants() {
                    {"nearest-root"}),
       from_mistake("solid", "spheres are solid: from inside s is 0", {"nearest-root"}),
       from_mistake("level-is-missed",
-                   "T . D = 0 counts as a miss: rays at right angles to T never hit what is around "
+                   "T . D = 0 counts as a miss: rays at right angles to T never hit spheres around "
                    "their origin",
                    {"class"}),
       from_mistake("merged-roots",

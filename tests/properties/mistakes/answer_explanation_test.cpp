@@ -684,7 +684,7 @@ TEST(AnswerExplanation, NamesAQThatCancelsByTheLargerRoot) {
   };
   EXPECT_EQ(sentences_of_roots(by_q(1)), Sentences());
   EXPECT_EQ(sentences_of_roots(by_q(-1)),
-            Sentences{"q = b + sgn(b) sqrt(b^2 - ac) has the wrong sign within: it cancels"});
+            Sentences{"q = b + sgn(b) sqrt(b^2 - ac) has the wrong inner sign: it cancels"});
 }
 
 TEST(AnswerExplanation, IsJudgedUnderTheDeclaredConventions) {

@@ -93,7 +93,7 @@ const std::vector<Mistake> kOfPictures = {
      "the aspect ratio is corrected twice: alpha is multiplied by width/height", 2},
     {"shares_of_the_count", 95, "boundary pixels, robustness", "i/w and j/h place the pixels", 11},
     {"plane_at_1", 95, "boundary pixels, robustness",
-     "the image plane is always 1 in front of the eye, as where d is taken for the far plane", 11},
+     "the image plane is always 1 in front of the eye, as if d were the far plane", 11},
     {"from_the_eye", 98, "ray origin, robustness",
      "rays start at the eye, so that spheres before the image plane are seen", 3},
     {"epsilon", 106, "robustness",
