@@ -150,8 +150,7 @@ struct Functions {
   /// The next questions are a part of a batch that failed, and get this share, in (0, 1], of the
   /// time limit for a reply. Empty: it has no such limit.
   std::function<void(double share)> allow;
-  /// Resets the count of time-outs after which a candidate is dropped. Empty: it always
-  /// replies.
+  /// Resets the count of time-outs after which a candidate is dropped. Empty: it always replies.
   std::function<void()> forget_silence;
   /// Starts it anew, so that it loses all state between questions. Empty: it cannot be restarted.
   std::function<void()> restart;

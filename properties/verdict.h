@@ -223,8 +223,7 @@ struct Tally {
   /// The largest stability ratio within the stated domain.
   std::optional<double> worst_ratio;
   std::array<std::uint64_t, kOutcomeCount> outcomes = {};
-  /// The largest finite error over the growth of its documented bound: the bound limits this
-  /// quotient.
+  /// The largest finite error over the growth of its documented bound, which limits this quotient.
   std::optional<double> max_over_growth;
 
   void merge(const Tally& other);
@@ -399,8 +398,7 @@ class Verdict {
   std::vector<DefectKind> defects(bool strictly = false) const;
   /// The kinds of the kept discrepancies that are undecided.
   std::vector<DefectKind> undecided() const;
-  /// Among the kept discrepancies that break the law, the first known line at which the candidate
-  /// failed.
+  /// The first known line at which the candidate failed, of kept discrepancies that break the law.
   std::optional<CodeLine> failed_at(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
   /// Without the law that it belongs to.

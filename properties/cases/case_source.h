@@ -31,9 +31,9 @@ struct CaseSource {
   std::string_view sentence;
   bool has_camera;
   std::optional<SeverityRange> severities;
-  /// Domain: a severity of the dial; a source without one ignores it.
+  /// Domain: one of `severities`; ignored without these.
   Case (*make)(int severity, std::uint64_t seed);
-  Level level = Level::kOrdinary;  ///< Of a source without a dial.
+  Level level = Level::kOrdinary;  ///< Of a source without severities.
 };
 
 /// The most severities of a source that are judged.
@@ -56,13 +56,13 @@ struct ChosenSource {
 
   /// The case of a seed; without a chosen severity the seed determines that, too.
   Case make(std::uint64_t seed) const;
-  /// The severity of a seed's case; 0 for a source without a dial.
+  /// The severity of a seed's case; 0 for a source without severities.
   int severity_of(std::uint64_t seed) const;
   std::string name() const;  ///< "SOURCE" or "SOURCE@SEVERITY"
   /// Hashes the name by FNV-1a: the same on every machine, unlike std::hash.
   std::uint64_t hash() const;
   bool operator==(const ChosenSource&) const = default;
-  /// The level of its severity, of a source without a dial, or of a dial's highest severity.
+  /// The level of its severity; else of the source, or of its highest severity.
   Level level() const;
 };
 

@@ -33,7 +33,7 @@ struct Axes {
 scene::Vector3 across(Random& random, const scene::Vector3& direction);
 
 /// For given doubles, accurate to a few units in the last place despite cancellation: sources with
-/// a dial finer than the rounding of a sphere's centre choose the radius to fit.
+/// severities finer than the rounding of a sphere's centre choose the radius to fit.
 double distance_between(const scene::Point3& from, const scene::Point3& to);  ///< |T|
 double impact_parameter(const scene::Ray& ray, const scene::Point3& centre);  ///< |T x d|/|d|
 /// T.d/|d|, accurate relative to |T|.

@@ -77,8 +77,7 @@ struct Encounter {
     const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
     return std::isinf(condition) ? 0 : condition;
   }
-  /// Converts the condition number of s to a share of a length. At a tangent Q slides along the
-  /// sphere.
+  /// The condition number of s as a share of a length. At a tangent Q slides along the sphere.
   double plain_condition_over(const Enclosure& length) const {
     const double condition = properties::plain_condition(trial.candidate(), ray, sphere, *exact);
     if (std::isinf(condition)) return plain_blur();

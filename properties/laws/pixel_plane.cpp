@@ -158,9 +158,8 @@ SignedAxis signed_axis(const Enclosure3& v) {
   return result;
 }
 
-/// The conditions under which a corner's coordinate is exact to the last bit: an eye at the world's
-/// origin, an axis along a world axis, samples on the edges, and first + (last - first) not
-/// rounded.
+/// A corner's coordinate is exact to the last bit for an eye at the world's origin, an axis along a
+/// world axis, samples on the edges, and first + (last - first) not rounded.
 void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& answers,
                          std::size_t k) {
   const scene::Camera& camera = answers.camera().camera();

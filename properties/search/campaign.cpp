@@ -36,7 +36,7 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
   return severities;
 }
 
-/// A source and severity (0 without a dial) on which a law is tried, and its index among all.
+/// A source and severity (0 if it has none) on which a law is tried, and its index among all.
 struct SeriesKey {
   std::size_t place;
   int severity;

@@ -24,8 +24,7 @@ inline constexpr int kCampaignCases = 500;
 struct CampaignOptions {
   /// Divided evenly among the sources of each level up to `level`, and within a source among its
   /// severities; a severity gets the largest number that one of these levels gives it. Every source
-  /// has at least one case, at its highest severity. So a level includes all cases of those before
-  /// it.
+  /// has at least one case, at its highest severity. So a level includes all cases of lower ones.
   int cases = kCampaignCases;
   std::uint64_t seed = 1;
   std::optional<double> max_error;
@@ -33,8 +32,7 @@ struct CampaignOptions {
   /// Severities up to this level are tried.
   Level level = Level::kDemanding;
   /// The sources of the cases; empty: every source of the level that suits the law. A source
-  /// without a severity stands for all its severities of the level, one with a severity for only
-  /// that one.
+  /// without a severity stands for all its severities of the level.
   std::vector<ChosenSource> sources;
   /// The number of distinct failures to shrink: above one, a law's cases go on after a break.
   std::size_t keep_going = 1;
@@ -193,8 +191,7 @@ class Campaigns {
                                 const RunControl& control) const;
   /// Adds the results of run(), in the order of units.
   void take(std::size_t unit, std::vector<CampaignPart> parts);
-  /// The result of all units for a law of a candidate, with its failure shrunk. To be called once
-  /// for each.
+  /// The result of all units for a law of a candidate, with its failure shrunk. Call it once each.
   CampaignResult finished(std::size_t candidate, std::size_t law, const Candidate& judged);
 
  private:

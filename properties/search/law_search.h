@@ -47,8 +47,8 @@ class LawSearch {
   /// The same, of a verdict.
   bool take(const Case& the_case, bool judged, bool given, Verdict verdict);
   void count(bool judged, bool given, const Verdict& verdict);
-  /// Replaces the case that breaks the law by the first simpler one that does so, too, until none
-  /// does.
+  /// Replaces the case that breaks the law by the first simpler one that does so, as often as it
+  /// can.
   void shrink();
   /// `breaks` keeps a case for which it is true as the failure. A candidate that makes no rays
   /// needs no camera: the rays that it was given take its place.

@@ -14,7 +14,7 @@ inline constexpr int kMutantCases = 100;
 struct FirstCaught {
   const mutants::Mutant* mutant;
   const properties::Law* law;
-  /// The lowest of kFewSeverities, or 0 for a source without a dial; empty: it is not caught.
+  /// The lowest of kFewSeverities, or 0 for a source without severities; empty: it is not caught.
   std::optional<int> severity = {};
 };
 

@@ -10,8 +10,7 @@ namespace raycheck::caught {
 /// The number of severities of a source for the tables by severity.
 inline constexpr int kFewSeverities = 18;
 
-/// A source at each severity that is judged, the lowest first; without a severity if it has no
-/// dial.
+/// A source at each severity that is judged, the lowest first; without one if it has none.
 inline std::vector<properties::ChosenSource> places_of(const properties::CaseSource& source,
                                                        int most = properties::kMostSeverities) {
   if (!source.severities) return {{&source, std::nullopt}};
