@@ -65,7 +65,8 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
     ++result.changed;
     const bool is_lost = !std::isfinite(rounded) || rounded == 0;
     if (is_lost && result.reason.empty()) {
-      result.reason = "rounded to floats: " + scene::shortest(x) + " leaves their range";
+      result.reason =
+          "rounded to floats: " + scene::shortest(x) + " is outside the range of floats";
     }
     x = rounded;
   };

@@ -117,7 +117,7 @@ const fast::IntersectMethod kReference = {
 
 const fast::IntersectMethod kReferenceField = {
     .name = "reference-field",
-    .sentence = "the reference with every class from the exact field; correctly rounded",
+    .sentence = "the reference with every hit class from the exact field; correctly rounded",
     .intersect = fast::intersect_ray_by_ray<Ladder<Engine::kFieldOnly>>,
     .intersect_one = fast::intersect_one_ray<Ladder<Engine::kFieldOnly>>,
     .max_ulp = kCorrectlyRoundedUlp,

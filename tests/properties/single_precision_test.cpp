@@ -107,7 +107,7 @@ TEST(SinglePrecision, CountsCasesThatFloatsCannotHold) {
       run_campaign(*find_law("class"), off_by(0), options_of(60, {"scale@300"}));
   EXPECT_EQ(result.counts.cases, 60);
   EXPECT_GT(result.counts.left_out, 50);
-  EXPECT_TRUE(has(result.counts.reason, "leaves their range"));
+  EXPECT_TRUE(has(result.counts.reason, "is outside the range of floats"));
 }
 
 TEST(RoundedCase, RoundsEveryNumberToTheNearestFloat) {

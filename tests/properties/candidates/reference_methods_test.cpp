@@ -68,7 +68,7 @@ bool meets(const fast::IntersectMethod& method, double y, double z) {
   return method.intersect_one({{-5, y, z}, {1, 0, 0}}, kUnitSphere, {}).has_value();
 }
 
-TEST(Arb128, MissesDifferencesBelow128Bits) {
+TEST(Arb128, DoesNotResolveDifferencesBelow128Bits) {
   // y^2 + z^2 exceeds 1 by 2^-140.
   EXPECT_TRUE(meets(kArb, 1, 0x1p-70));
   EXPECT_FALSE(meets(kReference, 1, 0x1p-70));

@@ -48,7 +48,8 @@ TEST(SinglePrecision, is_not_judged_if_floats_cannot_represent_the_scene) {
   const std::string scene =
       temporary_file("wide.toml", ray_text("0, 0, 0", "1, 0, 0") + sphere_text("1e60, 0, 0", "1"));
   const Outcome words = run("check " + scene + " --candidate " + float_tracer(), 4);
-  expect_parts(words.out, {"not judged here: rounded to floats: 1e+60 leaves their range"});
+  expect_parts(words.out,
+               {"not judged here: rounded to floats: 1e+60 is outside the range of floats"});
 }
 
 TEST(SinglePrecision, has_valid_certificates) {
