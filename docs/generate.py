@@ -92,7 +92,7 @@ def laws_part(known):
     dials = [source for source in known["sources"] if source["dial"]]
     lines = [f"`properties` tries {len(known['laws'])} laws on random cases of "
              f"{len(known['sources'])} sources. {len(dials)} of those are stress",
-             "families, each with a dial from severity 0 (ordinary) to its end: far, grazing, tangent to the",
+             "sources, each with severities from 0 (ordinary) to its last: far, grazing, tangent to the",
              "last bit, on the surface, at the ends of the double range; `--source distance@9` asks for one",
              "severity. A broken law prints the smallest case found, as a scene that `check` accepts, and a",
              "string that replays it.", "", "| law | what must hold |", "|---|---|"]
