@@ -264,7 +264,7 @@ class WithoutWebGL(unittest.TestCase):
                 self.assertEqual([title.split(",")[0] for title in titles], ["from the side", "from above"])
                 self.assertGreater(shapes, 10)
                 self.assertFalse(canvas)
-                self.assertIn("no WebGL", note)
+                self.assertIn("does not support WebGL 2", note)
         finally:
             browser.close()
 

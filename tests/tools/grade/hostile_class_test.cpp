@@ -80,7 +80,7 @@ TEST_F(HostileClass, reports_in_table_and_spreadsheet_that_one_submission_used_u
   }
   expect_values(slow, {{"score", 0}, {"points", 40}, {"finished", true}});
   EXPECT_TRUE(has(grading.file("slow", "report.html"),
-                  "not judged: time is up: the limit for all questions together is 2 s for "));
+                  "not judged: time is up: the limit for all questions together is 2 s"));
   std::string items;
   for (const json& item : slow["items"]) {
     if (!item["reason"].is_object() || item["reason"]["kind"] != "time is up") continue;

@@ -58,7 +58,7 @@ TEST_F(Probe, lists_what_each_submission_builds_reads_writes_and_shows) {
   EXPECT_FALSE(fs::exists(grading_.path("out"))) << "nothing is graded";
   expect_parts(
       outcome.out,
-      {"  2018   out.ppm   spheres\n    it writes out.ppm and ignores the given file name\n",
+      {"  2018   out.ppm  spheres\n    it writes out.ppm and ignores the given file name\n",
        "\n    implements focal_ray, frame, intersect, nearest, pixel_point, pixel_ray\n",
        "could not be judged: 'g++ -O2 -std=c++20 rt.cpp' exited with 1\n",
        "error: expected ';' before '}' token\n", "3 submissions tried, 1 could not be judged\n"});
