@@ -15,7 +15,7 @@ TEST(Renderer, with_one_colour_is_reported_as_not_judged_by_sphere) {
   const json report = judged(kProbeScene, renderer("grey"));
   EXPECT_EQ(report["discrepancies"], 0);
   expect_parts(report["left_out"].dump(),
-               {"which sphere a pixel shows whose colour is not a sphere's"});
+               {"pixels whose colour is not that of a sphere: judged only as hit or miss"});
 }
 
 TEST(Renderer, is_right_on_every_scene_that_driver_files_can_express) {
