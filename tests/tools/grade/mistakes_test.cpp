@@ -214,7 +214,7 @@ TEST(GradedMistakes, from_state_kept_between_questions_are_reported_as_such) {
   const json item = grading.result("keeps")["items"][0];
   EXPECT_EQ(item["state"], "fails") << item.dump(2);
   ASSERT_EQ(item["mistakes"].size(), 1u) << item.dump(2);
-  expect_parts(item["mistakes"][0].dump(), {"it keeps something between questions"});
+  expect_parts(item["mistakes"][0].dump(), {"it keeps state between questions"});
   EXPECT_FALSE(item["first_wrong"].is_null());
 }
 
