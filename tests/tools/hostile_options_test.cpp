@@ -218,7 +218,7 @@ const std::pair<const char*, const char*> kRefused[] = {
      "it only draws pictures; this command needs single answers"},
     {"image FAR OUT --candidate a:b", "only --what error shows a candidate or method"},
     {"check FAR --candidate mine", "candidate mine: give library:PATH.so, source:PATH, command:"},
-    {"check FAR --candidate elsewhere:mine", "candidate elsewhere:mine: there is no elsewhere:"},
+    {"check FAR --candidate elsewhere:mine", "candidate elsewhere:mine: unknown kind 'elsewhere'"},
     {"check FAR --candidate library:", "give library:PATH.so"},
     {"check FAR --candidate library:nowhere.so", "No such file or directory"},
     {"check FAR --candidate library:README.md", "README.md"},
@@ -235,7 +235,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --candidate command:true", "exited with 0"},
     {"check FAR --candidate 'command:echo hello'", "hello"},
     {"check FAR --candidate 'command:python3 tests/candidates/hostile.py early'",
-     "more than it was asked"},
+     "wrote more after its reply"},
     // Rubrics and submissions.
     {"grade", "RUBRIC"},
     {"grade nowhere.toml README.md --out nowhere", "nowhere.toml: cannot be read"},

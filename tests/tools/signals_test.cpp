@@ -338,7 +338,7 @@ TEST(HostileSizes, of_pictures_times_spheres_are_not_timed_beyond_a_limit) {
   const LimitedOutcome outcome =
       run_limited({"plan", path, "--wanted", "point"}, {.memory = kMemory});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(has(outcome.err, "nothing is timed: spheres: they reach into 157286400 bands"));
+  EXPECT_TRUE(has(outcome.err, "nothing is timed: spheres: they cover 157286400 bands"));
 }
 
 TEST(HostileSizes, of_cases_and_of_scenes_take_bounded_memory) {

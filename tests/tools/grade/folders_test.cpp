@@ -57,7 +57,7 @@ TEST_F(HostileOut, IsRefusedIfItIsContainsOrLiesInASubmission) {
     refuses(out("submissions/mine"),
             " is " + mine_ + ", which is a submission; give another folder");
     refuses(out("submissions/mine/"), " is " + mine_ + ", which");
-    refuses(out("submissions"), " holds " + mine_ + ", which is handed in");
+    refuses(out("submissions"), " holds " + mine_ + ", which is a submission");
     refuses(out("."), " holds " + mine_);
     refuses(out("also"), " holds " + mine_);
     refuses(out("submissions/mine/below"), " lies in " + mine_);
