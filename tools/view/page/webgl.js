@@ -60,7 +60,8 @@ function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio =
   renderer.render(stage, camera);
   const notes = [
     packed.farthest > GREATEST_DEPTH ? "Objects 1e30 times as far as the nearest are not drawn." : "",
-    packed.unresolved > 1 ? `Where two of ${packed.unresolved} distant spheres intersect, either may be drawn in front.` : "",
+    packed.unresolved > 1
+      ? `Where two of ${packed.unresolved} distant spheres intersect, either may be drawn in front.` : "",
   ];
   return { small: packed.small, notes };
 }
