@@ -71,7 +71,7 @@ TURNS = {
     "whoever": r"\b[Ww]ho(m)?ever\b",
     "nobody": r"\b[Nn]obody\b",
     "said of, told of, asked of, speaks of": r"\b(said|told|asked|[Ss]peaks?) of\b",
-    "alone, for only": r"(?<![\w.!*&(]) alone\b(?! =|[,)(;>.]*[;)(=]|->)",
+    "alone, for only": r"\balone\b(?! =|->|\()",
     "sees": r"\b[Ss]ees\b",
     "of its own, of their own, of others": r"\bof (its own|their own|others)\b",
     "every how many": r"\b[Ee]very how many\b",
