@@ -1,13 +1,15 @@
 #include <fmt/core.h>
+#include <raycheck/candidate.h>
 
-#include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 
+#include "contract/public_structs.h"
 #include "fast/method_list.h"
 #include "library/conversions.h"
 #include "properties/candidates/fast_candidate.h"
+#include "scene/validate.h"
 
 namespace raycheck::library {
 namespace {
@@ -15,6 +17,9 @@ namespace {
 using Pixels = properties::Candidate::Pixels;
 using Rays = properties::Candidate::Rays;
 using Spheres = properties::Candidate::Spheres;
+
+/// Of the public headers, with all of today's declarations.
+constexpr std::uint32_t kVersion = RAYCHECK_CANDIDATE_VERSION;
 
 scene::UnitVector3 unit(const Vector& v) { return {v.x, v.y, v.z}; }
 
@@ -86,54 +91,27 @@ void add_intersections(const Candidate& from, properties::Candidate& to) {
   }
 }
 
-void require_valid(const Candidate& candidate) {
+}  // namespace
+
+properties::Candidate inside(const Candidate& candidate) {
   const bool has_any = candidate.frame || candidate.pixel_point || candidate.pixel_ray ||
                        candidate.focal_ray || candidate.intersect || candidate.nearest;
   if (!has_any) {
     throw std::invalid_argument(fmt::format(
         "candidate {}: it has no functions, so there is nothing to judge", candidate.name));
   }
-  require_one_of(static_cast<int>(candidate.returns), properties::kReturnsNames.size(), "returns");
-  require_one_of(static_cast<int>(candidate.precision), 2, "precision");
-  require_one_of(static_cast<int>(candidate.directions), 2, "directions");
-  require_one_of(static_cast<int>(candidate.roots), 3, "roots");
-  const double smallest = candidate.smallest_length, largest = candidate.largest_length;
-  if (!(smallest >= 0) || !std::isfinite(smallest)) {
-    throw std::invalid_argument(
-        fmt::format("smallest_length = {}: must be 0 or more, and finite", smallest));
+  const contract::Declarations declared =
+      contract::declarations(candidate, candidate.declares, candidate.declares.valid, kVersion);
+  if (const auto wrong = contract::defects(declared); !wrong.empty()) {
+    throw std::invalid_argument(scene::sentences(wrong));
   }
-  if (!(largest >= 0) || (largest > 0 && largest < smallest)) {
-    throw std::invalid_argument(fmt::format(
-        "largest_length = {}: must be 0, or at least smallest_length = {}", largest, smallest));
-  }
-}
-
-}  // namespace
-
-properties::Candidate inside(const Candidate& candidate) {
-  require_valid(candidate);
-  const properties::Candidate bounds = properties::fast_candidate(fast::kDirectRays, fast::kCross);
-  properties::Candidate inside;
-  inside.name = candidate.name;
-  inside.declared = declared(candidate.declares);
-  if (candidate.roots == Roots::usual) inside.declared.valid = scene::ValidRoots{};
-  if (candidate.roots == Roots::declared) {
-    inside.declared.valid = valid_roots(candidate.declares.valid);
-  }
-  inside.refuses = false;
-  inside.level = level(candidate.level).value_or(properties::Level::kOrdinary);
-  inside.max_error = bounds.max_error;
-  inside.max_error_end_to_end = bounds.max_error_end_to_end;
-  inside.unit_roundoff = bounds.unit_roundoff;
-  inside.smallest_length = std::max(properties::kSmallestJudgedLength, candidate.smallest_length);
-  inside.smallest_camera_length = inside.smallest_length;
-  if (candidate.largest_length > 0) inside.largest_length = candidate.largest_length;
+  properties::Candidate inside =
+      properties::declaring(declared, candidate.name,
+                            properties::fast_candidate(fast::kDirectRays, fast::kCross));
   add_cameras(candidate, inside);
   add_intersections(candidate, inside);
-  inside.unit_directions = candidate.directions == Directions::unit;
-  inside.returns = static_cast<properties::Returns>(candidate.returns);
   static_cast<properties::Functions&>(inside) = properties::completed(inside, inside.returns);
-  return judged_in(precision(candidate.precision), std::move(inside));
+  return judged_in(declared.precision, std::move(inside));
 }
 
 }  // namespace raycheck::library

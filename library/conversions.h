@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "contract/public_structs.h"
 #include "properties/candidate.h"
 #include "properties/case.h"
 #include "scene/scene.h"
@@ -20,10 +21,10 @@ Vector vector(const Triple& v) {
   return {v.x, v.y, v.z};
 }
 
-inline scene::Ray ray(const Ray& r) { return {point(r.origin), vector(r.direction)}; }
-inline Ray ray(const scene::Ray& r) { return {vector(r.origin), vector(r.direction)}; }
-inline scene::Sphere sphere(const Sphere& s) { return {point(s.centre), s.radius}; }
-inline Sphere sphere(const scene::Sphere& s) { return {vector(s.centre), s.radius}; }
+inline scene::Ray ray(const Ray& r) { return contract::ray<scene::Ray>(r); }
+inline Ray ray(const scene::Ray& r) { return contract::ray<Ray>(r); }
+inline scene::Sphere sphere(const Sphere& s) { return contract::sphere<scene::Sphere>(s); }
+inline Sphere sphere(const scene::Sphere& s) { return contract::sphere<Sphere>(s); }
 inline scene::Pixel pixel(Pixel p) { return {p.i, p.j}; }
 inline Pixel pixel(const scene::Pixel& p) { return {p.i, p.j}; }
 inline std::vector<scene::Sphere> spheres(const std::vector<Sphere>& list) {
@@ -36,22 +37,14 @@ inline std::vector<Sphere> spheres(std::span<const scene::Sphere> list) {
   for (const scene::Sphere& one : list) all.push_back(sphere(one));
   return all;
 }
-scene::Camera camera(const Camera& c);
-Camera camera(const scene::Camera& c);
-
-/// The index of an enumerator, below `count`. Errors: std::invalid_argument naming the field.
-int require_one_of(int place, std::size_t count, std::string_view field);
+inline scene::Camera camera(const Camera& c) { return contract::camera(c); }
+inline Camera camera(const scene::Camera& c) { return contract::camera<Camera>(c); }
 
 /// as_asked becomes the default.
 scene::Conventions conventions(const Conventions& c);
 Conventions conventions(const scene::Conventions& c);
-/// as_asked stays undeclared.
-properties::DeclaredConventions declared(const Conventions& c);
-/// Empty where it is not stated.
-std::optional<properties::Level> level(Level level);
+/// Errors: std::invalid_argument where it is not an interval.
 scene::ValidRoots valid_roots(const ValidRoots& v);
-ValidRoots valid_roots(const scene::ValidRoots& v);
-scene::Precision precision(Precision precision);
 
 scene::Scene scene_of(const Scene& s);
 Scene scene_of(const scene::Scene& s);

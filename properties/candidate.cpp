@@ -71,20 +71,6 @@ bool is_inside_domain(const Domain& domain, const scene::Scene& scene) {
 
 namespace {
 
-template <class Conventions>
-Conventions put_over(const DeclaredConventions& declared, Conventions conventions) {
-  const auto put = [](const auto& ours, auto& theirs) {
-    if (ours) theirs = *ours;
-  };
-  put(declared.rows, conventions.rows);
-  put(declared.samples, conventions.samples);
-  put(declared.origin, conventions.origin);
-  put(declared.root, conventions.root);
-  put(declared.tangent, conventions.tangent);
-  put(declared.valid, conventions.valid);
-  return conventions;
-}
-
 /// With 11 bits more than doubles have, and exponents so wide that nothing here overflows.
 struct Wide {
   template <class Triple>
@@ -96,6 +82,24 @@ struct Wide {
 };
 
 }  // namespace
+
+Candidate declaring(const contract::Declarations& declared, std::string name,
+                    const Candidate& bounds) {
+  Candidate candidate;
+  candidate.name = std::move(name);
+  candidate.declared = declared.conventions;
+  candidate.refuses = false;
+  candidate.level = declared.level;
+  candidate.max_error = bounds.max_error;
+  candidate.max_error_end_to_end = bounds.max_error_end_to_end;
+  candidate.unit_roundoff = bounds.unit_roundoff;
+  candidate.smallest_length = std::max(kSmallestJudgedLength, declared.lengths.smallest);
+  candidate.smallest_camera_length = candidate.smallest_length;
+  candidate.largest_length = declared.lengths.largest;
+  candidate.unit_directions = declared.directions == contract::Directions::kUnit;
+  candidate.returns = declared.returns;
+  return candidate;
+}
 
 HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
                     const scene::Sphere& sphere) {
@@ -143,14 +147,6 @@ Functions completed(Functions functions, Returns returns) {
     return all;
   };
   return functions;
-}
-
-scene::Conventions DeclaredConventions::over(scene::Conventions conventions) const {
-  return put_over(*this, conventions);
-}
-
-DeclaredConventions DeclaredConventions::over(DeclaredConventions others) const {
-  return put_over(*this, others);
 }
 
 bool is_problem(const Case& the_case, const DeclaredConventions& declared) {

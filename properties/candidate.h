@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "contract/declarations.h"
 #include "properties/case.h"
 #include "properties/failures.h"
 #include "properties/quantity.h"
-#include "properties/returns.h"
 #include "scene/plan/plan.h"
 #include "scene/precision.h"
 #include "scene/scene.h"
@@ -90,19 +90,10 @@ constexpr double excused_image_change(scene::Precision precision) {
   return precision == scene::Precision::kSingle ? kExcusedSingleImageChange : kExcusedImageChange;
 }
 
-/// The conventions that a candidate fixes; it takes the others from the scene.
-struct DeclaredConventions {
-  std::optional<scene::Rows> rows;
-  std::optional<scene::Samples> samples;
-  std::optional<scene::Origin> origin;
-  std::optional<scene::Root> root;
-  std::optional<scene::Tangent> tangent;
-  std::optional<scene::ValidRoots> valid = {};
-
-  /// The scene's conventions, or another declaration's, overridden by those declared here.
-  scene::Conventions over(scene::Conventions conventions) const;
-  DeclaredConventions over(DeclaredConventions others) const;
-};
+using contract::DeclaredConventions;
+using contract::gives_parameter;
+using contract::gives_point;
+using contract::Returns;
 
 /// Whether a case stays valid under the conventions that a candidate fixes: with samples on the
 /// edges an image of one column or row is not.
@@ -219,6 +210,10 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
   std::string name;
   DeclaredConventions declared;
 };
+
+/// A candidate without functions that declares this, judged by the bounds of another.
+Candidate declaring(const contract::Declarations& declared, std::string name,
+                    const Candidate& bounds);
 
 /// A hit with the values that the candidate does not return: s is the distance over the direction's
 /// length, or the projection of Q; Q is the point at s; with only a hit class both are where the

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "contract/declarations.h"
 #include "scene/precision.h"
 #include "scene/scene.h"
 
@@ -25,17 +26,9 @@ std::size_t count_rays(const Case& the_case);
 /// All pixels of a camera, row by row.
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
 
-/// How good code must be to be right on a case, as measured for the severities of
-/// properties/cases/. A level includes all levels before it.
-enum class Level {
-  kOrdinary,   ///< Any plain, careful code in doubles.
-  kDemanding,  ///< A stable method: far, grazing, nearly tied; no square over- or underflows.
-  kExtreme     ///< All that doubles can express.
-};
-inline constexpr std::array<std::string_view, 3> kLevelNames = {"ordinary", "demanding", "extreme"};
-constexpr std::string_view name(Level level) {
-  return kLevelNames[static_cast<std::size_t>(level)];
-}
+using contract::kLevelNames;
+using contract::Level;
+using contract::name;
 
 /// The numbers that a candidate accepts: those of a format and, if it needs unit directions, only
 /// rays with directions of length 1 up to rounding.

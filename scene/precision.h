@@ -12,6 +12,7 @@ namespace raycheck::scene {
 /// format.
 enum class Precision { kDouble, kSingle };
 inline constexpr std::array<std::string_view, 2> kPrecisionNames = {"double", "single"};
+constexpr auto& names_of(Precision /*of*/) { return kPrecisionNames; }
 constexpr std::string_view name(Precision value) {
   return kPrecisionNames[static_cast<std::size_t>(value)];
 }

@@ -91,7 +91,7 @@ function(check_include file room line)
 endfunction()
 
 function(raycheck_check_rooms)
-  file(GLOB_RECURSE files RELATIVE ${PROJECT_SOURCE_DIR} scene/*.h scene/*.cpp reference/*.h reference/*.cpp fast/*.h fast/*.cpp
+  file(GLOB_RECURSE files RELATIVE ${PROJECT_SOURCE_DIR} scene/*.h scene/*.cpp contract/*.h contract/*.cpp reference/*.h reference/*.cpp fast/*.h fast/*.cpp
     properties/*.h properties/*.cpp proofs/*.h proofs/*.cpp tools/*.h tools/*.cpp library/*.h library/*.cpp)
   list(LENGTH files count)
   if(count LESS 450)

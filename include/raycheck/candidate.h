@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-#define RAYCHECK_CANDIDATE_VERSION 4
+#define RAYCHECK_CANDIDATE_VERSION 5
 
 typedef struct raycheck_vector {
   double x, y, z;
@@ -162,6 +162,10 @@ typedef struct raycheck_candidate {
 
   /* From version 4 on. */
   int32_t directions, returns;
+
+  /* From version 5 on: more declarations, in the words of `raycheck list`, separated by semicolons:
+     "samples centres; t_min 1e-4"; or null. */
+  const char* contract;
 } raycheck_candidate;
 
 #if defined(__GNUC__)

@@ -50,6 +50,8 @@ struct Functions {
   ValidRoots valid = {};  ///< For Roots::declared.
   Directions directions = Directions::any;
   Returns returns = Returns::hit;
+  /// More declarations, in the words of `raycheck list`: "samples centres; t_min 1e-4".
+  const char* contract = nullptr;
 };
 
 namespace detail {
@@ -121,7 +123,8 @@ inline const raycheck_candidate* offer(const Functions& given) {
                static_cast<int32_t>(given.roots),
                as<raycheck_valid_roots>(given.valid),
                static_cast<int32_t>(given.directions),
-               static_cast<int32_t>(given.returns)};
+               static_cast<int32_t>(given.returns),
+               given.contract};
   return &candidate;
 }
 

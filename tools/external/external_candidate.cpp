@@ -338,26 +338,6 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 
-/// A candidate with its declared properties and the bounds that apply to it, without functions.
-Candidate introduced(const External& external) {
-  Candidate candidate;
-  candidate.name = external.name;
-  candidate.declared = external.introduction.declared;
-  candidate.refuses = false;
-  candidate.level = external.introduction.level.value_or(properties::Level::kOrdinary);
-  const Candidate bounds = candidate_of(external.bounds);
-  candidate.max_error = bounds.max_error;
-  candidate.max_error_end_to_end = bounds.max_error_end_to_end;
-  candidate.unit_roundoff = bounds.unit_roundoff;
-  candidate.smallest_length =
-      std::max(properties::kSmallestJudgedLength, external.introduction.smallest_length);
-  candidate.smallest_camera_length = candidate.smallest_length;
-  candidate.largest_length = external.introduction.largest_length;
-  candidate.unit_directions = external.introduction.unit_directions;
-  candidate.returns = external.introduction.returns;
-  return candidate;
-}
-
 }  // namespace
 
 External introduced(std::string name, const Confined& program,
@@ -371,7 +351,7 @@ External introduced(std::string name, const Confined& program,
   Conversation conversation(external);
   try {
     external.introduction = conversation.introduce();
-    external.precision = external.introduction.precision;
+    external.precision = external.introduction.declared.precision;
   } catch (const ProcessFailure& failure) {
     const KeptText said = conversation.said();
     const std::string all = said.excerpt();
@@ -406,7 +386,8 @@ External reading(const External& renderer, const DriverForm& driver) {
 Candidate external_candidate(const External& external, const LastFailure& last) {
   if (external.renderer) return rendering_candidate(external, last);
   const auto talk = std::make_shared<Conversation>(external, last);
-  Candidate candidate = introduced(external);
+  Candidate candidate = properties::declaring(external.introduction.declared, external.name,
+                                               candidate_of(external.bounds));
   candidate.allow = [talk](double share) { talk->allow(share); };
   candidate.forget_silence = [talk] { talk->forget_silence(); };
   candidate.restart = [talk] { talk->restart(); };

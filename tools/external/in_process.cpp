@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "contract/public_structs.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/external_candidate.h"
 
@@ -19,31 +20,10 @@ const raycheck_candidate* functions_of(const std::string& library) {
   return found;
 }
 
-raycheck_vector to_c(const scene::Point3& point) { return {point.x, point.y, point.z}; }
-raycheck_vector to_c(const scene::Vector3& vector) { return {vector.x, vector.y, vector.z}; }
-raycheck_ray to_c(const scene::Ray& ray) { return {to_c(ray.origin), to_c(ray.direction)}; }
-raycheck_sphere to_c(const scene::Sphere& sphere) { return {to_c(sphere.centre), sphere.radius}; }
-
-raycheck_camera to_c(const scene::Camera& c) {
-  return {to_c(c.eye), to_c(c.look_at), to_c(c.up), c.near,  c.left,
-          c.right,     c.bottom,        c.top,      c.width, c.height};
+raycheck_asked asked(const scene::Conventions& c) {
+  return {contract::conventions<raycheck_conventions>(c),
+          contract::valid_roots<raycheck_valid_roots>(c.valid)};
 }
-
-/// The header's enumerators equal raycheck's; those of conventions are one larger (AS_ASKED).
-template <class Enum>
-std::int32_t enumerator(Enum value) {
-  return static_cast<std::int32_t>(value);
-}
-
-raycheck_asked to_c(const scene::Conventions& c) {
-  const scene::ValidRoots& valid = c.valid;
-  return {{1 + enumerator(c.rows), 1 + enumerator(c.samples), 1 + enumerator(c.origin),
-           1 + enumerator(c.root), 1 + enumerator(c.tangent)},
-          {valid.t_min, valid.t_max, enumerator(valid.ends), enumerator(valid.unit),
-           enumerator(valid.culling)}};
-}
-
-scene::Point3 point_of(const raycheck_vector& v) { return {v.x, v.y, v.z}; }
 
 ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library,
                                                const std::vector<IntersectCall>& given) {
@@ -55,8 +35,8 @@ ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library
   using Hits = std::vector<raycheck_hit>;
   const auto calls = std::make_shared<std::vector<Call>>();
   for (const IntersectCall& call : given) {
-    calls->push_back({{}, to_c(call.sphere), to_c(call.conventions)});
-    for (const scene::Ray& ray : call.rays) calls->back().rays.push_back(to_c(ray));
+    calls->push_back({{}, contract::sphere<raycheck_sphere>(call.sphere), asked(call.conventions)});
+    for (const scene::Ray& ray : call.rays) calls->back().rays.push_back(contract::ray<raycheck_ray>(ray));
   }
   return ready<properties::SphereHits, Hits>(
       [&library, calls](std::size_t k, Hits& hits) {
@@ -76,7 +56,7 @@ ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library
         properties::SphereHits list;
         for (std::size_t ray = 0; ray < hits.size(); ++ray) {
           if (hits[ray].hit == 0) continue;
-          list.push_back({ray, {hits[ray].parameter, point_of(hits[ray].point)}});
+          list.push_back({ray, {hits[ray].parameter, contract::triple<scene::Point3>(hits[ray].point)}});
         }
         return list;
       });
@@ -97,8 +77,8 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
         library.focal_ray == nullptr ||
         (call.conventions.origin == scene::Origin::kPixel && library.pixel_ray != nullptr);
     calls->push_back({from_pixel ? library.pixel_ray : library.focal_ray,
-                      to_c(call.camera),
-                      to_c(call.conventions),
+                      contract::camera<raycheck_camera>(call.camera),
+                      asked(call.conventions),
                       {}});
     for (const auto& [i, j] : call.pixels) calls->back().pixels.push_back({i, j});
   }
@@ -113,7 +93,7 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
       [](const Rays& rays) {
         std::vector<scene::Ray> all;
         for (const raycheck_ray& ray : rays) {
-          all.push_back({point_of(ray.origin), point_of(ray.direction) - scene::Point3{}});
+          all.push_back(contract::ray<scene::Ray>(ray));
         }
         return all;
       });
@@ -132,7 +112,7 @@ InProcess calls_in_process(const External& external) {
   const raycheck_candidate& library = *functions_of(external.library);
   InProcess calls;
   if (library.intersect != nullptr || library.intersect_batch != nullptr) {
-    calls.intersect = [&library, returns = external.introduction.returns](
+    calls.intersect = [&library, returns = external.introduction.declared.returns](
                           const std::vector<IntersectCall>& given) {
       ReadyCalls<properties::SphereHits> ready = ready_calls(library, given);
       if (returns == properties::Returns::kHit) return ready;

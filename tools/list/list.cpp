@@ -1,5 +1,9 @@
 #include "tools/list/list.h"
 
+#include "contract/declarations.h"
+#include "contract/words.h"
+#include "scene/fields.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -16,6 +20,40 @@ Promise promise(Quantity quantity, double bound, double roundoff) {
   return {info(quantity).name,
           bound * (properties::kDoubleRoundoff / scene::unit_roundoff(precision)),
           std::string(unit_name(quantity, precision))};
+}
+
+template <class Value>
+Choice choice(std::string_view name, const Value& usual, std::string_view meaning) {
+  Choice one = {name, meaning, {}, {}};
+  if constexpr (std::is_enum_v<Value>) {
+    one.values.assign(names_of(usual).begin(), names_of(usual).end());
+  }
+  contract::append(one.usual, usual);
+  return one;
+}
+
+/// The conventions of scenes, each of which a candidate may fix.
+std::vector<Choice> conventions() {
+  std::vector<Choice> all;
+  const auto add = [&](const char* name, const auto& usual) {
+    all.push_back(choice(name, usual, ""));
+  };
+  const scene::Conventions usual;
+  scene::for_each_choice(usual, add);
+  scene::for_each_field(usual.valid, add);
+  return all;
+}
+
+/// What candidates declare besides.
+std::vector<Choice> declarations() {
+  std::vector<Choice> all;
+  const contract::Declarations usual;
+  contract::for_each_declaration(usual, [&](const char* name, auto& field, const char* meaning) {
+    if constexpr (requires { contract::words_of(field); } || requires { field.smallest; }) {
+      all.push_back(choice(name, field, meaning));
+    }
+  });
+  return all;
 }
 
 }  // namespace
@@ -38,7 +76,7 @@ std::vector<Promise> promises_of(const fast::IntersectMethod& method) {
 
 Catalogue catalogue() {
   return {fast::pixel_ray_methods(), fast::intersect_methods(), properties::laws(),
-          properties::case_sources()};
+          properties::case_sources(), conventions(), declarations()};
 }
 
 BoundsReport bounds_report() {

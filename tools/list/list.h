@@ -14,12 +14,21 @@
 
 namespace raycheck::tools {
 
-/// Methods, laws and sources, in the order of reports; conventions are in scene/conventions.h.
+/// A convention of scenes, or a declaration of candidates, whose first value is the default.
+struct Choice {
+  std::string_view name;
+  std::string_view meaning;              ///< Of a declaration.
+  std::vector<std::string_view> values;  ///< Empty for numbers.
+  std::string usual;                     ///< The default.
+};
+
+/// Methods, laws and sources, in the order of reports; what scenes and candidates may declare.
 struct Catalogue {
   std::span<const fast::PixelRayMethod* const> ray_methods;
   std::span<const fast::IntersectMethod* const> intersect_methods;
   std::span<const properties::Law> laws;
   std::span<const properties::CaseSource> sources;
+  std::vector<Choice> conventions, declarations;
 };
 Catalogue catalogue();
 

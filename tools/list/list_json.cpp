@@ -1,4 +1,3 @@
-#include "scene/conventions.h"
 #include "tools/list/list.h"
 #include "tools/report/json.h"
 
@@ -58,10 +57,12 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
                 {"level", source.severities ? Json(nullptr) : Json(name(source.level))},
                 {"dial", or_null(source.severities, dial_json)}};
   });
-  json["conventions"] = {{"rows", scene::kRowsNames},       {"samples", scene::kSamplesNames},
-                         {"origin", scene::kOriginNames},   {"root", scene::kRootNames},
-                         {"tangent", scene::kTangentNames}, {"interval", scene::kEndsNames},
-                         {"t_unit", scene::kTUnitNames},    {"culling", scene::kCullingNames}};
+  for (const Choice& choice : catalogue.conventions) {
+    if (!choice.values.empty()) json["conventions"][choice.name] = choice.values;
+  }
+  json["declarations"] = list_json(catalogue.declarations, [](const Choice& one) {
+    return Json{{"name", one.name}, {"sentence", one.meaning}, {"default", one.usual}, {"values", one.values}};
+  });
   return json_text(json);
 }
 

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "scene/conventions.h"
 #include "scene/text.h"
 #include "tools/list/list.h"
 
@@ -28,6 +27,11 @@ std::string promised_text(const Method& method) {
   return scene::joined(promises_of(method), ", ", [](const Promise& one) {
     return fmt::format("{} {} {}", one.name, one.max, one.unit);
   });
+}
+
+/// "bottom-first | top-first", or the default of a number.
+std::string values_text(const Choice& choice) {
+  return choice.values.empty() ? choice.usual : scene::joined(choice.values, " | ");
 }
 
 /// The meaning of a source's severities, and the level of each.
@@ -77,18 +81,13 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
     text += levels_text(source);
   }
   text += "\nconventions (the first is the default):\n";
-  const auto add = [&](std::string_view convention, const auto& names) {
-    text += fmt::format("  {:<17} {}\n", convention, fmt::join(names, " | "));
-  };
-  add("rows", scene::kRowsNames);
-  add("samples", scene::kSamplesNames);
-  add("origin", scene::kOriginNames);
-  add("root", scene::kRootNames);
-  add("tangent", scene::kTangentNames);
-  text += "  t_min, t_max      0, inf\n";
-  add("interval", scene::kEndsNames);
-  add("t_unit", scene::kTUnitNames);
-  add("culling", scene::kCullingNames);
+  for (const Choice& one : catalogue.conventions) {
+    text += fmt::format("  {:<17} {}\n", one.name, values_text(one));
+  }
+  text += "\ndeclarations of candidates, besides conventions (the first value is the default):\n";
+  for (const Choice& one : catalogue.declarations) {
+    text += fmt::format("  {:<17} {}: {}\n", one.name, one.meaning, values_text(one));
+  }
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scene/fields.h"
 #include "scene/number.h"
 #include "scene/text.h"
 #include "tools/report/version.h"
@@ -57,16 +58,17 @@ Json hexfloats(const std::vector<double>& numbers) { return list_json(numbers, s
 Json hexfloat_or_null(std::optional<double> number) { return or_null(number, scene::hexfloat); }
 
 Json conventions_json(const scene::Conventions& conventions) {
-  return {{"rows", name(conventions.rows)},
-          {"samples", name(conventions.samples)},
-          {"origin", name(conventions.origin)},
-          {"root", name(conventions.root)},
-          {"tangent", name(conventions.tangent)},
-          {"t_min", error_json(conventions.valid.t_min)},
-          {"t_max", error_json(conventions.valid.t_max)},
-          {"interval", name(conventions.valid.ends)},
-          {"t_unit", name(conventions.valid.unit)},
-          {"culling", name(conventions.valid.culling)}};
+  Json json;
+  const auto add = [&](const char* key, const auto& value) {
+    if constexpr (std::is_same_v<decltype(value), const double&>) {
+      json[key] = error_json(value);
+    } else {
+      json[key] = name(value);
+    }
+  };
+  for_each_choice(conventions, add);
+  for_each_field(conventions.valid, add);
+  return json;
 }
 
 Json dialect_json(std::optional<scene::Dialect> dialect) {

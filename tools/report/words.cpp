@@ -8,6 +8,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <cmath>
 
+#include "scene/fields.h"
 #include "scene/number.h"
 
 namespace raycheck::tools {
@@ -144,10 +145,10 @@ std::string valid_roots_text(const scene::ValidRoots& valid) {
 }
 
 std::string conventions_text(const scene::Conventions& conventions) {
-  const std::string text =
-      fmt::format("rows {}, samples {}, origin {}, root {}, tangent {}", name(conventions.rows),
-                  name(conventions.samples), name(conventions.origin), name(conventions.root),
-                  name(conventions.tangent));
+  std::string text;
+  for_each_choice(conventions, [&](const char* which, auto value) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", which, name(value));
+  });
   return conventions.valid.is_usual() ? text : text + ", " + valid_roots_text(conventions.valid);
 }
 

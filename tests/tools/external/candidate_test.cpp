@@ -211,10 +211,12 @@ TEST(Candidate, in_JavaScript_reports_its_errors) {
   };
   expect_parts(refusal_of(candidate("throw new Error('no library')")),
                {"it exited with 1; it said: Error: no library\n"});
-  for (const auto& [roots, wrong] : {std::pair("5", "5"), {"{ tmin: 1 }", "tmin"}, {"0", "0"}}) {
+  for (const auto& [roots, wrong] : {std::pair("5", "has '5', not one of [], [), (], ()"),
+                                     {"{ tmin: 1 }", "no such roots: tmin"},
+                                     {"0, root: 'smallest'", "'smallest', not one of nearest, smaller"}}) {
     expect_parts(refusal_of(candidate(std::string("run('it', { intersect: () => null, roots: ") +
                                       roots + " })")),
-                 {std::string("no such roots: ") + wrong});
+                 {wrong});
   }
   for (const char* hit : {"0", "NaN", "[]"}) {
     const json report = judged(
@@ -354,8 +356,8 @@ TEST(Candidate, that_does_not_build_or_has_unknown_functions_or_declarations_is_
   for (const auto& [text, why] :
        {std::pair<std::string, const char*>("int main( {\n", "error: "),
         {"int x;\n", "raycheck_candidate_functions"},
-        {declaring + ".rows = static_cast<Rows>(7))\n", "no such rows: 7"},
-        {declaring + ".precision = static_cast<Precision>(7))\n", "no such precision: 7"}}) {
+        {declaring + ".rows = static_cast<Rows>(7))\n", "rows = 7: expected 1 (bottom-first), 2 (top-first)"},
+        {declaring + ".precision = static_cast<Precision>(7))\n", "precision = 7: expected 0 (double)"}}) {
     const std::string source = temporary_file("broken.cpp", text);
     expect_refused("check " + kRays + " --candidate source:" + source, why);
   }

@@ -14,11 +14,11 @@ TEST(Introduction, ListsFunctionsAndConventions) {
       "convention tangent either\nready\n");
   EXPECT_EQ(found.name, "mine");
   EXPECT_EQ(found.functions, (std::set<std::string>{"intersect", "nearest"}));
-  EXPECT_EQ(found.declared.rows, scene::Rows::kTopFirst);
-  EXPECT_EQ(found.declared.tangent, scene::Tangent::kEither);
-  EXPECT_FALSE(found.declared.samples);
-  EXPECT_FALSE(found.level);
-  EXPECT_EQ(found.smallest_length, 0);
+  EXPECT_EQ(found.declared.conventions.rows, scene::Rows::kTopFirst);
+  EXPECT_EQ(found.declared.conventions.tangent, scene::Tangent::kEither);
+  EXPECT_FALSE(found.declared.conventions.samples);
+  EXPECT_EQ(found.declared.level, properties::Level::kOrdinary);
+  EXPECT_EQ(found.declared.lengths, contract::Lengths());
 }
 
 TEST(Introduction, DeclaresLevelLengthsAndPrecision) {
@@ -26,12 +26,11 @@ TEST(Introduction, DeclaresLevelLengthsAndPrecision) {
     return parse_introduction("raycheck 1 mine\nfunction intersect\n" + lines + "ready\n");
   };
   const Introduction found = stating("level demanding\nlengths 1e-30 0x1p100\n");
-  EXPECT_EQ(found.level, properties::Level::kDemanding);
-  EXPECT_EQ(found.smallest_length, 1e-30);
-  EXPECT_EQ(found.largest_length, 0x1p100);
-  EXPECT_EQ(found.precision, scene::Precision::kDouble);
-  EXPECT_EQ(stating("precision double\n").precision, scene::Precision::kDouble);
-  EXPECT_EQ(stating("precision single\n").precision, scene::Precision::kSingle);
+  EXPECT_EQ(found.declared.level, properties::Level::kDemanding);
+  EXPECT_EQ(found.declared.lengths, (contract::Lengths{1e-30, 0x1p100}));
+  EXPECT_EQ(found.declared.precision, scene::Precision::kDouble);
+  EXPECT_EQ(stating("precision double\n").declared.precision, scene::Precision::kDouble);
+  EXPECT_EQ(stating("precision single\n").declared.precision, scene::Precision::kSingle);
 }
 
 TEST(Introduction, ThatIsInvalidIsRefusedWithItsLine) {
@@ -41,16 +40,16 @@ TEST(Introduction, ThatIsInvalidIsRefusedWithItsLine) {
       {"hello\n", "line 1"},
       {"raycheck 2 mine\n", "another version"},
       {mine + "function fly\n", "line 2"},
-      {mine + "convention rows up\n", "unknown convention"},
-      {mine + "level easy\n", "unknown level"},
-      {mine + "precision half\n", "unknown precision"},
+      {mine + "convention rows up\n", "not one of bottom-first"},
+      {mine + "level easy\n", "not one of ordinary"},
+      {mine + "precision half\n", "not one of double"},
       {"raycheck 1 mine too\n", "too many words"}};
   for (const char* lengths : {"2 1", "-1 1", "nan 1", "0 nan"}) {
-    wrong.emplace_back(mine + "lengths " + lengths + "\n", "invalid range of lengths");
+    wrong.emplace_back(mine + "lengths " + lengths + "\n", "lengths = ");
   }
   for (const auto& [lines, why] : wrong) {
     const std::string said =
-        thrown_by<std::runtime_error>([&] { parse_introduction(lines + "ready\n"); });
+        thrown_by<ProtocolError>([&] { parse_introduction(lines + "ready\n"); });
     EXPECT_NE(said.find(why), std::string::npos) << lines << said;
   }
 }
@@ -77,7 +76,7 @@ TEST(Reply, ThatIsInvalidIsRefusedWithAReason) {
         {"2 0 1 2 3 4\n", "index 2, but there are only 2"},
         {"-1 0 1 2 3 4\n", "negative index"},
         {"0 0 1 2 3 4\n0 0 1 2 3 4\n", "two hits"}}) {
-    const std::string said = thrown_by<std::runtime_error>(
+    const std::string said = thrown_by<ProtocolError>(
         [&] { Reply("reply a\n" + std::string(lines) + "end a\n", "a").hits(2, 1); });
     EXPECT_NE(said.find(why), std::string::npos) << lines << said;
   }
@@ -85,7 +84,7 @@ TEST(Reply, ThatIsInvalidIsRefusedWithAReason) {
                                    {"reply a\nerror a I cannot\n", "I cannot"},
                                    {"reply a\nend a\n", "0 lines, not 1"}}) {
     const auto read = [&reply = reply] { Reply(reply, "a").points(1); };
-    EXPECT_TRUE(has(thrown_by<std::runtime_error>(read), why));
+    EXPECT_TRUE(has(thrown_by<ProtocolError>(read), why));
   }
 }
 

@@ -208,7 +208,7 @@ TEST(ValidRoots, are_declared_in_a_line) {
   using tools::parse_introduction;
   const auto declared = [](const std::string& line) {
     return parse_introduction("raycheck 1 mine\nfunction frame\n" + line + "ready\n")
-        .declared.valid;
+        .declared.conventions.valid;
   };
   EXPECT_TRUE(declared("")->is_usual());
   EXPECT_FALSE(declared("roots as-asked\n"));
@@ -217,7 +217,7 @@ TEST(ValidRoots, are_declared_in_a_line) {
   EXPECT_EQ(own->ends, scene::Ends::kOpenMax);
   EXPECT_EQ(own->unit, scene::TUnit::kRadius);
   EXPECT_EQ(own->culling, scene::Culling::kBackFaces);
-  EXPECT_EQ(tools::roots_line(*own), "roots [) 0.0009765625 inf radius back-faces\n");
+  EXPECT_EQ(contract::roots_line(*own), "roots [) 0.0009765625 inf radius back-faces\n");
   for (const char* wrong :
        {"", " [[ 0 1 absolute none", " [] 2 1 absolute none", " [] 0 1 metres none",
         " [] -1 1 absolute none", " [] 0 1 absolute none more"}) {

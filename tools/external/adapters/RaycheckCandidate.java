@@ -52,7 +52,7 @@ public abstract class RaycheckCandidate {
   public int nearest(Ray ray, List<Sphere> spheres, Conventions asked) {
     throw new UnsupportedOperationException();
   }
-  /** Fixed conventions: "rows top-first", and so on. */
+  /** Its declarations: "rows top-first", "t_min 1e-4", and the others of `raycheck list`. */
   public List<String> declared() { return List.of(); }
   /** The level on which it is judged: "ordinary", "demanding" or "extreme"; null: ordinary. */
   public String level() { return null; }
@@ -106,7 +106,7 @@ public abstract class RaycheckCandidate {
     for (Name function : FUNCTIONS) {
       if (offers(function.java)) said.append("function ").append(function.asked).append('\n');
     }
-    for (String convention : declared()) said.append("convention ").append(convention).append('\n');
+    for (String declaration : declared()) said.append(declaration).append('\n');
     double[] lengths = lengths();
     String told = lengths == null ? null : text(lengths[0]) + " " + text(lengths[1]);
     for (String[] one : new String[][] {{"level", level()}, {"roots", roots()},

@@ -19,12 +19,11 @@
 //     nearest(ray, spheres, conventions) -> index or null
 //
 // Vectors are arrays [x, y, z], pixels [i, j], a ray { origin, direction }, a sphere { centre, radius }, a camera { eye,
-// lookAt, up, near, left, right, bottom, top, width, height }. Any of the functions may be async. Fixed conventions are
-// declared beside them: run("mine", { rows: "top-first", intersect }); so are `level`, `lengths: [1e-100, 1e100]`,
-// `precision: "single"`, and the roots that count, `roots: { ends: "()", tMin: 1e-4 }` (ends, tMin, tMax, unit: "absolute",
-// "radius" or "length", culling), or "as-asked". `directions: "unit"` requests unit directions only. If `intersect` does not
-// return s and the point, declare what it returns: returns: "parameter", "distance" or "squared-distance" for a number,
-// "point" for a vector, "class" for true or false; null, undefined and false are misses.
+// lookAt, up, near, left, right, bottom, top, width, height }. Any of the functions may be async. What they fix or promise
+// is declared beside them, by its name in `raycheck list`: run("mine", { rows: "top-first", tMin: 1e-4, lengths: [1e-9, 1e9],
+// precision: "single", intersect }); roots: "as-asked" follows conventions.roots. If `intersect` does not return s and the
+// point, declare what it returns: returns: "parameter", "distance" or "squared-distance" for a number, "point" for a vector,
+// "class" for true or false; null, undefined and false are misses.
 // Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 const reply = process.stdout.write.bind(process.stdout);
 process.stdout.write = process.stderr.write.bind(process.stderr); // also for console.log
@@ -35,8 +34,7 @@ const protocolNames = {
   intersect: "intersect", intersectBatch: "intersect", nearest: "nearest",
 };
 const conventionNames = ["rows", "samples", "origin", "root", "tangent"];
-const rootsNames = ["ends", "tMin", "tMax", "unit", "culling"];
-const declarationNames = [...conventionNames, "level", "lengths", "precision", "roots", "directions", "returns"];
+const rootsNames = { ends: "interval", tMin: "t_min", tMax: "t_max", unit: "t_unit", culling: "culling" };
 
 const numberOf = (word) => (word.endsWith("inf") ? (word[0] === "-" ? -Infinity : Infinity) : Number(word));
 
@@ -128,26 +126,28 @@ async function answer(functions, returns, { name, camera, pixels, rays, spheres,
   return lines;
 }
 
+// A declaration as lines: a word, a number, several in an array, or roots with their members.
+function statements(key, value) {
+  if (key === "roots" && typeof value === "object") {
+    return Object.entries(value).flatMap(([member, one]) => {
+      if (!(member in rootsNames)) throw new Error(`raycheck_candidate.run: no such roots: ${member}`);
+      return statements(rootsNames[member], one);
+    });
+  }
+  const name = key.replace(/[A-Z]/g, (letter) => `_${letter.toLowerCase()}`);
+  return [[name, ...[value].flat().map((one) => (typeof one === "string" ? one : wordOf(one)))].join(" ")];
+}
+
 /** Answers raycheck until it has no more requests. */
 export async function run(name, given) {
-  const unknown = Object.keys(given).find((key) => !(key in protocolNames) && !declarationNames.includes(key));
-  if (unknown) throw new Error(`raycheck_candidate.run: no such function or declaration: ${unknown}`);
-  const { level, lengths, precision, roots, directions, returns = "hit" } = given;
-  const wrong = typeof roots === "object" ? Object.keys(roots ?? {}).find((key) => !rootsNames.includes(key)) : roots;
-  if (wrong !== undefined && typeof roots !== "string") throw new Error(`raycheck_candidate.run: no such roots: ${wrong}`);
-  const functions = Object.keys(protocolNames).filter((key) => given[key]);
+  const functions = Object.keys(given).filter((key) => typeof given[key] === "function");
+  const unknown = functions.find((key) => !(key in protocolNames));
+  if (unknown) throw new Error(`raycheck_candidate.run: no such function: ${unknown}`);
   const said = [`raycheck 1 ${name || "-"}`, ...new Set(functions.map((key) => `function ${protocolNames[key]}`))];
-  for (const key of conventionNames) if (given[key]) said.push(`convention ${key} ${given[key]}`);
-  if (level) said.push(`level ${level}`);
-  if (lengths) said.push(`lengths ${line(lengths)}`);
-  if (precision) said.push(`precision ${precision}`);
-  if (typeof roots === "string") said.push(`roots ${roots}`);
-  else if (roots) {
-    const { ends = "[]", tMin = 0, tMax = Infinity, unit = "absolute", culling = "none" } = roots;
-    said.push(`roots ${ends} ${line([tMin, tMax])} ${unit} ${culling}`);
+  for (const [key, value] of Object.entries(given)) {
+    if (typeof value !== "function" && value !== null && value !== undefined) said.push(...statements(key, value));
   }
-  if (directions) said.push(`directions ${directions}`);
-  if (returns !== "hit") said.push(`returns ${returns}`);
+  const { returns = "hit" } = given;
   const lines = linesOf(process.stdin);
   if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input");
   reply(`${[...said, "ready"].join("\n")}\n`);

@@ -19,15 +19,12 @@ and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The funct
     nearest(ray, spheres, conventions) -> index or None
 
 Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
-Fixed conventions are declared: rc.run("mine", rows="top-first", ...). So are the level, "ordinary"
-(the default), "demanding" or "extreme", and the range of lengths, lengths=(1e-100, 1e100), on which
-the functions are judged. precision="single" declares that they compute in floats (of struct or
-numpy): all numbers that they receive are then floats, and errors are counted in units of float. If
-not every root >= 0 counts: roots=Roots("()", 1e-4, 100, "absolute", "none") (ends, t_min, t_max,
-"absolute", "radius" or "length", culling), or "as-asked" to follow conventions.roots.
-directions="unit" requests unit directions only. If intersect does not return s and the point,
-declare what it returns: returns="parameter", "distance" or "squared-distance" for a number, "point"
-for a vector, "class" for True or False; None and False are misses.
+Declare what your functions fix or promise by its name in `raycheck list`: rc.run("mine",
+rows="top-first", t_min=1e-4, lengths=(1e-100, 1e100), precision="single", ...). In single precision
+(floats of struct or numpy) all numbers that they receive are floats, and errors are counted in units
+of float. roots="as-asked" declares that they follow conventions.roots. If intersect does not return
+s and the point, declare what it returns: returns="parameter", "distance" or "squared-distance" for a
+number, "point" for a vector, "class" for True or False; None and False are misses.
 Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 """
 import collections
@@ -132,9 +129,18 @@ def _answer(functions, returns, request):
     return [_line(function(request["camera"], asked, pixel)) for pixel in request["pixels"]]
 
 
-def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, level=None,
-        lengths=None, precision=None, roots=None, directions=None, returns="hit", **functions):
-    """Answers raycheck until it has no more requests."""
+def _statement(key, value):
+    """A declaration as a line: words and numbers, one or several."""
+    values = value if isinstance(value, (tuple, list)) else [value]
+    words = (word if isinstance(word, str) else repr(float(word)) for word in values)
+    return " ".join([key, *words])
+
+
+def run(name="-", **given):
+    """Answers raycheck until it has no more requests: functions, and what they declare."""
+    functions = {key: value for key, value in given.items() if callable(value)}
+    declared = {key: value for key, value in given.items()
+                if not callable(value) and value is not None}
     unknown = set(functions) - set(_FUNCTIONS)
     if unknown:
         sys.exit(f"raycheck_candidate.run: no such function: {', '.join(sorted(unknown))}")
@@ -142,25 +148,14 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
     lines = iter(sys.stdin)
     if not next(lines, "").startswith("raycheck "):
         sys.exit("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input")
-    declared = {"rows": rows, "samples": samples, "origin": origin, "root": root,
-                "tangent": tangent}
     said = [f"raycheck 1 {name}"]
     said += dict.fromkeys(f"function {function.removesuffix('_batch')}" for function in functions)
-    said += [f"convention {which} {value}" for which, value in declared.items() if value]
-    said += [f"level {level}"] if level else []
-    said += [f"lengths {_line(*lengths)}"] if lengths else []
-    said += [f"precision {precision}"] if precision else []
-    if roots:
-        told = roots if isinstance(roots, str) else " ".join(
-            word if isinstance(word, str) else repr(float(word)) for word in roots)
-        said.append(f"roots {told}")
-    said += [f"directions {directions}"] if directions else []
-    said += [f"returns {returns}"] if returns != "hit" else []
+    said += [_statement(key, value) for key, value in declared.items()]
     print("\n".join(said + ["ready"]), file=replies, flush=True)
     for line in lines:
         request = _read(lines, line.split())
         try:
-            body = _answer(functions, returns, request)
+            body = _answer(functions, declared.get("returns", "hit"), request)
             last = f"end {request['id']}"
         except Exception as error:  # of the functions: its message belongs in the report
             said = " ".join(f"{type(error).__name__}: {error}".split())

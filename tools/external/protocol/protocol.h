@@ -3,18 +3,20 @@
 // The lines that raycheck and a candidate's process exchange, as specified in docs/candidates.md.
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "contract/declarations.h"
+#include "contract/words.h"
 #include "properties/candidate.h"
 #include "scene/scene.h"
-#include "tools/external/protocol/words.h"
 
 namespace raycheck::tools {
+
+using contract::ProtocolError;
 
 inline constexpr int kProtocolVersion = 1;
 
@@ -22,28 +24,12 @@ inline constexpr int kProtocolVersion = 1;
 struct Introduction {
   std::string name;  ///< "-": without a name
   std::set<std::string> functions;
-  /// By default every root >= 0 counts.
-  properties::DeclaredConventions declared = {.rows = {},
-                                              .samples = {},
-                                              .origin = {},
-                                              .root = {},
-                                              .tangent = {},
-                                              .valid = scene::ValidRoots{}};
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
-  bool unit_directions = false;  ///< It is given rays with unit directions only.
-  properties::Returns returns = properties::Returns::kHit;
-  std::optional<properties::Level> level;  ///< The level that it must reach.
-  /// It is judged only on scenes whose nonzero lengths lie between these.
-  double smallest_length = 0;
-  double largest_length = std::numeric_limits<double>::infinity();
+  contract::Declarations declared;
 };
 inline constexpr std::string_view kGreeting = "raycheck 1\n";
 inline constexpr std::string_view kReady = "ready";
 inline constexpr std::size_t kMostIntroduction = 4096;  ///< bytes
 Introduction parse_introduction(std::string_view text);
-
-/// "roots ENDS T_MIN T_MAX UNIT CULLING", a line.
-std::string roots_line(const scene::ValidRoots& valid);
 
 /// Builds a request.
 class Request {
@@ -61,6 +47,9 @@ class Request {
   const std::string& body() const { return body_; }
 
  private:
+  template <class Thing>
+  Request& list(std::string_view kind, std::span<const Thing> things);
+
   std::string id_, body_;
 };
 

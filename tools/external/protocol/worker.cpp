@@ -10,26 +10,25 @@
 #include <raycheck/candidate.h>
 #include <unistd.h>
 
+#include <concepts>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iterator>
-#include <limits>
 #include <optional>
 #include <vector>
 
-#include "properties/case.h"
-#include "properties/returns.h"
-#include "scene/precision.h"
+#include "contract/declarations.h"
+#include "contract/public_structs.h"
+#include "contract/words.h"
+#include "scene/scene.h"
 #include "tools/external/protocol/frames.h"
-#include "tools/external/protocol/words.h"
 #include "tools/external/sandbox/awake.h"
 
 namespace {
 
-using raycheck::tools::kConventionWords;
-using raycheck::tools::kEndsWords;
-using raycheck::tools::Words;
+namespace contract = raycheck::contract;
+using contract::Words;
 namespace scene = raycheck::scene;
 
 [[noreturn]] void give_up(const std::string& why) {
@@ -61,17 +60,12 @@ class Reply {
     buffer_ += text;
     return *this;
   }
-  Reply& operator<<(double x) {
-    char digits[40];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, x);
-    buffer_.append(digits, end);
+  template <class Value>
+    requires(!std::convertible_to<Value, std::string_view>)
+  Reply& operator<<(const Value& value) {
+    contract::append(buffer_, value);
     return *this;
   }
-  Reply& operator<<(std::int64_t x) {
-    buffer_ += std::to_string(x);
-    return *this;
-  }
-  Reply& operator<<(const raycheck_vector& v) { return *this << v.x << " " << v.y << " " << v.z; }
   void send() {
     std::fwrite(buffer_.data(), 1, buffer_.size(), to_);
     std::fflush(to_);
@@ -85,64 +79,34 @@ class Reply {
 
 struct Request {
   std::string id, function;
-  raycheck_asked asked{};
+  scene::Conventions conventions;
+  raycheck_asked asked{};  ///< The same.
   raycheck_camera camera{};
   std::vector<raycheck_pixel> pixels;
   std::vector<raycheck_ray> rays;
   std::vector<raycheck_sphere> spheres;
 };
 
-std::int32_t place(Words& words, std::span<const std::string_view> names) {
-  return static_cast<std::int32_t>(words.place_in(names, "has an unknown name"));
-}
-
-template <class Item, class Read>
-void read_list(std::int64_t count, std::vector<Item>& list, Read read) {
-  for (std::int64_t k = 0; k < count; ++k) {
-    Words words = require_line();
-    list.push_back(read(words));
+template <class Item, class Made>
+void read_list(Words& words, Made (*made)(const Item&), std::vector<Made>& list) {
+  for (std::int64_t left = words.read<std::int64_t>(); left > 0; --left) {
+    list.push_back(made(require_line().read<Item>()));
   }
 }
 
 void read_part(std::string_view kind, Words& words, Request& request) {
   if (kind == "conventions") {
-    auto& c = request.asked.conventions;
-    std::size_t which = 0;
-    for (std::int32_t* value : {&c.rows, &c.samples, &c.origin, &c.root, &c.tangent}) {
-      *value = 1 + place(words, kConventionWords[which++].values);
-    }
+    request.conventions = words.read<scene::Conventions>();
   } else if (kind == "roots") {
-    auto& v = request.asked.valid;
-    v.ends = place(words, kEndsWords);
-    v.t_min = words.number();
-    v.t_max = words.number();
-    v.unit = place(words, scene::kTUnitNames);
-    v.culling = place(words, scene::kCullingNames);
+    request.conventions.valid = words.read<scene::ValidRoots>();
   } else if (kind == "camera") {
-    auto& c = request.camera;
-    for (raycheck_vector* vector : {&c.eye, &c.look_at, &c.up}) {
-      *vector = words.triple<raycheck_vector>();
-    }
-    for (double* value : {&c.near_plane, &c.left, &c.right, &c.bottom, &c.top}) {
-      *value = words.number();
-    }
-    c.width = words.integer();
-    c.height = words.integer();
+    request.camera = contract::camera<raycheck_camera>(words.read<scene::Camera>());
   } else if (kind == "pixels") {
-    read_list(words.integer(), request.pixels, [](Words& line) {
-      const std::int64_t i = line.integer(), j = line.integer();
-      return raycheck_pixel{i, j};
-    });
+    read_list<scene::Pixel>(words, contract::pixel<raycheck_pixel>, request.pixels);
   } else if (kind == "rays") {
-    read_list(words.integer(), request.rays, [](Words& line) {
-      const auto origin = line.triple<raycheck_vector>();
-      return raycheck_ray{origin, line.triple<raycheck_vector>()};
-    });
+    read_list<scene::Ray>(words, contract::ray<raycheck_ray>, request.rays);
   } else if (kind == "spheres") {
-    read_list(words.integer(), request.spheres, [](Words& line) {
-      const auto centre = line.triple<raycheck_vector>();
-      return raycheck_sphere{centre, line.number()};
-    });
+    read_list<scene::Sphere>(words, contract::sphere<raycheck_sphere>, request.spheres);
   } else {
     give_up("no such part of a request: " + std::string(kind));
   }
@@ -153,14 +117,17 @@ std::optional<Request> read_request() {
   std::optional<Words> first = next_line();
   if (!first) return {};
   Request request;
-  request.asked.valid.t_max = std::numeric_limits<double>::infinity();
   if (first->word() != "request") give_up("expected a request");
   request.id = first->word();
   request.function = first->word();
   for (;;) {
     Words words = require_line();
     const std::string_view kind = words.word();
-    if (kind == "end") return request;
+    if (kind == "end") {
+      request.asked = {contract::conventions<raycheck_conventions>(request.conventions),
+                       contract::valid_roots<raycheck_valid_roots>(request.conventions.valid)};
+      return request;
+    }
     read_part(kind, words, request);
   }
 }
@@ -223,72 +190,19 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
   }
 }
 
-/// The name of an enumerator; the first one has the value `first`.
-std::string_view name_in(std::span<const std::string_view> names, std::int32_t value,
-                         std::string_view what, std::int32_t first = 0) {
-  const std::int64_t index = std::int64_t{value} - first;
-  if (index < 0 || index >= std::ssize(names)) {
-    give_up("no such " + std::string(what) + ": " + std::to_string(value));
-  }
-  return names[static_cast<std::size_t>(index)];
-}
-
-/// Missing in libraries of version 1.
-void introduce_contract(const raycheck_candidate& candidate, Reply& reply) {
-  if (candidate.level != RAYCHECK_LEVEL_UNSTATED) {
-    reply << "level " << name_in(raycheck::properties::kLevelNames, candidate.level, "level", 1)
-          << "\n";
-  }
-  if (candidate.smallest_length != 0 || candidate.largest_length != 0) {
-    reply << "lengths " << candidate.smallest_length << " " << candidate.largest_length << "\n";
-  }
-}
-
-/// Missing in libraries of versions 1 and 2.
-void introduce_numbers(const raycheck_candidate& candidate, Reply& reply) {
-  if (candidate.precision != RAYCHECK_PRECISION_DOUBLE) {
-    reply << "precision " << name_in(scene::kPrecisionNames, candidate.precision, "precision")
-          << "\n";
-  }
-  const raycheck_valid_roots& v = candidate.declared_roots;
-  if (candidate.roots == RAYCHECK_ROOTS_AS_ASKED) {
-    reply << "roots as-asked\n";
-  } else if (candidate.roots == RAYCHECK_ROOTS_DECLARED) {
-    reply << "roots " << name_in(std::span(kEndsWords).first(4), v.ends, "ends") << " " << v.t_min
-          << " " << v.t_max << " " << name_in(scene::kTUnitNames, v.unit, "unit") << " "
-          << name_in(scene::kCullingNames, v.culling, "culling") << "\n";
-  } else if (candidate.roots != RAYCHECK_ROOTS_USUAL) {
-    give_up("no such roots: " + std::to_string(candidate.roots));
-  }
-}
-
-/// Missing in libraries of versions 1 to 3.
-void introduce_answers(const raycheck_candidate& candidate, Reply& reply) {
-  using raycheck::tools::kDirectionsWords;
-  reply << "directions " << name_in(kDirectionsWords, candidate.directions, "directions") << "\n"
-        << "returns "
-        << name_in(raycheck::properties::kReturnsNames, candidate.returns, "kind of answer")
-        << "\n";
-}
-
 void introduce(const raycheck_candidate& candidate, Reply& reply) {
+  const contract::Declarations declared = contract::declarations(
+      candidate, candidate.declared, candidate.declared_roots, candidate.version);
   reply << "raycheck 1 " << (candidate.name != nullptr ? candidate.name : "-") << "\n";
   const std::array<bool, 6> has = {candidate.frame != nullptr,     candidate.pixel_point != nullptr,
                                    candidate.pixel_ray != nullptr, candidate.focal_ray != nullptr,
                                    offers_intersect(candidate),    candidate.nearest != nullptr};
   for (std::size_t k = 0; k < has.size(); ++k) {
-    if (has[k]) reply << "function " << raycheck::tools::kFunctions[k] << "\n";
+    if (has[k]) reply << "function " << contract::kFunctions[k] << "\n";
   }
-  const auto& d = candidate.declared;
-  const std::array<std::int32_t, 5> declared = {d.rows, d.samples, d.origin, d.root, d.tangent};
-  for (std::size_t k = 0; k < declared.size(); ++k) {
-    if (declared[k] == RAYCHECK_AS_ASKED) continue;
-    const auto& [name, values] = kConventionWords[k];
-    reply << "convention " << name << " " << name_in(values, declared[k], name, 1) << "\n";
+  for (const std::string& one : contract::statements(declared)) {
+    reply << one << "\n";
   }
-  if (candidate.version >= 2) introduce_contract(candidate, reply);
-  if (candidate.version >= 3) introduce_numbers(candidate, reply);
-  if (candidate.version >= 4) introduce_answers(candidate, reply);
   reply << "ready\n";
   reply.send();
 }
@@ -324,7 +238,11 @@ int main(int argc, char** argv) {
   if (std::optional<Words> first = next_line(); !first || first->word() != "raycheck") {
     give_up("not started by raycheck: expected 'raycheck 1' on standard input");
   }
-  introduce(candidate, reply);
+  try {
+    introduce(candidate, reply);
+  } catch (const std::invalid_argument& error) {
+    give_up(error.what());
+  }
   while (const std::optional<Request> request = read_request()) {
     reply << "reply " << request->id << "\n";
     try {

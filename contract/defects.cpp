@@ -1,0 +1,16 @@
+#include "contract/declarations.h"
+
+namespace raycheck::contract {
+
+std::vector<scene::Defect> defects(const Declarations& declared) {
+  std::vector<scene::Defect> found = scene::defects(declared.conventions.over(scene::Conventions{}));
+  const auto& [smallest, largest] = declared.lengths;
+  if (!(smallest >= 0 && smallest < largest)) {
+    std::string range;
+    append(range, declared.lengths);
+    found.push_back({"lengths", range, "must be two numbers from 0 on, the smaller one first"});
+  }
+  return found;
+}
+
+}  // namespace raycheck::contract
