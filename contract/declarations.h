@@ -47,6 +47,47 @@ constexpr bool gives_parameter(Returns returns) {
   return returns != Returns::kPoint && returns != Returns::kClass;
 }
 
+/// The number that comes with a sphere's centre.
+enum class SphereSize { kRadius, kDiameter };
+inline constexpr std::array<std::string_view, 2> kSphereSizeNames = {"radius", "diameter"};
+constexpr auto& names_of(SphereSize /*of*/) { return kSphereSizeNames; }
+
+/// The order of a pixel's two indices.
+enum class PixelOrder { kColumnRow, kRowColumn };
+inline constexpr std::array<std::string_view, 2> kPixelOrderNames = {"column-row", "row-column"};
+constexpr auto& names_of(PixelOrder /*of*/) { return kPixelOrderNames; }
+
+/// The length of the directions of the rays that a candidate makes. Directions of any length are
+/// made unit before they are judged.
+enum class MadeLength { kUnit, kAny };
+inline constexpr std::array<std::string_view, 2> kMadeLengthNames = {"unit", "any"};
+constexpr auto& names_of(MadeLength /*of*/) { return kMadeLengthNames; }
+
+/// What comes with the origin of a ray: its direction, or its point at s = 1, the end of a segment.
+enum class RayForm { kDirection, kEnd };
+inline constexpr std::array<std::string_view, 2> kRayFormNames = {"direction", "end"};
+constexpr auto& names_of(RayForm /*of*/) { return kRayFormNames; }
+
+/// How a candidate is called, and what it returns.
+struct Interface {
+  Directions directions = Directions::kAny;
+  RayForm rays = RayForm::kDirection;
+  SphereSize spheres = SphereSize::kRadius;
+  PixelOrder pixels = PixelOrder::kColumnRow;
+  MadeLength made = MadeLength::kUnit;
+  Returns returns = Returns::kHit;
+  bool operator==(const Interface&) const = default;
+};
+template <scene::Either<Interface> SomeInterface, class Visit>
+void for_each_choice(SomeInterface& interface, Visit visit) {
+  visit("directions", interface.directions, "the directions that it accepts");
+  visit("rays", interface.rays, "what comes with a ray's origin: a direction, or the point at s = 1");
+  visit("spheres", interface.spheres, "the number that comes with a sphere's centre");
+  visit("pixels", interface.pixels, "the order of a pixel's two indices");
+  visit("made_directions", interface.made, "the length of the directions of the rays that it makes");
+  visit("returns", interface.returns, "what it returns for a hit");
+}
+
 /// Which roots count, as public structs declare it: every one >= 0, those declared beside it, or
 /// those of the scene.
 enum class RootsOf { kUsual, kDeclared, kScene };
@@ -96,8 +137,7 @@ struct Declarations {
   Level level = Level::kOrdinary;  ///< The level that it must reach.
   Lengths lengths;
   scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
-  Directions directions = Directions::kAny;
-  Returns returns = Returns::kHit;
+  Interface interface;
 };
 
 /// Calls visit(name, field, meaning) for every declaration. The single fields of valid roots can be
@@ -114,8 +154,7 @@ void for_each_declaration(SomeDeclarations& declared, Visit visit) {
   visit("level", declared.level, "how hard the cases are that it must get right");
   visit("lengths", declared.lengths, "the nonzero lengths on which it is judged: SMALLEST LARGEST");
   visit("precision", declared.precision, "the format that it computes in");
-  visit("directions", declared.directions, "the directions that it accepts");
-  visit("returns", declared.returns, "what it returns for a hit");
+  for_each_choice(declared.interface, visit);
 }
 
 /// Sets what a statement declares: "rows top-first", "t_min 1e-4", "lengths 1e-30 1e30".

@@ -10,6 +10,10 @@ std::vector<scene::Defect> defects(const Declarations& declared) {
     append(range, declared.lengths);
     found.push_back({"lengths", range, "must be two numbers from 0 on, the smaller one first"});
   }
+  if (declared.interface.rays == RayForm::kEnd &&
+      declared.interface.directions == Directions::kUnit) {
+    found.push_back({"rays", "end", "cannot be combined with directions unit"});
+  }
   return found;
 }
 

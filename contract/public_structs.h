@@ -140,8 +140,8 @@ Declarations declarations(const From& from, const Conventions& fixed, const Root
     if (of == RootsOf::kScene) valid.reset();
   }
   if (version >= 4) {
-    from_public(from.directions, "directions", declared.directions);
-    from_public(from.returns, "returns", declared.returns);
+    from_public(from.directions, "directions", declared.interface.directions);
+    from_public(from.returns, "returns", declared.interface.returns);
   }
   if (version >= 5) declare_all(text(from.contract), declared);
   return declared;

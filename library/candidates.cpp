@@ -9,6 +9,7 @@
 #include "fast/method_list.h"
 #include "library/conversions.h"
 #include "properties/candidates/fast_candidate.h"
+#include "properties/interfaces.h"
 #include "scene/validate.h"
 
 namespace raycheck::library {
@@ -110,7 +111,7 @@ properties::Candidate inside(const Candidate& candidate) {
                             properties::fast_candidate(fast::kDirectRays, fast::kCross));
   add_cameras(candidate, inside);
   add_intersections(candidate, inside);
-  static_cast<properties::Functions&>(inside) = properties::completed(inside, inside.returns);
+  static_cast<properties::Functions&>(inside) = properties::adapted(inside, declared.interface);
   return judged_in(declared.precision, std::move(inside));
 }
 

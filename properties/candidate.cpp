@@ -69,20 +69,6 @@ bool is_inside_domain(const Domain& domain, const scene::Scene& scene) {
           lengths_are_within(scene, domain.smallest_camera_length, domain.largest_camera_length));
 }
 
-namespace {
-
-/// With 11 bits more than doubles have, and exponents so wide that nothing here overflows.
-struct Wide {
-  template <class Triple>
-  explicit Wide(const Triple& v) : x(v.x), y(v.y), z(v.z) {}
-  Wide(long double its_x, long double its_y, long double its_z) : x(its_x), y(its_y), z(its_z) {}
-  Wide operator-(const Wide& other) const { return {x - other.x, y - other.y, z - other.z}; }
-  long double dot(const Wide& other) const { return x * other.x + y * other.y + z * other.z; }
-  long double x, y, z;
-};
-
-}  // namespace
-
 Candidate declaring(const contract::Declarations& declared, std::string name,
                     const Candidate& bounds) {
   Candidate candidate;
@@ -96,57 +82,8 @@ Candidate declaring(const contract::Declarations& declared, std::string name,
   candidate.smallest_length = std::max(kSmallestJudgedLength, declared.lengths.smallest);
   candidate.smallest_camera_length = candidate.smallest_length;
   candidate.largest_length = declared.lengths.largest;
-  candidate.unit_directions = declared.directions == contract::Directions::kUnit;
-  candidate.returns = declared.returns;
+  candidate.interface = declared.interface;
   return candidate;
-}
-
-HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
-                    const scene::Sphere& sphere) {
-  const Wide origin(ray.origin), direction(ray.direction);
-  const long double a = direction.dot(direction);
-  const auto projection = [&](const scene::Point3& point) {
-    return (Wide(point) - origin).dot(direction) / a;
-  };
-  long double s = hit.parameter;
-  switch (returns) {
-    case Returns::kHit:
-      return hit;
-    case Returns::kParameter:
-      break;
-    case Returns::kPoint:
-      return {static_cast<double>(projection(hit.point)), hit.point};
-    case Returns::kDistance:
-      s /= std::sqrt(a);
-      break;
-    case Returns::kSquaredDistance:
-      s = std::sqrt(s / a);
-      break;
-    case Returns::kClass:
-      s = std::max(0.0L, projection(sphere.centre));
-      break;
-  }
-  const auto along = [s](double from, double by) { return static_cast<double>(from + s * by); };
-  return {static_cast<double>(s),
-          {along(ray.origin.x, ray.direction.x), along(ray.origin.y, ray.direction.y),
-           along(ray.origin.z, ray.direction.z)}};
-}
-
-Functions completed(Functions functions, Returns returns) {
-  if (returns == Returns::kHit || !functions.intersect) return functions;
-  functions.intersect = [intersect = std::move(functions.intersect), returns](
-                            Functions::Rays rays, Functions::Spheres spheres,
-                            const scene::Conventions& conventions) {
-    std::vector<SphereHits> all = intersect(rays, spheres, conventions);
-    for (std::size_t sphere = 0; sphere < std::min(all.size(), spheres.size()); ++sphere) {
-      for (RayHit& hit : all[sphere]) {
-        if (hit.ray >= rays.size()) continue;  // Answers reports it
-        hit.hit = completed(hit.hit, returns, rays[hit.ray], spheres[sphere]);
-      }
-    }
-    return all;
-  };
-  return functions;
 }
 
 bool is_problem(const Case& the_case, const DeclaredConventions& declared) {

@@ -143,6 +143,9 @@ struct Functions {
   std::function<void(double share)> allow;
   /// Resets the count of time-outs after which a candidate is dropped. Empty: it always replies.
   std::function<void()> forget_silence;
+  /// The same functions, called and answering by another interface than the declared one. Empty for
+  /// raycheck's own.
+  std::function<Functions(const contract::Interface& other)> by_interface;
   /// Starts it anew, so that it loses all state between questions. Empty: it cannot be restarted.
   std::function<void()> restart;
 
@@ -157,11 +160,9 @@ struct Promises {
   /// The format that it is judged in: cases are rounded to it (rounded_case), and errors and
   /// bounds count its ulp and u.
   scene::Precision precision = scene::Precision::kDouble;
-  /// Whether it is given only rays with unit directions.
-  bool unit_directions = false;
-  InputFormat input_format() const { return {precision, unit_directions}; }
-  /// What its functions return for a hit; completed() adds the missing one of s and Q.
-  Returns returns = Returns::kHit;
+  /// How it is called, and what it returns; adapted() converts between that and what laws need.
+  contract::Interface interface = {};
+  InputFormat input_format() const { return {precision, interface}; }
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty without one.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
   /// The same for rays made from a camera, where a hit inherits the error of its ray; empty:
@@ -214,14 +215,6 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
 /// A candidate without functions that declares this, judged by the bounds of another.
 Candidate declaring(const contract::Declarations& declared, std::string name,
                     const Candidate& bounds);
-
-/// A hit with the values that the candidate does not return: s is the distance over the direction's
-/// length, or the projection of Q; Q is the point at s; with only a hit class both are where the
-/// ray comes closest to the centre at s >= 0. Laws judge only what was returned (Needs).
-HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
-                    const scene::Sphere& sphere);
-/// The same functions, with the hits of `intersect` completed.
-Functions completed(Functions functions, Returns returns);
 
 /// Converts a candidate with bounds in u of doubles to another format: bounds keep their number of
 /// u of its arithmetic (those of a method in floats are divided by 2^29), and single precision

@@ -43,7 +43,34 @@ void make_unit(scene::Vector3& v) {
        static_cast<double>(z / length)};
 }
 
+/// Moves the origin and the end of a segment to multiples of two units in the last place of the
+/// larger of them, so that their difference, the direction, is exact.
+void make_segment(double& origin, double& step, Precision precision) {
+  const auto unit_of = [&](double x) {
+    return x == 0 ? 0 : std::scalbn(scene::unit_roundoff(precision), std::ilogb(x) + 2);
+  };
+  const double end = origin + step;
+  const double unit = std::max(unit_of(origin), unit_of(end));
+  if (end - origin == step && end - step == origin && scene::rounded_to(precision, end) == end) {
+    return;
+  }
+  const auto to_unit = [&](double x) { return std::nearbyint(x / unit) * unit; };
+  origin = to_unit(origin);
+  step = to_unit(end) - origin;
+}
+void make_segment(scene::Ray& ray, Precision precision) {
+  auto& [origin, step] = ray;
+  make_segment(origin.x, step.x, precision);
+  make_segment(origin.y, step.y, precision);
+  make_segment(origin.z, step.z, precision);
+}
+
 }  // namespace
+
+scene::Ray with_unit_direction(scene::Ray ray) {
+  if (!is_unit(ray.direction, Precision::kDouble)) make_unit(ray.direction);
+  return ray;
+}
 
 RoundedCase rounded_case(Case the_case, InputFormat format) {
   const Precision precision = format.precision;
@@ -53,6 +80,17 @@ RoundedCase rounded_case(Case the_case, InputFormat format) {
       if (is_unit(ray.direction, precision)) continue;
       make_unit(ray.direction);
       ++result.made_unit;
+    }
+  }
+  if (format.segments) {
+    for (scene::Ray& ray : the_case.scene.rays) {
+      const scene::Ray before = ray;
+      make_segment(ray, precision);
+      if (!(ray == before)) ++result.changed;
+      if (!scene::defects(ray).empty()) {
+        result.reason = "a segment's end rounds to its origin, or out of range";
+        return result;
+      }
     }
   }
   if (precision == Precision::kDouble) {
@@ -93,6 +131,7 @@ scene::Ray rounded_ray(scene::Ray ray, InputFormat format) {
                     &ray.direction.z}) {
     *x = scene::rounded_to(precision, *x);
   }
+  if (format.segments) make_segment(ray, precision);
   return ray;
 }
 
@@ -101,6 +140,11 @@ bool is_of_format(const scene::Scene& scene, InputFormat format) {
   bool all = !format.unit_directions ||
              std::all_of(scene.rays.begin(), scene.rays.end(),
                          [&](const scene::Ray& ray) { return is_unit(ray.direction, precision); });
+  if (format.segments) {
+    all = all && std::ranges::all_of(scene.rays, [&](const scene::Ray& ray) {
+            return rounded_ray(ray, format) == ray;
+          });
+  }
   if (precision == Precision::kDouble) return all;
   scene::Scene copy = scene;
   const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };

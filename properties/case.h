@@ -31,22 +31,32 @@ using contract::Level;
 using contract::name;
 
 /// The numbers that a candidate accepts: those of a format and, if it needs unit directions, only
-/// rays with directions of length 1 up to rounding.
+/// rays with directions of length 1 up to rounding; if it is given segments, only rays whose point
+/// at s = 1 is of the format, too.
 struct InputFormat {
   constexpr InputFormat(scene::Precision its_precision = scene::Precision::kDouble,
-                        bool demands_unit_directions = false)
-      : precision(its_precision), unit_directions(demands_unit_directions) {}
+                        const contract::Interface& interface = {})
+      : precision(its_precision),
+        unit_directions(interface.directions == contract::Directions::kUnit),
+        segments(interface.rays == contract::RayForm::kEnd) {}
   scene::Precision precision;
-  bool unit_directions;
+  bool unit_directions, segments;
   bool operator==(const InputFormat&) const = default;
 };
-inline constexpr std::array<InputFormat, 4> kInputFormats = {{{scene::Precision::kDouble, false},
-                                                              {scene::Precision::kDouble, true},
-                                                              {scene::Precision::kSingle, false},
-                                                              {scene::Precision::kSingle, true}}};
+/// Segments have no unit directions.
+inline constexpr contract::Interface kUnitDirections = {.directions = contract::Directions::kUnit};
+inline constexpr contract::Interface kSegments = {.rays = contract::RayForm::kEnd};
+inline constexpr std::array<InputFormat, 6> kInputFormats = {
+    {{scene::Precision::kDouble},
+     {scene::Precision::kDouble, kUnitDirections},
+     {scene::Precision::kDouble, kSegments},
+     {scene::Precision::kSingle},
+     {scene::Precision::kSingle, kUnitDirections},
+     {scene::Precision::kSingle, kSegments}}};
 /// Its index among them.
 constexpr std::size_t index_of(InputFormat format) {
-  return 2 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1 : 0);
+  return 3 * static_cast<std::size_t>(format.precision) +
+         (format.unit_directions ? 1 : format.segments ? 2 : 0);
 }
 
 /// A case in the numbers that a candidate accepts. It replaces the case for truth, law and
@@ -59,9 +69,12 @@ struct RoundedCase {
 };
 
 /// Normalises given directions if the format needs that, then rounds every number of the scene to
-/// the format, to nearest, ties to even. The case is left out if a number leaves the format's range
+/// the format, to nearest, ties to even, and for segments the ends of given rays. The case is left out if a number leaves the format's range
 /// (becomes infinite, or 0), or if the rounded scene is invalid.
 RoundedCase rounded_case(Case the_case, InputFormat format);
+
+/// The ray with a direction of length 1, up to rounding.
+scene::Ray with_unit_direction(scene::Ray ray);
 
 /// The ray, rounded to the format.
 scene::Ray rounded_ray(scene::Ray ray, InputFormat format);

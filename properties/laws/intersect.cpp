@@ -51,7 +51,7 @@ struct Encounter {
   Excuse excuse() const { return trial.excuse({answer_of(ray, sphere, answer)}); }
   void describe(Discrepancy& d) const {
     if (answer != nullptr) d.got = {answer->parameter};
-    d.got_some_sphere = answer != nullptr && trial.candidate().returns == Returns::kClass;
+    d.got_some_sphere = answer != nullptr && trial.candidate().interface.returns == Returns::kClass;
     if (is_excluded()) d.excluded_by = trial.conventions().valid;
     if (exact != nullptr) d.exact = {rounded_s()};
   }

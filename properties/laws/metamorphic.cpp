@@ -85,7 +85,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
       const HitAnswer* hit = (is_first_wrong ? first : second).hit;
       d.what = (is_first_wrong ? "right only when " : "") + by.what;
       d.symbol = info(Quantity::kParameter).symbol;
-      d.got_some_sphere = hit != nullptr && !gives_parameter(trial.candidate().returns);
+      d.got_some_sphere = hit != nullptr && !gives_parameter(trial.candidate().interface.returns);
       if (hit != nullptr && !d.got_some_sphere) d.got = {hit->parameter};
       if (!is_hit) return;
       const double s =
@@ -98,7 +98,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   trial.judge(verdict, {Quantity::kClass, expected, place, wrong}, excuse,
               describe_wrong((first.hit != nullptr) != is_hit));
   if (first.hit == nullptr || second.hit == nullptr) return;
-  if (!gives_parameter(trial.candidate().returns)) return;
+  if (!gives_parameter(trial.candidate().interface.returns)) return;
   const scene::Measured error = error_between(first, second, by.factor, is_hit);
   const double bound = 2 * trial.bound(Quantity::kParameter);
   if (is_hit) {

@@ -172,7 +172,7 @@ std::optional<AskedCase> asked_case(const Case& the_case, const Candidate& candi
                                     const Candidate& right) {
   auto rounded = rounded_case(the_case, candidate.input_format()).the_case;
   if (!rounded || !is_inside_domain(candidate, rounded->scene)) return {};
-  AskedCase asked = {*std::move(rounded), {}, candidate.returns};
+  AskedCase asked = {*std::move(rounded), {}, candidate.interface.returns};
   scene::Conventions& conventions = asked.the_case.scene.conventions;
   conventions = candidate.declared.over(conventions);
   asked.rays = Trial(asked.the_case, right).rays();
@@ -236,7 +236,7 @@ std::uint64_t Examination::not_numbers(Step step) {
 
 std::uint64_t Examination::wrong_numbers(Step step, double tolerance, const Candidate* other) {
   std::uint64_t count = 0;
-  if (step == Step::kNearest || candidate_.returns == Returns::kClass) return 0;
+  if (step == Step::kNearest || candidate_.interface.returns == Returns::kClass) return 0;
   for (const Comparison& comparison : at(step)) {
     const auto its = other ? try_to_ask(step, *comparison.asked, *other) : std::nullopt;
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {

@@ -117,8 +117,11 @@ fast::Roots stable_roots_of_unit(const Ray& ray, const Sphere& sphere) {
   return {v, roots.half_chord_sq, v >= 0 ? other : q, v >= 0 ? q : other};
 }
 
+bool accepts_any_length(const Candidate& candidate) {
+  return candidate.interface.directions == contract::Directions::kAny;
+}
 bool returns_distances(const Candidate& candidate) {
-  return candidate.returns == Returns::kDistance || candidate.returns == Returns::kSquaredDistance;
+  return candidate.interface.returns == Returns::kDistance || candidate.interface.returns == Returns::kSquaredDistance;
 }
 
 /// Hits by roots of unit directions, which are multiples of D or a distance.
@@ -127,7 +130,7 @@ Mistake unit_mistake(std::string sentence, MakeRoots roots, bool as_distance) {
   mistake.is_told_by_pictures = false;
   if (!as_distance) {
     mistake.is_offered = [](const Candidate& c) {
-      return !c.unit_directions && !returns_distances(c);
+      return accepts_any_length(c) && !returns_distances(c);
     };
     return mistake;
   }
@@ -138,7 +141,7 @@ Mistake unit_mistake(std::string sentence, MakeRoots roots, bool as_distance) {
                        larger / norm(ray.direction)};
   };
   mistake.is_offered = [](const Candidate& c) {
-    return !c.unit_directions && returns_distances(c);
+    return accepts_any_length(c) && returns_distances(c);
   };
   return mistake;
 }

@@ -38,9 +38,9 @@ Mistake of_value(std::string sentence, ChangeHit change,
           .is_offered = is_offered};
 }
 
-bool returns_points(const Candidate& candidate) { return gives_point(candidate.returns); }
+bool returns_points(const Candidate& candidate) { return gives_point(candidate.interface.returns); }
 bool returns_multiples(const Candidate& candidate) {
-  return candidate.returns == Returns::kHit || candidate.returns == Returns::kParameter;
+  return candidate.interface.returns == Returns::kHit || candidate.interface.returns == Returns::kParameter;
 }
 
 Hit wherever_behind(const Ray& ray, const Roots& roots, Conventions conventions) {

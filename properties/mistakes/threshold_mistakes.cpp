@@ -160,7 +160,7 @@ Mistake point_outside(const char* distance) {
                              hit.point.z + share * N.z};
                 return hit;
               },
-          .is_offered = [](const Candidate& candidate) { return gives_point(candidate.returns); }};
+          .is_offered = [](const Candidate& candidate) { return gives_point(candidate.interface.returns); }};
 }
 
 /// Axes and directions of which the vectors with a |v|^2 below `least` stay as they are, or are 0.

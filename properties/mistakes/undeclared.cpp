@@ -8,11 +8,12 @@
 namespace raycheck::properties {
 namespace {
 
-/// A convention that a candidate may follow whatever the scene says, or another declaration of the
-/// valid roots.
+/// A convention that a candidate may follow whatever the scene says, another declaration of the
+/// valid roots, or another interface.
 struct Followed {
   std::string text;
   DeclaredConventions declared;
+  std::optional<contract::Interface> interface = {};
 };
 
 template <class Value>
@@ -56,7 +57,31 @@ std::vector<Followed> undeclared(const Candidate& candidate) {
     add_valid("t_min = -infinity", &scene::ValidRoots::t_min,
               -std::numeric_limits<double>::infinity());
   }
+  if (!candidate.by_interface) return all;
+  contract::for_each_choice(candidate.interface, [&](const char* name, auto& declared_value, auto) {
+    using Value = std::remove_cvref_t<decltype(declared_value)>;
+    // What it returns, and directions that it refuses, have sentences of their own.
+    if (std::is_same_v<Value, Returns> || std::is_same_v<Value, contract::Directions>) return;
+    const Value other{declared_value == Value{0} ? 1 : 0};
+    Followed one{std::string(name) + " = " + std::string(scene::name(other)), {}};
+    contract::for_each_choice(one.interface.emplace(candidate.interface),
+                              [&](auto /*name*/, auto& value, auto) {
+                                if constexpr (std::is_same_v<decltype(value), Value&>) value = other;
+                              });
+    all.push_back(std::move(one));
+  });
   return all;
+}
+
+/// The candidate under these conventions, or called by this interface.
+Candidate following(const Candidate& candidate, const Followed& under) {
+  Candidate one = candidate;
+  one.declared = under.declared.over(candidate.declared);
+  if (under.interface) {
+    static_cast<Functions&>(one) = candidate.by_interface(*under.interface);
+    one.interface = *under.interface;
+  }
+  return one;
 }
 
 /// Whether the answers are the same under both conventions.
@@ -79,18 +104,19 @@ bool same_answers(Trial& one, Trial& other) {
   return !candidate.nearest || one.nearest() == other.nearest();
 }
 
-/// Whether a candidate gives the same answers under these conventions, and they are right.
+/// Whether a candidate gives the same answers under these conventions, and they are right; or right
+/// ones when it is called by this interface.
 bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& candidate,
-              const DeclaredConventions& under) {
-  Candidate following = candidate;
-  following.declared = under.over(candidate.declared);
+              const Followed& under) {
+  const Candidate other_candidate = following(candidate, under);
   std::uint64_t asked = 0;
-  for (const Case& one : cases) {
-    if (!is_problem(one, following.declared)) continue;
-    Trials told(one, candidate, {}), followed(one, following, {});
+  for (const Case& given : cases) {
+    const auto one = rounded_case(given, other_candidate.input_format()).the_case;
+    if (!one || !is_problem(*one, other_candidate.declared)) continue;
+    Trials told(*one, candidate, {}), followed(*one, other_candidate, {});
     const Verdict verdict = followed.apply(law);
     if (verdict.count(Standing::kDefect) > 0) return false;
-    if (!same_answers(told.of(law), followed.of(law))) return false;
+    if (!under.interface && !same_answers(told.of(law), followed.of(law))) return false;
     // No other law may be broken: the hit class may be right where the root is wrong.
     for (const Law& other : laws()) {
       if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;
@@ -121,14 +147,15 @@ std::optional<RightUnder> right_under(const Law& law, const std::vector<Case>& c
   if (defects == 0) return {};
   const std::vector<Followed> all = undeclared(candidate);
   for (const Followed& one : all) {
-    if (is_right(law, cases, candidate, one.declared)) return RightUnder{one.text, defects};
+    if (is_right(law, cases, candidate, one)) return RightUnder{one.text, defects};
   }
   for (std::size_t one = 0; one < all.size(); ++one) {
     // Starts after both values of the first convention.
     for (std::size_t other = (one / 2 + 1) * 2; other < all.size(); ++other) {
-      if (is_right(law, cases, candidate, all[one].declared.over(all[other].declared))) {
-        return RightUnder{all[one].text + " and " + all[other].text, defects};
-      }
+      if (all[one].interface) continue;
+      const Followed both = {all[one].text + " and " + all[other].text,
+                             all[one].declared.over(all[other].declared), all[other].interface};
+      if (is_right(law, cases, candidate, both)) return RightUnder{both.text, defects};
     }
   }
   return {};

@@ -179,7 +179,7 @@ void add_hit_steps(Trial& trial, const fast::IntersectMethod* own, MethodReport&
     off_s = reference::ulp_error(hit->parameter, exact.parameter(sphere, at), report.precision);
     off_point = reference::relative_error(hit->point, exact.point(sphere, at));
   }
-  const properties::Returns returns = trial.candidate().returns;
+  const properties::Returns returns = trial.candidate().interface.returns;
   if (trial.exact_hit(0, 0) && properties::gives_parameter(returns)) {
     report.ulp_error =
         reference::ulp_error(hit->parameter,

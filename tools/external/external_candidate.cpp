@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "properties/failures.h"
+#include "properties/interfaces.h"
 #include "scene/text.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/protocol/frames.h"
@@ -393,7 +394,8 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   candidate.restart = [talk] { talk->restart(); };
   add_functions(talk, external.introduction.functions, candidate);
   static_cast<properties::Functions&>(candidate) =
-      completed(static_cast<const properties::Functions&>(candidate), candidate.returns);
+      adapted(static_cast<const properties::Functions&>(candidate),
+              external.introduction.declared.interface);
   return judged_in(external.precision, std::move(candidate));
 }
 

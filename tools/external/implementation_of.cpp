@@ -64,7 +64,7 @@ Implementation implementation_of(const External& external) {
       .built_of = external.built_of,
       .stages = stages_of(external.introduction.functions),
       .precision = external.precision,
-      .unit_directions = external.introduction.declared.directions == contract::Directions::kUnit,
+      .interface = external.introduction.declared.interface,
       .make = [external] { return external_candidate(external); },
       .in_process = [external] { return calls_in_process(external); }};
   if (external.renderer) {

@@ -3,7 +3,9 @@
 
 #include <memory>
 
+#include "contract/declarations.h"
 #include "contract/public_structs.h"
+#include "properties/interfaces.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/external_candidate.h"
 
@@ -26,6 +28,7 @@ raycheck_asked asked(const scene::Conventions& c) {
 }
 
 ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library,
+                                               const contract::Interface& interface,
                                                const std::vector<IntersectCall>& given) {
   struct Call {
     std::vector<raycheck_ray> rays;
@@ -35,8 +38,11 @@ ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library
   using Hits = std::vector<raycheck_hit>;
   const auto calls = std::make_shared<std::vector<Call>>();
   for (const IntersectCall& call : given) {
-    calls->push_back({{}, contract::sphere<raycheck_sphere>(call.sphere), asked(call.conventions)});
-    for (const scene::Ray& ray : call.rays) calls->back().rays.push_back(contract::ray<raycheck_ray>(ray));
+    const scene::Sphere sphere = properties::passed(call.sphere, interface);
+    calls->push_back({{}, contract::sphere<raycheck_sphere>(sphere), asked(call.conventions)});
+    for (const scene::Ray& ray : call.rays) {
+      calls->back().rays.push_back(contract::ray<raycheck_ray>(properties::passed(ray, interface)));
+    }
   }
   return ready<properties::SphereHits, Hits>(
       [&library, calls](std::size_t k, Hits& hits) {
@@ -52,17 +58,20 @@ ReadyCalls<properties::SphereHits> ready_calls(const raycheck_candidate& library
           hits[ray] = library.intersect(&rays[ray], &sphere, &asked.conventions);
         }
       },
-      [](const Hits& hits) {
+      [given, interface](std::size_t k, const Hits& hits) {
         properties::SphereHits list;
         for (std::size_t ray = 0; ray < hits.size(); ++ray) {
-          if (hits[ray].hit == 0) continue;
-          list.push_back({ray, {hits[ray].parameter, contract::triple<scene::Point3>(hits[ray].point)}});
+          const auto& [hit, parameter, point] = hits[ray];
+          if (hit == 0) continue;
+          list.push_back({ray, properties::completed({parameter, contract::triple<scene::Point3>(point)},
+                                         interface.returns, given[k].rays[ray], given[k].sphere)});
         }
         return list;
       });
 }
 
 ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& library,
+                                                const contract::Interface& interface,
                                                 const std::vector<RaysCall>& given) {
   struct Call {
     decltype(library.pixel_ray) make;
@@ -80,7 +89,9 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
                       contract::camera<raycheck_camera>(call.camera),
                       asked(call.conventions),
                       {}});
-    for (const auto& [i, j] : call.pixels) calls->back().pixels.push_back({i, j});
+    for (const scene::Pixel& pixel : call.pixels) {
+      calls->back().pixels.push_back(contract::pixel<raycheck_pixel>(properties::passed(pixel, interface)));
+    }
   }
   return ready<std::vector<scene::Ray>, Rays>(
       [calls](std::size_t k, Rays& rays) {
@@ -90,10 +101,10 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const raycheck_candidate& librar
           rays.push_back(make(&camera, &asked.conventions, pixel));
         }
       },
-      [](const Rays& rays) {
+      [interface](std::size_t /*k*/, const Rays& rays) {
         std::vector<scene::Ray> all;
         for (const raycheck_ray& ray : rays) {
-          all.push_back(contract::ray<scene::Ray>(ray));
+          all.push_back(properties::made(contract::ray<scene::Ray>(ray), interface));
         }
         return all;
       });
@@ -110,24 +121,17 @@ InProcess calls_in_process(const External& external) {
     throw CandidateError("it is not a library, and only calls in raycheck's process are timed");
   }
   const raycheck_candidate& library = *functions_of(external.library);
+  const contract::Interface interface = external.introduction.declared.interface;
   InProcess calls;
   if (library.intersect != nullptr || library.intersect_batch != nullptr) {
-    calls.intersect = [&library, returns = external.introduction.declared.returns](
-                          const std::vector<IntersectCall>& given) {
-      ReadyCalls<properties::SphereHits> ready = ready_calls(library, given);
-      if (returns == properties::Returns::kHit) return ready;
-      ready.answer = [answer = std::move(ready.answer), given, returns](std::size_t k) {
-        properties::SphereHits hits = answer(k);
-        for (auto& [ray, hit] : hits) {
-          hit = properties::completed(hit, returns, given[k].rays[ray], given[k].sphere);
-        }
-        return hits;
-      };
-      return ready;
+    calls.intersect = [&library, interface](const std::vector<IntersectCall>& given) {
+      return ready_calls(library, interface, given);
     };
   }
   if (library.pixel_ray != nullptr || library.focal_ray != nullptr) {
-    calls.make_rays = [&library](const auto& given) { return ready_calls(library, given); };
+    calls.make_rays = [&library, interface](const auto& given) {
+      return ready_calls(library, interface, given);
+    };
   }
   return calls;
 }

@@ -47,7 +47,7 @@ ReadyCalls<properties::SphereHits> ready_calls(const fast::IntersectMethod& meth
           method.intersect(batch, sphere, conventions.hit_rule(), result.many);
         }
       },
-      [](const Result& result) {
+      [](std::size_t /*k*/, const Result& result) {
         if (!result.one) return properties::list_of(result.many);
         return properties::SphereHits{{0, {result.one->parameter, result.one->point}}};
       });
@@ -63,7 +63,7 @@ ReadyCalls<std::vector<scene::Ray>> ready_calls(const fast::PixelRayMethod& meth
             conventions.origin == scene::Origin::kPixel && method.pixel_rays != nullptr;
         (from_pixel ? method.pixel_rays : method.focal_rays)(camera, conventions, pixels, rays);
       },
-      properties::rays_of);
+      [](std::size_t /*k*/, const fast::Rays& rays) { return properties::rays_of(rays); });
 }
 
 /// Each method as a candidate for its stage only: ray methods first.

@@ -57,7 +57,7 @@ void keep(const Value& value) {
   asm volatile("" : : "g"(&value) : "memory");
 }
 
-/// `call(k, result)` makes the k-th call; `answer_of(result)` converts its result.
+/// `call(k, result)` makes the k-th call; `answer_of(k, result)` converts its result.
 template <class Answer, class Result, class Call, class AnswerOf>
 ReadyCalls<Answer> ready(const Call& call, const AnswerOf& answer_of) {
   return {[call, result = Result{}](std::size_t count) mutable {
@@ -69,7 +69,7 @@ ReadyCalls<Answer> ready(const Call& call, const AnswerOf& answer_of) {
           [=](std::size_t k) {
             Result result{};
             call(k, result);
-            return answer_of(result);
+            return answer_of(k, result);
           }};
 }
 
@@ -89,8 +89,8 @@ struct Implementation {
   /// The format it is judged in. raycheck's methods in single precision take doubles and round
   /// them, so they are judged in double.
   scene::Precision precision = scene::Precision::kDouble;
-  bool unit_directions = false;  ///< It is given rays with unit directions only.
-  properties::InputFormat input_format() const { return {precision, unit_directions}; }
+  contract::Interface interface = {};  ///< How it is called.
+  properties::InputFormat input_format() const { return {precision, interface}; }
   std::optional<MethodPair> methods = {};  ///< If it consists of methods of fast/.
   std::size_t number = 0;                  ///< Its index within its stage, for charts.
   /// A candidate for one thread.

@@ -235,7 +235,7 @@ std::optional<Candidate> who_may_make(const Mistake& mistake) {
   for (const Returns returns : {Returns::kHit, Returns::kDistance}) {
     for (const scene::ValidRoots& valid : {scene::ValidRoots{}, scene::ValidRoots{.t_max = 4}}) {
       Candidate candidate = mistake.candidate;
-      candidate.returns = returns;
+      candidate.interface.returns = returns;
       candidate.declared.valid = valid;
       if (mistake.is_offered == nullptr || mistake.is_offered(candidate)) return candidate;
     }
@@ -279,7 +279,7 @@ using EachMistakeInHits = EachMistake;
 TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfOnlyNearestSpheres) {
   const auto may = who_may_make(mistake());
   Candidate candidate;
-  candidate.returns = may->returns;
+  candidate.interface.returns = may->interface.returns;
   candidate.declared = may->declared;
   candidate.nearest = mistake().candidate.nearest;
   const Sentences sentences = sentences_for(candidate);

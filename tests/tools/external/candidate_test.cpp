@@ -213,7 +213,8 @@ TEST(Candidate, in_JavaScript_reports_its_errors) {
                {"it exited with 1; it said: Error: no library\n"});
   for (const auto& [roots, wrong] : {std::pair("5", "has '5', not one of [], [), (], ()"),
                                      {"{ tmin: 1 }", "no such roots: tmin"},
-                                     {"0, root: 'smallest'", "'smallest', not one of nearest, smaller"}}) {
+                                     {"0", "has '0', not one of []"},
+                                     {"'as-asked', root: 'smallest'", "'smallest', not one of nearest, smaller"}}) {
     expect_parts(refusal_of(candidate(std::string("run('it', { intersect: () => null, roots: ") +
                                       roots + " })")),
                  {wrong});

@@ -3,6 +3,7 @@
 
 #include "properties/candidate.h"
 #include "properties/case.h"
+#include "properties/interfaces.h"
 #include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
@@ -207,7 +208,7 @@ TEST(Completed, AddsDerivedValues) {
     functions.intersect = [&](auto, auto, const auto&) {
       return std::vector<properties::SphereHits>{{{0, given}}};
     };
-    return completed(functions, returns).intersect({&ray, 1}, {&sphere, 1}, {}).at(0).at(0).hit;
+    return adapted(functions, {.returns = returns}).intersect({&ray, 1}, {&sphere, 1}, {}).at(0).at(0).hit;
   };
   EXPECT_EQ(of(Returns::kParameter, {1, {}}).point.x, 5);
   EXPECT_EQ(of(Returns::kDistance, {4, {}}).parameter, 1);

@@ -1,0 +1,144 @@
+#include "properties/interfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "properties/failures.h"
+
+namespace raycheck::properties {
+namespace {
+
+using contract::Interface;
+
+/// With 11 bits more than doubles have, and exponents so wide that nothing here overflows.
+struct Wide {
+  template <class Triple>
+  explicit Wide(const Triple& v) : x(v.x), y(v.y), z(v.z) {}
+  Wide(long double its_x, long double its_y, long double its_z) : x(its_x), y(its_y), z(its_z) {}
+  Wide operator-(const Wide& other) const { return {x - other.x, y - other.y, z - other.z}; }
+  long double dot(const Wide& other) const { return x * other.x + y * other.y + z * other.z; }
+  long double x, y, z;
+};
+
+/// The inputs as they are passed, one by one.
+template <class Inputs>
+auto all_passed(const Inputs& inputs, const Interface& interface) {
+  std::vector<std::remove_const_t<typename Inputs::element_type>> all;
+  all.reserve(inputs.size());
+  for (const auto& one : inputs) all.push_back(passed(one, interface));
+  return all;
+}
+
+/// The end of a segment in one dimension.
+double end_of(double origin, double step) {
+  const double end = origin + step;
+  if (end - origin == step && end - step == origin) return end;
+  throw CannotBeSaid("the end of a segment, origin + direction, is not a double");
+}
+
+/// A function of pixels.
+template <class Make, class Answer>
+void adapt_pixels(Make& make, const Interface& interface, const Answer& answer) {
+  if (!make) return;
+  make = [make, interface, answer](
+             const scene::Camera& camera, const scene::Conventions& conventions,
+             Functions::Pixels pixels) {
+    auto all = make(camera, conventions, all_passed(pixels, interface));
+    std::ranges::for_each(all, answer);
+    return all;
+  };
+}
+
+}  // namespace
+
+scene::Ray passed(const scene::Ray& ray, const Interface& interface) {
+  if (interface.rays == contract::RayForm::kDirection) return ray;
+  const auto& [origin, step] = ray;
+  return {origin,
+          {end_of(origin.x, step.x), end_of(origin.y, step.y), end_of(origin.z, step.z)}};
+}
+
+scene::Sphere passed(const scene::Sphere& sphere, const Interface& interface) {
+  const bool by_diameter = interface.spheres == contract::SphereSize::kDiameter;
+  return {sphere.centre, by_diameter ? 2 * sphere.radius : sphere.radius};
+}
+
+scene::Pixel passed(const scene::Pixel& pixel, const Interface& interface) {
+  const bool row_first = interface.pixels == contract::PixelOrder::kRowColumn;
+  return row_first ? scene::Pixel{pixel.j, pixel.i} : pixel;
+}
+
+scene::Ray made(const scene::Ray& ray, const Interface& interface) {
+  return interface.made == contract::MadeLength::kAny ? with_unit_direction(ray) : ray;
+}
+
+HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
+                    const scene::Sphere& sphere) {
+  const Wide origin(ray.origin), direction(ray.direction);
+  const long double a = direction.dot(direction);
+  const auto projection = [&](const scene::Point3& point) {
+    return (Wide(point) - origin).dot(direction) / a;
+  };
+  long double s = hit.parameter;
+  switch (returns) {
+    case Returns::kHit:
+      return hit;
+    case Returns::kParameter:
+      break;
+    case Returns::kPoint:
+      return {static_cast<double>(projection(hit.point)), hit.point};
+    case Returns::kDistance:
+      s /= std::sqrt(a);
+      break;
+    case Returns::kSquaredDistance:
+      s = std::sqrt(s / a);
+      break;
+    case Returns::kClass:
+      s = std::max(0.0L, projection(sphere.centre));
+      break;
+  }
+  const auto along = [s](double from, double by) { return static_cast<double>(from + s * by); };
+  return {static_cast<double>(s),
+          {along(ray.origin.x, ray.direction.x), along(ray.origin.y, ray.direction.y),
+           along(ray.origin.z, ray.direction.z)}};
+}
+
+Functions adapted(Functions functions, const Interface& interface) {
+  Functions as_given = functions;
+  const auto as_is = [](const scene::Point3& /*point*/) {};
+  const auto make_unit = [interface](scene::Ray& ray) { ray = made(ray, interface); };
+  adapt_pixels(functions.pixel_points, interface, as_is);
+  adapt_pixels(functions.pixel_rays, interface, make_unit);
+  adapt_pixels(functions.focal_rays, interface, make_unit);
+  if (functions.intersect) {
+    functions.intersect = [intersect = as_given.intersect, interface](
+                              Functions::Rays rays, Functions::Spheres spheres,
+                              const scene::Conventions& conventions) {
+      std::vector<SphereHits> all =
+          intersect(all_passed(rays, interface), all_passed(spheres, interface), conventions);
+      for (std::size_t sphere = 0; sphere < std::min(all.size(), spheres.size()); ++sphere) {
+        for (RayHit& hit : all[sphere]) {
+          if (hit.ray >= rays.size()) continue;  // Answers reports it
+          hit.hit = completed(hit.hit, interface.returns, rays[hit.ray], spheres[sphere]);
+        }
+      }
+      return all;
+    };
+  }
+  if (functions.nearest) {
+    functions.nearest = [nearest = as_given.nearest, interface](
+                            Functions::Rays rays, Functions::Spheres spheres,
+                            const scene::Conventions& conventions) {
+      return nearest(all_passed(rays, interface), all_passed(spheres, interface), conventions);
+    };
+  }
+  functions.by_interface = [as_given = std::move(as_given)](const Interface& other) {
+    return adapted(as_given, other);
+  };
+  return functions;
+}
+
+}  // namespace raycheck::properties

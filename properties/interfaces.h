@@ -1,0 +1,30 @@
+#pragma once
+
+// Candidates that are called, or answer, in another way than raycheck's laws do.
+
+#include "contract/declarations.h"
+#include "properties/candidate.h"
+#include "scene/scene.h"
+
+namespace raycheck::properties {
+
+/// The inputs as a candidate of an interface is given them: a segment's end in place of the
+/// direction, a diameter in place of the radius, a pixel's row in place of its column.
+/// Errors: CannotBeSaid if the end of a segment is not a double (rounded_case() avoids that).
+scene::Ray passed(const scene::Ray& ray, const contract::Interface& interface);
+scene::Sphere passed(const scene::Sphere& sphere, const contract::Interface& interface);
+scene::Pixel passed(const scene::Pixel& pixel, const contract::Interface& interface);
+
+/// A ray that it makes, with a direction made unit if that may have any length.
+scene::Ray made(const scene::Ray& ray, const contract::Interface& interface);
+
+/// A hit with the values that the candidate does not return: s is the distance over the direction's
+/// length, or the projection of Q; Q is the point at s; with only a hit class both are where the
+/// ray comes closest to the centre at s >= 0. Laws judge only what was returned (Needs).
+HitAnswer completed(const HitAnswer& hit, Returns returns, const scene::Ray& ray,
+                    const scene::Sphere& sphere);
+
+/// The functions of a candidate of an interface, as laws call them.
+Functions adapted(Functions functions, const contract::Interface& interface);
+
+}  // namespace raycheck::properties
