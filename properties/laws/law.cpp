@@ -103,7 +103,7 @@ Place GivenRays::place(Place of_ray) const {
 }
 
 std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
-                                    scene::Precision precision) {
+                                    InputFormat format) {
   const reference::ExactCamera camera(the_case.scene.camera.value(), conventions);
   GivenRays given;
   given.width = the_case.scene.camera->width;
@@ -112,8 +112,9 @@ std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventio
   scene.conventions = the_case.scene.conventions;
   for (const scene::Pixel& pixel : the_case.pixels) {
     const reference::ExactRay exact(camera, pixel);
-    const auto [x, y, z] = exact.rounded_direction(precision);
-    const scene::Ray ray = {exact.rounded_origin(precision), {x, y, z}};
+    const auto [x, y, z] = exact.rounded_direction(format.precision);
+    const scene::Ray ray =
+        rounded_ray({exact.rounded_origin(format.precision), {x, y, z}}, format);
     if (!scene::defects(ray).empty()) continue;
     scene.rays.push_back(ray);
     given.pixels.push_back(pixel);
@@ -289,7 +290,7 @@ Trials::Trials(const Case& the_case, const Candidate& candidate, const TrialOpti
 
 Trial& Trials::of(const Law& law) {
   if (!wants_given_rays(law, on_case_)) return on_case_;
-  if (!given_) given_ = given_rays(case_, on_case_.conventions(), on_case_.precision());
+  if (!given_) given_ = given_rays(case_, on_case_.conventions(), on_case_.candidate().input_format());
   if (!given_) return on_case_;
   if (!on_given_) on_given_.emplace(given_->the_case, on_case_.candidate(), options_);
   return *on_given_;

@@ -190,7 +190,7 @@ void LawSearch::shrink_while(const Breaks& breaks) {
   if (!shrunk.scene.camera || candidate_->pixel_rays || candidate_->focal_rays) return;
   const auto conventions = candidate_->declared.over(shrunk.scene.conventions);
   const bool was_given = verdict_on(*law_, *candidate_, shrunk, max_error_).given_rays;
-  const auto given = was_given ? given_rays(shrunk, conventions, candidate_->precision)
+  const auto given = was_given ? given_rays(shrunk, conventions, candidate_->input_format())
                                : std::optional<GivenRays>();
   if (given && breaks(given->the_case)) shrink_on();
 }

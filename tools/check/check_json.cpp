@@ -103,7 +103,8 @@ Asked asked_of(const CheckReport& report, const CandidateReport& candidate,
     return asked;
   }
   asked.scene =
-      properties::given_rays({scene, {*place.pixel}}, candidate.conventions, candidate.precision)
+      properties::given_rays({scene, {*place.pixel}}, candidate.conventions,
+                             candidate.implementation.input_format())
           .value()
           .the_case.scene;
   place.ray = 0;

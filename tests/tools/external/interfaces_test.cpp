@@ -43,7 +43,7 @@ std::string candidate(const Called& called, const std::string& contract) {
 }
 
 Outcome judged_by(const Called& called, const std::string& contract, const std::string& laws) {
-  return run("properties --cases 100 " + laws + " --candidate " + candidate(called, contract));
+  return run("properties --cases 300 " + laws + " --candidate " + candidate(called, contract));
 }
 
 TEST(Interfaces, are_right_as_declared) {
@@ -56,7 +56,7 @@ TEST(Interfaces, are_right_as_declared) {
 TEST(Interfaces, that_are_not_declared_are_named) {
   for (const Called& called : kCalled) {
     const bool limits = called.contract.find(';') != std::string::npos;
-    const Outcome outcome = judged_by(called, limits ? "t_max 1" : "", "--filter " + called.law);
+    const Outcome outcome = judged_by(called, limits ? "t_max 1" : "", "--filter " + called.law + (limits ? " --source rays" : ""));
     EXPECT_EQ(outcome.exit_code, 1) << called.name;
     expect_parts(outcome.out, {"right under " + called.says + ", which it does not declare"});
   }
