@@ -1023,7 +1023,7 @@ def is_shorter(vector, across, least_sq):
         return False
     sectors = [(quarters, Fraction(0), Fraction(1)) for quarters in range(4)]
     for quarters, low, high in sectors:
-        # p = x u + y v, x and y >= 0, is no longer than x + y = p.(u + v) / (1 + u.v).
+        # p = x u + y v, x and y >= 0, has length at most x + y = p.(u + v) / (1 + u.v).
         u, v = unit_vector(quarters, low), unit_vector(quarters, high)
         x, y = plus(u, v)
         longest = first.shifted(x, 0).plus(y, second).high / (1 + dot(u, v))

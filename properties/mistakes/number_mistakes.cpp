@@ -1,4 +1,4 @@
-// Numbers of a scene that are read, or used, wrongly: bounds in place of others, and as integers.
+// Numbers of a scene that are read or used wrongly: wrong bounds, and numbers read as integers.
 
 #include <algorithm>
 #include <array>

@@ -33,18 +33,18 @@ std::vector<Degenerate> degenerate_sights(const Candidate& right) {
   return {
       {"nothing is ever seen",
        {"visible-sphere", "image"},
-       seeing(right, "sees-nothing",
+       seeing(right, "shows-nothing",
               [](const Scene&, const Pixel&) { return std::optional<std::size_t>(); })},
       {"every pixel shows the first sphere",
        {"visible-sphere", "image"},
-       seeing(right, "sees-first", [](const Scene&, const Pixel&) { return std::size_t{0}; })},
+       seeing(right, "shows-first", [](const Scene&, const Pixel&) { return std::size_t{0}; })},
       {"every pixel shows the last sphere",
        {"visible-sphere", "image"},
-       seeing(right, "sees-last",
+       seeing(right, "shows-last",
               [](const Scene& scene, const Pixel&) { return scene.spheres.size() - 1; })},
       {"every pixel shows a random sphere or none",
        {"visible-sphere", "image"},
-       seeing(right, "sees-any",
+       seeing(right, "shows-any",
               [](const Scene& scene, const Pixel& pixel) -> std::optional<std::size_t> {
                 auto random =
                     random_of({scene.camera->eye.x, static_cast<double>(pixel.i),

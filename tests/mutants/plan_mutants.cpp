@@ -220,7 +220,7 @@ std::vector<Mutant> root_mutants() {
 }
 
 Candidate seen_by_file_order() {
-  Candidate candidate = named("sees-first-in-file");
+  Candidate candidate = named("shows-first-in-file");
   candidate.visible = [visible = candidate.visible](const Scene& scene,
                                                     const Conventions& conventions,
                                                     Candidate::Pixels pixels) {

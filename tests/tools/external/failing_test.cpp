@@ -33,7 +33,7 @@ int cases(const json& report, const std::string& quantity) {
 TEST(FailingCandidate, is_reported_with_the_failing_question_for_every_kind_of_failure) {
   const json right = judged(kTenSpheres, fails_by("none none"));
   ASSERT_EQ(right["discrepancies"], 0);
-  // Who hangs is waited for beside the others.
+  // The candidate that hangs runs in parallel with the others.
   auto hangs = std::async(std::launch::async, [] {
     return judged(kTenSpheres, fails_by("hang one"), "--timeout 0.5");
   });

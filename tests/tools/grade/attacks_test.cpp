@@ -117,7 +117,7 @@ TEST_F(Attacks, cannot_read_other_submissions_the_rubric_or_the_results) {
     return has(result["isolated_by"], "bubblewrap") ? result["score"].get<double>() : -1;
   };
   // The points that it would lose.
-  const double seen = score_of_spy("sees", "can('r', '/usr/bin/env') and can('w', '/dev/null')");
+  const double seen = score_of_spy("reads", "can('r', '/usr/bin/env') and can('w', '/dev/null')");
   if (seen < 0) GTEST_SKIP() << "no bubblewrap keeps submissions apart here";
   EXPECT_LT(seen, 10);
   for (const std::string& path :

@@ -139,7 +139,7 @@ const std::vector<Brought> kBuilt = {
      "",
      {"2 of its files have a main; the one in rt.cpp is used"}},
     {"has_a_source_that_does_not_compile_and_that_nothing_includes",
-     with(kSources, {{"attempt.cpp", "this is no C++\n"}}),
+     with(kSources, {{"attempt.cpp", "this is not C++\n"}}),
      "",
      {"its sources failed; built from its sources",
       "only files whose headers are included are compiled"}},

@@ -38,7 +38,7 @@ void expect_gradescope(const Grading& grading) {
         all,
         {{"visibility", "visible"}, {"stdout_visibility", "hidden"}, {"output_format", "text"}});
     double sum = 0, most = 0;
-    ASSERT_EQ(all["tests"].size(), 5u) << "whole scenes are not asked of programs";
+    ASSERT_EQ(all["tests"].size(), 5u) << "programs are not judged on whole scenes";
     for (const json& one : all["tests"]) {
       sum += one["score"].get<double>();
       most += one["max_score"].get<double>();

@@ -7,7 +7,7 @@ namespace raycheck::tests {
 using nlohmann::ordered_json;
 
 // Scenes whose textbook discrepancies are certified here.
-inline const std::string kFalseHit = "tests/regressions/far-point-textbook-sees-a-hit.toml";
+inline const std::string kFalseHit = "tests/regressions/far-point-textbook-finds-a-hit.toml";
 inline const std::string kLostDigits = "tests/regressions/far-sphere-textbook-loses-digits.toml";
 inline const std::string kNearestByAnUlp = "tests/regressions/nearest-by-one-ulp.toml";
 inline const std::string kFarSphere = "scene/examples/far-sphere.toml";

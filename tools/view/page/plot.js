@@ -1,5 +1,5 @@
 // Errors as points or curves, each with its name beside it. Error and time axes are logarithmic; 0 and infinity have
-// rows of their own, and empty stretches may be cut out.
+// separate rows, and empty stretches may be cut out.
 import { svg } from "./dom.js";
 import { LABEL_LINE, LETTER, aroundPlace, inColumn, writeLabel, methodMark } from "./marks.js";
 

@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Machines, HostileControlGroupOn, testing::ValuesIn(kMac
                          kNameOfMachine);
 
 TEST_P(HostileControlGroupOn, CannotBeLeftOrChangedByItsProcesses) {
-  // By the given path, by that of its own group, and by all that it finds.
+  // By the given path, by the path of its group, and by every path that it finds.
   const std::string lines = R"(
 own = open('/proc/self/cgroup').read().split('0::')[1].strip()
 told = sys.argv[1]
