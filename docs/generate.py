@@ -261,7 +261,7 @@ def plot_families(rows, path):
 
 def families_table(rows):
     """Certified images of each stress family, by severity: M/s, and the pixels that fall back."""
-    lines = ["| family | M/s at severity 0 | at others | the least, of severity 0 | most pixels that fall back |",
+    lines = ["| source | M/s at severity 0 | at others | the least, of severity 0 | most pixels that fall back |",
              "|---|---|---|---|---|"]
     for family, found in families_of(rows, "certified").items():
         first, others = found[0][1], found[1:]

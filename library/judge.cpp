@@ -114,7 +114,7 @@ std::vector<Check> checks(const Candidate& candidate) {
   std::vector<Check> all;
   for (const properties::Law& law : properties::laws()) {
     for (const properties::CaseSource& source : properties::case_sources()) {
-      if (speaks_of_cameras(law) && !source.has_camera) continue;
+      if (is_about_cameras(law) && !source.has_camera) continue;
       if (!source.severities && source.level > inside.level) continue;
       if (!has_case(law, {&source, source.severities ? std::optional(0) : std::nullopt}, inside)) {
         continue;

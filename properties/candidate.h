@@ -151,13 +151,13 @@ struct Functions {
   /// time limit for a reply. Empty: it has no such limit.
   std::function<void(double share)> allow;
   /// Resets the count of time-outs after which a candidate is dropped. Empty: it always replies.
-  std::function<void()> forget_silence;
+  std::function<void()> reset_timeouts;
   /// Starts it anew, so that it loses all state between questions. Empty: it cannot be restarted.
   std::function<void()> restart;
 
   /// Forgets earlier time-outs, so that answers do not depend on earlier questions.
   void begin_anew() const {
-    if (forget_silence) forget_silence();
+    if (reset_timeouts) reset_timeouts();
   }
 };
 

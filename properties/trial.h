@@ -79,15 +79,17 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
   return {ray, sphere, hit == nullptr ? std::nullopt : std::optional(hit->parameter)};
 }
 
-/// The number of roundings of the inputs that equal those of the textbook's v^2 - |T|^2 + r^2, as a
-/// change of r: at most (2 |T||v| + |T|^2 + r^2)/2r^2. 0 where the candidate promises more than
-/// ordinary cases, beyond kOrdinaryDistance, and nearer a tangent than kOrdinaryTangency.
+/// The relative change of r, in u, that has the effect of rounding errors of u in the terms of the
+/// textbook's v^2 - |T|^2 + r^2: at most (2 |T||v| + |T|^2 + r^2)/2r^2. 0 if the candidate promises
+/// more than ordinary cases, if the sphere is beyond kOrdinaryDistance, and, in double precision,
+/// if the ray is nearer a tangent than kOrdinaryTangency.
 double plain_change(const Candidate& candidate, const reference::ExactRay& ray,
                     const scene::Sphere& sphere);
 /// The same for a centre at that distance, in radii.
 constexpr double plain_change_at(double radii) { return (3 * radii * radii + 1) / 2; }
-/// The factor by which the change that excuses a decision grows with it: a quarter of it, since one
-/// r has to make up for a change of 4 u of all inputs.
+/// The factor by which the change that excuses a decision (kExcusedRoundoffs u) grows: to 4 u times
+/// plain_change(), if that is more. A change of only r can then offset rounding errors of 4 u in
+/// the textbook's formula.
 constexpr double plain_growth(double plain_change) {
   return plain_change > 4 ? plain_change / 4 : 1;
 }

@@ -101,9 +101,9 @@ struct Law {
 };
 
 /// Whether a law is about cameras, so that it needs scenes with one.
-constexpr bool speaks_of_cameras(const Law& law) { return needs_any(law.needs, kOfCameras); }
+constexpr bool is_about_cameras(const Law& law) { return needs_any(law.needs, kOfCameras); }
 /// Whether it is about intersections of rays and spheres.
-constexpr bool speaks_of_intersections(const Law& law) {
+constexpr bool is_about_intersections(const Law& law) {
   return needs_any(law.needs, kOfIntersections);
 }
 /// Whether its answers are only right or wrong, each compared with the truth.

@@ -87,8 +87,8 @@ scene::Measured relative(const Enclosure& error, const Enclosure& size) {
 
 /// Whether positions at these distances stay apart even with the largest allowed errors, by a
 /// margin that keeps errors of their ratios linear.
-bool are_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& across,
-                    const Enclosure& down) {
+bool are_separated(const Trial& trial, const PlaneAnswers& answers, const Enclosure& across,
+                   const Enclosure& down) {
   const double allowed = trial.bound(Quantity::kPixelPoint) *
                          bound_growth(answers.worst_condition()) *
                          scene::unit_roundoff(trial.precision());
@@ -238,7 +238,7 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
   const Enclosure3 extent = answers.exact_position(1) - answers.exact_position(0);
-  if (!are_told_apart(trial, answers, extent.x, extent.y)) {
+  if (!are_separated(trial, answers, extent.x, extent.y)) {
     return verdict.leave_out("the image is too small for the rounding of its pixel points");
   }
   const Enclosure3 got = answers.position(0);
@@ -293,7 +293,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   const Enclosure3 origin = answers.exact_position(0);
   const Enclosure across = abs(answers.exact_position(1).x - origin.x);
   const Enclosure down = abs(answers.exact_position(2).y - origin.y);
-  if (!are_told_apart(trial, answers, across, down)) {
+  if (!are_separated(trial, answers, across, down)) {
     return verdict.leave_out("a pixel is too small for the rounding of its points");
   }
   // got ratio / exact ratio - 1; squares are the scenes whose exact ratio is 1.

@@ -36,7 +36,7 @@ struct PlanStatement {
   const scene::ScenePlan* plan;
   std::size_t sphere;
 
-  const scene::SpherePlan& said() const { return plan->spheres[sphere]; }
+  const scene::SpherePlan& planned() const { return plan->spheres[sphere]; }
 };
 
 /// The plans of a candidate for one scene, for every purpose (scene::Wanted). They choose where the
@@ -100,7 +100,7 @@ void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
 /// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2; along V, the sphere is touched level
 /// with its centre. Likewise in (V, W).
 std::vector<Pixel> touched(const PlanStatement& statement, const PixelRectangle& image) {
-  const scene::EyeSphere& seen = statement.said().seen;
+  const scene::EyeSphere& seen = statement.planned().seen;
   const scene::EyeSpace& eye = statement.plan->eye;
   const double u = middle(seen.u), v = middle(seen.v), r = middle(seen.radius);
   const double z = middle(eye.near()) < 0 ? -middle(seen.w) : middle(seen.w);
@@ -120,7 +120,7 @@ std::vector<Pixel> touched(const PlanStatement& statement, const PixelRectangle&
   return result;
 }
 
-bool is_said(const SpherePlan& a, const SpherePlan& b) {
+bool is_same(const SpherePlan& a, const SpherePlan& b) {
   return a.left_out == b.left_out && a.hidden_by == b.hidden_by && a.pixels == b.pixels &&
          a.origin_inside == b.origin_inside && a.reaches_behind == b.reaches_behind;
 }
@@ -135,7 +135,7 @@ std::vector<PlanStatement> PlanStatements::distinct() const {
     for (std::size_t k = 0; k < plans_.size(); ++k) {
       const PlanStatement next{scene::kEveryWanted[k], &plans_[k], sphere};
       if (std::none_of(result.begin() + first, result.end(), [&](const PlanStatement& known) {
-            return is_said(known.said(), next.said());
+            return is_same(known.planned(), next.planned());
           })) {
         result.push_back(next);
       }
@@ -167,7 +167,7 @@ std::vector<Pixel> PlanStatements::inside(const PlanStatement& statement) const 
 }
 
 std::vector<Pixel> PlanStatements::outside(const PlanStatement& statement) const {
-  const PixelRectangle& inner = statement.said().pixels;
+  const PixelRectangle& inner = statement.planned().pixels;
   if (inner.empty()) return inside(statement);
   std::vector<Pixel> result;
   for (const Pixel& pixel : pixels_) {
@@ -237,24 +237,25 @@ void judge_left_out(Trial& trial, Verdict& verdict) {
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;
-    const SpherePlan& said = statement.said();
-    if (!said.left_out) continue;
+    const SpherePlan& planned = statement.planned();
+    if (!planned.left_out) continue;
     const bool is_ranked =
-        said.left_out == LeftOut::kHidden && statement.wanted == Wanted::kNearest;
+        planned.left_out == LeftOut::kHidden && statement.wanted == Wanted::kNearest;
     for (const Pixel& pixel : statements.inside(statement)) {
       const ExactRay ray(camera, pixel);
       const bool is_right =
           is_ranked
-              ? is_hidden(ray, trial, k, said.hidden_by.value())
+              ? is_hidden(ray, trial, k, planned.hidden_by.value())
               : ray.intersect(spheres[k], trial.conventions().root).hit_class == HitClass::kMiss;
-      judge(verdict, {trial, k, pixel}, is_ranked ? Quantity::kNearestSphere : Quantity::kClass,
-            is_right    ? Wrong::kNot
-            : is_ranked ? Wrong::kWrongSphere
-                        : Wrong::kMissed,
-            [&] {
-              return std::string(scene::kLeftOutNames[static_cast<std::size_t>(*said.left_out)]) +
-                     for_what(statement);
-            });
+      judge(
+          verdict, {trial, k, pixel}, is_ranked ? Quantity::kNearestSphere : Quantity::kClass,
+          is_right    ? Wrong::kNot
+          : is_ranked ? Wrong::kWrongSphere
+                      : Wrong::kMissed,
+          [&] {
+            return std::string(scene::kLeftOutNames[static_cast<std::size_t>(*planned.left_out)]) +
+                   for_what(statement);
+          });
     }
   }
   if (verdict.compared() == 0) return verdict.leave_out("the plan leaves out no sphere");
@@ -266,9 +267,9 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;
-    const SpherePlan& said = statement.said();
-    if (said.left_out) continue;
-    if (!statements.image().contains(said.pixels)) {
+    const SpherePlan& planned = statement.planned();
+    if (planned.left_out) continue;
+    if (!statements.image().contains(planned.pixels)) {
       throw CandidateFailed("the rectangle of sphere " + std::to_string(k) +
                             " is not inside the image");
     }
@@ -318,8 +319,8 @@ void judge_roots(Trial& trial, Verdict& verdict) {
   const auto& spheres = trial.scene().spheres;
   for (const PlanStatement& statement : statements.distinct()) {
     const std::size_t k = statement.sphere;
-    const SpherePlan& said = statement.said();
-    if (said.origin_inside && said.reaches_behind) continue;
+    const SpherePlan& planned = statement.planned();
+    if (planned.origin_inside && planned.reaches_behind) continue;
     for (const Pixel& pixel : statements.inside(statement)) {
       const Intersection at =
           ExactRay(camera, pixel).intersect(spheres[k], trial.conventions().root);
@@ -327,9 +328,9 @@ void judge_roots(Trial& trial, Verdict& verdict) {
       if (is_hit) {
         judge(verdict, {trial, k, pixel}, Quantity::kRoot,
               at.root == reference::WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
-              [&] { return said.origin_inside ? "behind the origin" : "from inside"; });
+              [&] { return planned.origin_inside ? "behind the origin" : "from inside"; });
       }
-      if (!said.reaches_behind) {
+      if (!planned.reaches_behind) {
         judge(verdict, {trial, k, pixel}, Quantity::kClass,
               !is_hit && line.meets(spheres[k], pixel) ? Wrong::kFalseHit : Wrong::kNot,
               [] { return "behind the origin"; });

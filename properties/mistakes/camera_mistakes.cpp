@@ -124,7 +124,7 @@ bool returns_distances(const Candidate& candidate) {
 /// Hits by roots of unit directions, which are multiples of D or a distance.
 Mistake unit_mistake(std::string sentence, MakeRoots roots, bool as_distance) {
   Mistake mistake = {.sentence = std::move(sentence), .step = Step::kIntersect, .hits = {roots}};
-  mistake.is_told_by_pictures = false;
+  mistake.shows_in_pictures = false;
   if (!as_distance) {
     mistake.is_offered = [](const Candidate& c) {
       return !c.unit_directions && !returns_distances(c);
@@ -151,7 +151,7 @@ std::vector<Mistake> unit_mistakes() {
     all.push_back(unit_mistake("directions are taken for unit ones in d^2 = r^2 - |T x D|^2",
                                stable_roots_of_unit, as_distance));
   }
-  all.front().is_told_by_pictures = true;
+  all.front().shows_in_pictures = true;
   return all;
 }
 
@@ -179,7 +179,7 @@ std::vector<Mistake> ray_mistakes() {
                       const Vector3 D = scaled(std::abs(c.near), normalised(g));
                       return Point3{c.eye.x + D.x, c.eye.y + D.y, c.eye.z + D.z};
                     }},
-       .is_told_by_pictures = false},
+       .shows_in_pictures = false},
       {.sentence = "directions are not normalised: D = P - E",
        .step = Step::kRay,
        .rays = {.direction = unchanged},

@@ -95,10 +95,10 @@ std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
   for (std::size_t round = 0;; ++round) {
     const std::vector<Case> cases = telling(round);
     if (cases.empty()) return all;
-    bool is_told = false;
+    bool is_explained = false;
     for (Explanation& one : causes(law, cases, candidate)) {
       if (one.explained > 0) {  // not kTooFewErrors
-        is_told = is_told || one.sentence != kNotNumbers;
+        is_explained = is_explained || one.sentence != kNotNumbers;
         std::erase_if(all, [](const Explanation& known) { return known.explained == 0; });
       }
       const bool is_known = std::any_of(all.begin(), all.end(), [&](const Explanation& known) {
@@ -106,7 +106,7 @@ std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
       });
       if (!is_known && (one.explained > 0 || all.empty())) all.push_back(std::move(one));
     }
-    if (is_told) return all;
+    if (is_explained) return all;
     if (round == 1 && (all.empty() || all.front().explained == 0)) return all;
   }
 }

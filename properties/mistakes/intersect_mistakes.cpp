@@ -25,7 +25,7 @@ Mistake of_hits(std::string sentence, HitFormulas formulas) {
 Mistake of_answers(std::string sentence, ChooseHit choose, std::string_view family = {}) {
   Mistake mistake = of_hits(std::move(sentence), {.choose = std::move(choose)});
   mistake.family = family;
-  mistake.is_told_by_pictures = false;
+  mistake.shows_in_pictures = false;
   return mistake;
 }
 
@@ -91,7 +91,7 @@ Roots roots_of(double v, double half_chord_sq, double size) {
 struct RootSlip {
   const char* sentence;
   Slip slip;
-  bool is_told_by_pictures = false;
+  bool shows_in_pictures = false;
 };
 constexpr RootSlip kRootSlips[] = {
     {"T = L - C: v has the wrong sign",
@@ -162,12 +162,12 @@ constexpr RootSlip kRootSlips[] = {
 
 std::vector<Mistake> root_slips() {
   std::vector<Mistake> all;
-  for (const auto& [sentence, slip, is_told] : kRootSlips) {
+  for (const auto& [sentence, slip, shows] : kRootSlips) {
     all.push_back(of_hits(sentence, {.roots = [slip = slip](const Ray& ray, const Sphere& sphere) {
                             return slip(fast::kCross.roots(ray, sphere), norm(ray.direction), ray,
                                         sphere);
                           }}));
-    all.back().is_told_by_pictures = is_told;
+    all.back().shows_in_pictures = shows;
   }
   return all;
 }
@@ -187,7 +187,7 @@ Mistake at_one_root() {
                  if (roots.half_chord_sq != 0) return usual_choice(ray, roots, c);
                  return hit_at(ray, roots.axial_distance * std::pow(norm(ray.direction), 3));
                }});
-  mistake.is_told_by_pictures = false;
+  mistake.shows_in_pictures = false;
   return mistake;
 }
 
@@ -223,7 +223,7 @@ Mistake always_at(double s, std::string sentence) {
       of_hits(std::move(sentence),
               {.choose = [s](const Ray& ray, auto&&...) { return Hit(hit_at(ray, s)); }});
   mistake.family = "always";  // hit classes do not show s
-  mistake.is_told_by_pictures = false;
+  mistake.shows_in_pictures = false;
   return mistake;
 }
 

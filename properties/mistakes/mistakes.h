@@ -53,8 +53,8 @@ struct Mistake {
   bool black_outside = false;
   CameraFormulas rays = {};
   HitFormulas hits = {};
-  ChangeHit hit = {};               ///< Pictures do not show it.
-  bool is_told_by_pictures = true;  ///< Whether pictures distinguish it.
+  ChangeHit hit = {};             ///< Pictures do not show it.
+  bool shows_in_pictures = true;  ///< Whether pictures distinguish it.
   /// Whether a candidate can make the mistake; null: every candidate can.
   bool (*is_offered)(const Candidate&) = nullptr;
   bool is_rounding = false;  ///< Rounds numbers to floats, which few answers show up to 1e-6.

@@ -301,7 +301,7 @@ std::vector<Mistake> float_mistakes() {
        }}});
   for (Mistake& mistake : all) {
     mistake.is_rounding = true;
-    mistake.is_told_by_pictures = false;
+    mistake.shows_in_pictures = false;
   }
   return all;
 }

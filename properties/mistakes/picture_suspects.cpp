@@ -12,15 +12,15 @@
 namespace raycheck::properties {
 namespace {
 
-const std::vector<const Mistake*>& told_by_pictures() {
-  static const std::vector<const Mistake*> kTold = [] {
-    std::vector<const Mistake*> told;
+const std::vector<const Mistake*>& shown_in_pictures() {
+  static const std::vector<const Mistake*> kShown = [] {
+    std::vector<const Mistake*> shown;
     for (const Mistake& one : mistakes()) {
-      if (one.is_told_by_pictures) told.push_back(&one);
+      if (one.shows_in_pictures) shown.push_back(&one);
     }
-    return told;
+    return shown;
   }();
-  return kTold;
+  return kShown;
 }
 
 /// The best suspects so far. One that leaves half as many pixels again is about as good.
@@ -160,7 +160,7 @@ std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures&
 
 std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t errors) {
   BestSuspects suspects(most_unexplained(errors));
-  for (const Mistake* mistake : told_by_pictures()) {
+  for (const Mistake* mistake : shown_in_pictures()) {
     const Fault fault = {mistake};
     if (const auto its = left(fault, pictures, suspects.most_left())) suspects.add({fault, *its});
   }
@@ -170,7 +170,7 @@ std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t err
 /// The mistakes that show in the pictures, or the first of them up to a limit; of those that make
 /// the same pictures, one.
 std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures,
-                                               std::size_t most = told_by_pictures().size()) {
+                                               std::size_t most = shown_in_pictures().size()) {
   std::set<std::vector<ImageAnswer>> known;
   const auto made = [&](const Fault& fault) {
     std::vector<ImageAnswer> images;
@@ -181,7 +181,7 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures,
   };
   known.insert(made({}));
   std::vector<const Mistake*> shown;
-  for (const Mistake* mistake : told_by_pictures()) {
+  for (const Mistake* mistake : shown_in_pictures()) {
     if (shown.size() == most) break;
     if (known.insert(made({mistake})).second) shown.push_back(mistake);
   }
@@ -193,7 +193,7 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures,
 std::vector<const Mistake*> alike_beside(const Mistake& other, const Mistake& mistake,
                                          const Pictures& pictures) {
   std::vector<const Mistake*> alike = {&mistake};
-  for (const Mistake* one : told_by_pictures()) {
+  for (const Mistake* one : shown_in_pictures()) {
     const bool is_known =
         one == &mistake || one == &other || (!one->family.empty() && one->family == mistake.family);
     if (!is_known && can_be_together(*one, other) &&
@@ -248,7 +248,7 @@ constexpr std::size_t kShareThatShows = 10;
 /// as these single ones, at most kMostAlternatives + 1; none if enough mistakes show in the
 /// pictures.
 std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pictures& pictures) {
-  const std::vector<const Mistake*>& all = told_by_pictures();
+  const std::vector<const Mistake*>& all = shown_in_pictures();
   std::vector<Suspect> pairs;
   const std::size_t enough = all.size() / kShareThatShows;
   if (mistakes_that_show(pictures, enough).size() == enough) return pairs;
@@ -274,7 +274,7 @@ std::vector<Suspect> pairs_as_good(const std::vector<Suspect>& singles, const Pi
 /// The mistakes that make exactly these pictures, in which all wrong pixels are borderline.
 std::vector<Suspect> exact_suspects(const Pictures& pictures) {
   std::vector<Suspect> suspects;
-  for (const Mistake* mistake : told_by_pictures()) {
+  for (const Mistake* mistake : shown_in_pictures()) {
     if (!mistake->conventions) continue;
     const bool makes_all = std::all_of(pictures.begin(), pictures.end(), [&](const Evidence& one) {
       const scene::Scene other = mistaken(*mistake, one.picture().scene);

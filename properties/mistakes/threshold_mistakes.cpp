@@ -35,7 +35,7 @@ struct ThresholdFamily {
   std::span<const char* const> sizes;
   Hit (*choose)(double size, const Ray&, const Roots&, const Conventions&);
   Roots (*roots)(double size, const Ray&, const Sphere&) = nullptr;
-  bool is_told_by_pictures = true;
+  bool shows_in_pictures = true;
   bool of_steps = false;  ///< s is in multiples of P - E: directions are not normalised.
 };
 
@@ -184,7 +184,7 @@ Mistake short_vectors(const char* least, bool are_zero) {
                      return FrameAnswer{{U.x, U.y, U.z}, {V.x, V.y, V.z}, {W.x, W.y, W.z}};
                    },
                .direction = [=](const auto&, const auto&, const Vector3& g) { return unit(g); }},
-      .is_told_by_pictures = false,
+      .shows_in_pictures = false,
       .family = are_zero ? "vectors made 0" : "vectors left as they are"};
 }
 
@@ -196,14 +196,14 @@ std::vector<Mistake> threshold_mistakes() {
     for (const char* size : kSizes) all.push_back(short_vectors(size, are_zero));
   }
   for (const char* size : kSizes) all.push_back(point_outside(size));
-  for (const auto& [before, after, family, sizes, choose, roots, is_told, of_steps] : kFamilies) {
+  for (const auto& [before, after, family, sizes, choose, roots, shows, of_steps] : kFamilies) {
     for (const char* size : sizes) {
       HitFormulas hits = {.choose = std::bind_front(choose, std::atof(size))};
       if (roots) hits.roots = std::bind_front(roots, std::atof(size));
       all.push_back({.sentence = std::string(before) + size + after,
                      .step = Step::kIntersect,
                      .hits = std::move(hits),
-                     .is_told_by_pictures = is_told,
+                     .shows_in_pictures = shows,
                      .family = family});
       if (!of_steps) continue;
       all.back().is_offered = never_of_functions;

@@ -87,10 +87,10 @@ bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& c
   std::uint64_t asked = 0;
   for (const Case& one : cases) {
     if (!is_problem(one, following.declared)) continue;
-    Trials told(one, candidate, {}), followed(one, following, {});
+    Trials declared(one, candidate, {}), followed(one, following, {});
     const Verdict verdict = followed.apply(law);
     if (verdict.count(Standing::kDefect) > 0) return false;
-    if (!same_answers(told.of(law), followed.of(law))) return false;
+    if (!same_answers(declared.of(law), followed.of(law))) return false;
     // No other law may be broken: the hit class may be right where the root is wrong.
     for (const Law& other : laws()) {
       if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;

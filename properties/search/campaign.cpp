@@ -53,7 +53,7 @@ using CasesOfLaw = std::map<SeriesKey, SeriesCases>;
 void share_out(const Law& law, const CampaignOptions& options, Level level, CasesOfLaw& given) {
   std::vector<std::pair<std::size_t, ChosenSource>> sources;
   const auto add = [&](std::size_t place, const ChosenSource& chosen) {
-    if (speaks_of_cameras(law) && !chosen.source->has_camera) return;
+    if (is_about_cameras(law) && !chosen.source->has_camera) return;
     sources.emplace_back(place, chosen);
   };
   for (std::size_t k = 0; k < options.sources.size(); ++k) add(k, options.sources[k]);
@@ -334,7 +334,7 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
 
 void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
   const auto [series, in_series] = unit(number);
-  std::vector<bool> fails(asked_.size()), answers(asked_.size()), silent(asked_.size());
+  std::vector<bool> fails(asked_.size()), answers(asked_.size()), timed_out(asked_.size());
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const auto& [candidate, law, cases] = series.tried[k];
     CampaignResult& result = results_[candidate][law];
@@ -345,7 +345,7 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
     const bool is_over = goes_on && result.parts.back().is_broken();
     if (is_over && asked_[candidate].options.keep_going <= 1) continue;
     // Only of parts that count: which others were tried depends on threads.
-    if (parts[k].timed_out) silent[candidate] = true;
+    if (parts[k].timed_out) timed_out[candidate] = true;
     if (parts[k].failed_at_once) {
       fails[candidate] = true;
     } else if (parts[k].verdict.compared() > 0) {
@@ -368,7 +368,7 @@ void Campaigns::take(std::size_t number, std::vector<CampaignPart> parts) {
       answers_nothing_[k] = true;
     }
     // Each request without a reply takes the whole time limit.
-    if (silent[k] && (!has_answered_[k] || ++units_timed_out_[k] == kUnitsToFail)) {
+    if (timed_out[k] && (!has_answered_[k] || ++units_timed_out_[k] == kUnitsToFail)) {
       timed_out_[k] = true;
     }
   }
@@ -386,7 +386,7 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
     LawSearch search(asked, candidate, options, part.source);
     search.replay(seed, !answers_nothing_[number]);
     if (search.failure) {
-      search.ask_first();
+      search.judge_restarted();
       return *std::move(search.failure);
     }
     return Failure{part.source.make(seed), part.verdict, broken.replay};  // interrupted

@@ -74,7 +74,7 @@ void LawSearch::replay(std::uint64_t seed, bool shrinks) {
   });
 }
 
-void LawSearch::ask_first() {
+void LawSearch::judge_restarted() {
   // Not for time-outs, nor for candidates that fail on every question.
   const auto worst = failure->verdict.worst(1);
   const bool timed_out = !worst.empty() && worst.front().failed.timed_out;

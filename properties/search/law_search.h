@@ -26,11 +26,12 @@ class LawSearch {
   /// Judges the source's case of a seed, as rounded for the candidate; `trials` on it are null
   /// where it is not valid under the candidate's conventions.
   void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);
-  /// Judges one case of the source, and shrinks it unless told not to.
+  /// Judges one case of the source, and shrinks the failure if `shrinks`.
   void replay(std::uint64_t seed, bool shrinks = true);
-  /// Whether the candidate also fails if it is started anew and asked about the failure's case
-  /// first. If it fails so only on the case before shrinking, that case replaces the failure.
-  void ask_first();
+  /// Restarts the candidate and judges the failure's case again, as its first question. If it is
+  /// then right, the failure depends on earlier questions; if it is still wrong on the case before
+  /// shrinking, that case replaces the shrunk one.
+  void judge_restarted();
   /// Shrinks an undecided case of the source as long as it stays undecided.
   void replay_undecided(std::uint64_t seed);
   /// Judges a case, and shrinks it.

@@ -34,9 +34,9 @@ bool ends_matter_nearby(const ExactRay& ray, std::span<const scene::Sphere> sphe
 std::optional<ExactRay> reversed_behind(const ExactRay& ray, const scene::Sphere& sphere,
                                         const Neighbourhood& around);
 
-/// Whether an answered s lies outside t_min and t_max, by comparing doubles: s with t, exactly with
-/// the product t r where t counts radii, or exactly |direction| s where it is a scene length.
-/// Domain: s is finite.
+/// Whether an answered s lies outside the interval from t_min to t_max. The comparison is exact: of
+/// s with t; of s with t r if the ends are in radii; of |direction| s with t if they are scene
+/// lengths and the ray is given (for a camera's rays s is a scene length). Domain: s is finite.
 bool is_outside(const scene::ValidRoots& valid, const ExactRay& ray, const scene::Sphere& sphere,
                 double s);
 

@@ -201,8 +201,9 @@ std::span<const KnownReport> known_reports() {
        .said = "in floats, -b + sqrt(b^2 - c) cancels near a planet's surface",
        .mutant = "sums-in-floats",
        .hit = sums_in_floats,
-       .needed = "nothing: a camera that far from the planet's centre loses as much when rounded "
-                 "to floats, and, as the thread says, the stable formula does not help",
+       .needed = "nothing: so far from the planet's centre, rounding the camera's position to "
+                 "floats loses as many digits, and, as the thread says, the stable formula does "
+                 "not help",
        .is_found = false,
        .precision = scene::Precision::kSingle},
       {"OGRECave/ogre#141",

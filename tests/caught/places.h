@@ -23,7 +23,7 @@ inline std::vector<properties::ChosenSource> places_of(const properties::CaseSou
 
 /// Whether a law applies to cases of a source.
 inline bool suits(const properties::Law& law, const properties::CaseSource& source) {
-  return source.has_camera || !properties::speaks_of_cameras(law);
+  return source.has_camera || !properties::is_about_cameras(law);
 }
 
 /// Calls visit(number, case) for the cases of a place, the same every time, while it returns true.

@@ -167,13 +167,13 @@ TEST(Cases, AreMadeFromAnyBytes) {
 TEST(Judge, LetsAGoodTracerPassEveryLaw) {
   const LawTests tests(tracer());
   EXPECT_GT(tests.checks().size(), 100u);
-  std::size_t told = 0;
+  std::size_t judged = 0;
   for (const Check& check : tests.checks()) {
     const LawOutcome outcome = tests.run(check);
     EXPECT_TRUE(outcome.passes) << outcome.text;
-    told += outcome.says_too_little ? 0 : 1;
+    judged += outcome.says_too_little ? 0 : 1;
   }
-  EXPECT_GT(told, tests.checks().size() * 2 / 3);
+  EXPECT_GT(judged, tests.checks().size() * 2 / 3);
 }
 
 TEST(Judge, FindsDegenerateCandidatesBroken) {

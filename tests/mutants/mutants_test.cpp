@@ -216,7 +216,7 @@ TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
   for (const Law& law : laws()) {
     // Only `cross` is judged by the laws of rays: the other methods get the same rays.
     const bool makes_rays = GetParam().intersect == &cross_method();
-    if (speaks_of_intersections(law) || makes_rays) names.push_back(law.name);
+    if (is_about_intersections(law) || makes_rays) names.push_back(law.name);
   }
   std::vector<Verdict> verdicts(names.size());
   for (int seed = 1; seed <= seeds(); ++seed) {

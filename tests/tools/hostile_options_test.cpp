@@ -202,7 +202,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"properties --replay class:direct/cross:distance", "LAW:"},
     {"properties --replay klass:direct/cross:distance:1", "klass"},
     {"properties --replay class:direct/none:distance:1", "direct/none"},
-    {"stress --family moon", "no such family; the families are far-camera"},
+    {"stress --family moon", "no such source with severities; there are far-camera"},
     // Severities stay in the range of a family.
     {"properties --source distance@16", "severities of 'distance' are 0 to 15"},
     {"worst --method cross --family distance@77", "0 to 15"},

@@ -37,7 +37,7 @@ std::optional<properties::Discrepancy> found_wrong(Trials& trials, const Conditi
 }
 
 constexpr bool is_of_made_rays(const Law& law) {
-  return law.judges_values && speaks_of_cameras(law) && !speaks_of_intersections(law);
+  return law.judges_values && is_about_cameras(law) && !is_about_intersections(law);
 }
 constexpr bool is_of_pairs(const Law& law) {
   return law.judges_values && law.per == properties::Per::kPair;

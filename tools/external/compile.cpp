@@ -76,9 +76,9 @@ class BuildStep {
       failure = error.what();
     }
     if (!failure.empty()) {
-      throw CandidateError(
-          fmt::format("{} {}{}", name, failure, limit_text(process_.said(), confined.limits)),
-          process_.said().excerpt());
+      throw CandidateError(fmt::format("{} {}{}", name, failure,
+                                       limit_text(process_.error_output(), confined.limits)),
+                           process_.error_output().excerpt());
     }
   }
   const fs::path& folder() const { return process_.folder(); }

@@ -89,10 +89,10 @@ class Pictures {
     const auto fail = [&](const std::string& words, FailureKind kind) {
       picture.failure =
           AnswerFailure{kind == FailureKind::kCannotSay ? words : "image: " + words, kind};
-      silences_ += kind == FailureKind::kTimeUp ? 1 : 0;
+      timeouts_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
-    if (const int silences = silences_; silences >= renderer_.most_silences) {
-      fail(fmt::format("not started after {} runs that timed out", silences),
+    if (const int timeouts = timeouts_; timeouts >= renderer_.most_silences) {
+      fail(fmt::format("not started after {} runs that timed out", timeouts),
            FailureKind::kNotAsked);
       return;
     }
@@ -113,7 +113,7 @@ class Pictures {
   Renderer renderer_;
   std::mutex mutex_;
   std::vector<std::shared_ptr<Picture>> kept_;  ///< The most recently used one is last.
-  std::atomic<int> silences_ = 0;
+  std::atomic<int> timeouts_ = 0;
 };
 
 namespace {
@@ -150,19 +150,19 @@ class Conversation {
   /// Sets the share of the reply time limit for the next requests.
   void allow(double share) { share_ = share; }
   /// Resets the count of time-outs, and uses stored answers again.
-  void forget_silence() {
+  void reset_timeouts() {
     shares_timed_out_ = 0;
-    silences_ = 0;
+    timeouts_ = 0;
     failed_request_.clear();
     is_asked_anew_ = false;
   }
   /// The next requests go to a fresh process; stored answers are ignored.
   void restart() {
-    forget_silence();
+    reset_timeouts();
     process_.reset();
     is_asked_anew_ = true;
   }
-  KeptText said() const { return process_ ? process_->said() : KeptText(); }
+  KeptText error_output() const { return process_ ? process_->error_output() : KeptText(); }
 
  private:
   template <class Read>
@@ -170,9 +170,9 @@ class Conversation {
                   std::size_t lines, const std::function<void(Request&)>& fill, const Read& read) {
     Request request(next_id(), function, conventions);
     fill(request);
-    if (shares_timed_out_ >= kMostSilences) {
+    if (shares_timed_out_ >= kMostTimeouts) {
       AnswerFailure{
-          fmt::format("{}: not called after {} requests that timed out", function, silences_),
+          fmt::format("{}: not called after {} requests that timed out", function, timeouts_),
           FailureKind::kNotAsked}
           .raise(last_);
     }
@@ -184,17 +184,17 @@ class Conversation {
       return read(Reply(reply.text, reply.id));
     } catch (const ProcessFailure& failure) {
       if (failure.kind() == FailureKind::kTimeUp) {
-        ++silences_;
+        ++timeouts_;
         shares_timed_out_ += share_;
       }
       const auto line = line_in(process_ ? process_->unfinished() : "");
-      AnswerFailure words{
-          fmt::format("{}: it {}{}{}{}", function, failure.what(), line_text(line),
-                      last_line_text(said()), limit_text(said(), external_.program.limits)),
-          failure.kind(),
-          {},
-          !introduction_heard_,
-          line};
+      AnswerFailure words{fmt::format("{}: it {}{}{}{}", function, failure.what(), line_text(line),
+                                      last_line_text(error_output()),
+                                      limit_text(error_output(), external_.program.limits)),
+                          failure.kind(),
+                          {},
+                          !introduction_heard_,
+                          line};
       if (is_lasting(words.kind) && !is_asked_anew_) {
         external_.answers->keep(request.body(), {words.words, words.kind,
                                                  external_.program.spent->seconds_since(before)});
@@ -275,7 +275,7 @@ class Conversation {
   bool introduction_heard_ = true;  ///< Of the current process.
   double share_ = 1;
   bool is_asked_anew_ = false;
-  int silences_ = 0;
+  int timeouts_ = 0;
   double shares_timed_out_ = 0;  ///< The sum of their shares of the time limit.
   std::mt19937_64 ids_{std::random_device{}()};
 };
@@ -373,10 +373,10 @@ External introduced(std::string name, const Confined& program,
     external.introduction = conversation.introduce();
     external.precision = external.introduction.precision;
   } catch (const ProcessFailure& failure) {
-    const KeptText said = conversation.said();
-    const std::string all = said.excerpt();
-    throw CandidateError(fmt::format("it {}{}{}", failure.what(), last_line_text(said),
-                                     limit_text(said, program.limits)),
+    const KeptText error_output = conversation.error_output();
+    const std::string all = error_output.excerpt();
+    throw CandidateError(fmt::format("it {}{}{}", failure.what(), last_line_text(error_output),
+                                     limit_text(error_output, program.limits)),
                          all.find('\n') == std::string::npos ? "" : all);
   } catch (const ProtocolError& error) {
     throw CandidateError(error.what());
@@ -408,7 +408,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   const auto talk = std::make_shared<Conversation>(external, last);
   Candidate candidate = introduced(external);
   candidate.allow = [talk](double share) { talk->allow(share); };
-  candidate.forget_silence = [talk] { talk->forget_silence(); };
+  candidate.reset_timeouts = [talk] { talk->reset_timeouts(); };
   candidate.restart = [talk] { talk->restart(); };
   add_functions(talk, external.introduction.functions, candidate);
   static_cast<properties::Functions&>(candidate) =

@@ -64,7 +64,7 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// is kOrdinary unless it declares another. If the process fails (ends, times out, or sends a
 /// malformed reply), the functions throw std::runtime_error with the name of the function, or
 /// properties::FailedAtLine if the source line is known; the next request goes to a fresh process.
-/// A failed request is not sent again. After time-outs that add up to kMostSilences times the time
+/// A failed request is not sent again. After time-outs that add up to kMostTimeouts times the time
 /// for a reply, and if no process can be started, the functions throw
 /// properties::CandidateUnavailable. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,

@@ -30,14 +30,15 @@ struct MergeArguments {
 };
 
 /// The folder names the programs to run, and it may come from anyone.
-void tell_what_runs(const CampaignIdentity& campaign, const std::string& folder, bool may_run) {
+void report_what_runs(const CampaignIdentity& campaign, const std::string& folder, bool may_run) {
   if (!runs_candidates(campaign)) return;
-  const std::string told =
+  const std::string warning =
       fmt::format("{}: its campaign runs candidates: {}", folder, campaign.text());
   if (!may_run) {
-    throw std::invalid_argument(told + "; add --run-candidates if you trust them and the folder");
+    throw std::invalid_argument(warning +
+                                "; add --run-candidates if you trust them and the folder");
   }
-  print_error(fmt::format("raycheck: {}\n", told));
+  print_error(fmt::format("raycheck: {}\n", warning));
 }
 
 /// Executes the campaign's command, which takes its units from the folders.
@@ -68,7 +69,7 @@ int run_merge(const MergeArguments& arguments) {
     words.push_back(known->has_value ? *argument + "=" + *std::next(argument) : *argument);
     if (known->has_value) ++argument;
   }
-  tell_what_runs(campaign, arguments.folders.front(), arguments.may_run);
+  report_what_runs(campaign, arguments.folders.front(), arguments.may_run);
   for (const std::string& folder : arguments.folders) words.push_back("--merged=" + folder);
   for (const auto& [option, values] : arguments.passed) {
     for (const std::string& value : values) words.push_back(option + "=" + value);

@@ -41,9 +41,9 @@ std::vector<const Law*> filtered_laws(const std::string& filter) {
 bool is_worth_asking(const Law& law, const Implementation& implementation, bool chosen_by_user) {
   if (chosen_by_user || !implementation.methods) return true;
   const MethodPair& pair = *implementation.methods;
-  if (speaks_of_cameras(law) == speaks_of_intersections(law)) return true;
-  return speaks_of_cameras(law) ? pair.intersect == kDefaultMethods.intersect
-                                : pair.rays == kDefaultMethods.rays;
+  if (is_about_cameras(law) == is_about_intersections(law)) return true;
+  return is_about_cameras(law) ? pair.intersect == kDefaultMethods.intersect
+                               : pair.rays == kDefaultMethods.rays;
 }
 
 /// Renderers are not given the conventions of a random case: they are judged by the defaults,

@@ -248,6 +248,11 @@ std::string time_text(const PropertiesReport& report) {
   return text + "\n";
 }
 
+/// The name that a candidate declares, in brackets.
+std::string own_name_text(const std::string& own) {
+  return own.empty() ? "" : fmt::format(" ({})", own == "-" ? "unnamed" : own);
+}
+
 /// A line about each external candidate, if several laws were tried.
 std::string first_sentences(const PropertiesReport& report) {
   std::map<std::string, std::vector<const CampaignReport*>> by_candidate;
@@ -258,8 +263,7 @@ std::string first_sentences(const PropertiesReport& report) {
   for (const auto& [candidate, campaigns] : by_candidate) {
     if (campaigns.size() < 2) continue;
     const std::string& own = campaigns.front()->implementation.own_name;
-    text += fmt::format("{}{}: {}\n", candidate, own.empty() ? "" : fmt::format(" ({})", own),
-                        first_sentence(campaigns));
+    text += fmt::format("{}{}: {}\n", candidate, own_name_text(own), first_sentence(campaigns));
   }
   return text;
 }

@@ -148,7 +148,7 @@ std::string view_text(const ViewDocument& document, const std::string& file, std
 
 int run_view(const ViewArguments& arguments) {
   if (arguments.scene.empty() == arguments.family.empty()) {
-    throw std::invalid_argument("view: give a scene, or --family NAME for a family of cases");
+    throw std::invalid_argument("view: give a scene, or --family NAME for a source of cases");
   }
   if (!arguments.family.empty() && !(arguments.dialect.empty() && arguments.rays.empty() &&
                                      arguments.pixels.empty() && arguments.sphere.empty())) {
@@ -182,8 +182,8 @@ CommandRun add_view(CLI::App& command) {
   ViewArguments& arguments = *given;
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
   command.add_option("--family", arguments.family,
-                     "a stress family instead of a scene: shows a scene at each severity");
-  add_cases(command, arguments.cases, "cases at each severity of a family");
+                     "a source of cases instead of a scene: shows a scene at each severity");
+  add_cases(command, arguments.cases, "cases at each severity of a source");
   add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one self-contained HTML file");
   add_dialect(command, arguments.dialect);

@@ -96,13 +96,13 @@ ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
 ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
                            const properties::RunControl& control) {
   if (options.families.size() != 1) {
-    throw scene::InvalidInput("family", "", "give one family");
+    throw scene::InvalidInput("family", "", "give one source");
   }
   const StressReport report = run_stress(options, control);
   if (report.interrupted) throw scene::Interrupted();
   const FamilyReport& family = report.families.front();
   if (family.curves.empty()) {
-    throw scene::InvalidInput("method", "", "this family has no questions for the given methods");
+    throw scene::InvalidInput("method", "", "this source has no questions for the given methods");
   }
   // The stage that the family tests: intersections if it has any.
   const properties::Stage stage = family.curves.back().stage;

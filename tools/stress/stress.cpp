@@ -29,7 +29,8 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
   for (const std::string& name : names) {
     const CaseSource* const family = properties::find_case_source(name);
     if (family == nullptr || !family->severities) {
-      throw scene::InvalidInput("family", name, "no such family; the families are " + known);
+      throw scene::InvalidInput("family", name,
+                                "no such source with severities; there are " + known);
     }
     if (std::ranges::find(families, family) == families.end()) {
       families.push_back(family);

@@ -20,7 +20,7 @@ struct StressOptions {
   std::vector<Implementation> implementations;
   int cases = 200;  ///< At each severity.
   std::uint64_t seed = 1;
-  /// Severities from..to; empty: the family's own range.
+  /// Severities from..to; empty: all severities of the source.
   std::optional<std::pair<int, int>> severities;
 };
 

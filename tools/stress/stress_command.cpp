@@ -61,17 +61,17 @@ int run_stress(StressArguments& arguments) {
 CommandRun add_stress(CLI::App& command) {
   const auto given = std::make_shared<StressArguments>();
   StressOptions& options = given->options;
-  command.add_option("--family", options.families, "only these families, separated by commas")
+  command.add_option("--family", options.families, "only these sources, separated by commas")
       ->delimiter(',');
   add_methods(command, given->methods);
   command.add_option("--severity", given->severity,
-                     "only these severities, A..B (default: the family's own range)");
+                     "only these severities, A..B (default: all of the source)");
   add_cases(command, options.cases, "cases at each severity");
   add_seed(command, options.seed);
   add_external(command, given->external);
   add_threads(command, given->threads, "the report");
   add_shards(command, given->shards);
-  add_view(command, given->view, "error against severity, for every family and quantile");
+  add_view(command, given->view, "error against severity, for every source and quantile");
   add_certificates(command, given->certificates);
   add_format(command, given->format, names_of(kStressViews));
   return [given] { return run_stress(*given); };

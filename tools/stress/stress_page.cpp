@@ -34,7 +34,7 @@ ViewDocument stress_document(const StressReport& report) {
   ViewDocument document;
   document.title = report.families.size() == 1
                        ? fmt::format("Error against severity: {}", report.families[0].family->name)
-                       : fmt::format("Error against severity: {} families", report.families.size());
+                       : fmt::format("Error against severity: {} sources", report.families.size());
   std::vector<ChartFacet>& facets = document.chart.emplace().facets;
   for (const Stage stage : {Stage::kIntersection, Stage::kRays}) {
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {

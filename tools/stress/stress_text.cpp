@@ -28,7 +28,7 @@ std::string failing_text(const StressCurve& curve) {
 
 /// First failing severities of one stage's methods, a row per family.
 Table first_failing_table(const StressReport& report, Stage stage) {
-  std::vector<std::string> columns = {"family", "severities"};
+  std::vector<std::string> columns = {"source", "severities"};
   std::vector<std::vector<std::string>> rows;
   for (const FamilyReport& family : report.families) {
     std::vector<std::string> row = {
@@ -87,7 +87,7 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
 }
 
 Table detail_table(const StressReport& report) {
-  Table table({"family",     "method",    ">severity",        ">decisions", ">defects",
+  Table table({"source",     "method",    ">severity",        ">decisions", ">defects",
                ">undecided", ">excused",  ">answers",         "unit",       ">median",
                ">99.9%",     ">max",      ">backward u",      ">max rho",   ">median kappa",
                ">exact",     ">accurate", ">ill-conditioned", ">unstable",  ">outside domain"});
@@ -103,7 +103,7 @@ Table detail_table(const StressReport& report) {
 
 /// A summary of a method on a family, in one row.
 Table summary_table(const StressReport& report) {
-  Table table({"family", "method", ">first failing", ">slope", ">max rho", ">missed", ">false",
+  Table table({"source", "method", ">first failing", ">slope", ">max rho", ">missed", ">false",
                ">other defects", ">max error", "unit"});
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {

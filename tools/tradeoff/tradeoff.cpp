@@ -281,7 +281,7 @@ std::size_t JudgedSource::stretch_of(int severity) const {
 
 std::string subject_text(const TradeoffReport& report) {
   const std::size_t count = report.sources.size();
-  return count > kMostNamed ? fmt::format("{} families", count) : report.subject;
+  return count > kMostNamed ? fmt::format("{} sources", count) : report.subject;
 }
 
 const MethodCost* baseline(const std::vector<MethodCost>& costs) {

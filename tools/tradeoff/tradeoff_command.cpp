@@ -44,12 +44,11 @@ CommandRun add_tradeoff(CLI::App& command) {
       "a scene: only stages that it needs are compared (default: ordinary cases)");
   add_dialect(command, given->dialect);
   CLI::Option* const family =
-      command
-          .add_option("--family", given->sources,
-                      "cases of these families or other sources, separated by commas")
+      command.add_option("--family", given->sources, "cases of these sources, separated by commas")
           ->delimiter(',')
           ->excludes(scene);
-  command.add_flag("--all-families", options.all_families, "cases of every family")
+  command
+      .add_flag("--all-families", options.all_families, "cases of every source that has severities")
       ->excludes(scene, family);
   add_methods(command, given->methods);
   add_cases(command, options.cases, "the number of cases, or of pixels of a scene");

@@ -27,7 +27,7 @@ Json selection_json(const Selection& selection);
 struct Panel {
   Selection selection;
   std::vector<std::string> wrong;  ///< The methods that go wrong.
-  Json told;                       ///< As in the document.
+  Json json;                       ///< As in the document.
 };
 
 /// A run of successive pixels, along the rows from row 0 on, with the same nearest sphere.

@@ -17,7 +17,7 @@ Json scene_json(const SceneView& view) {
           {"pictures", view.pictures},
           {"seen", view.seen.empty() ? Json(nullptr) : list_json(view.seen, run_json)},
           {"start", selection_json(view.start)},
-          {"panels", list_json(view.panels, [](const Panel& panel) { return panel.told; })}};
+          {"panels", list_json(view.panels, [](const Panel& panel) { return panel.json; })}};
 }
 
 Json finding_json(const FindingView& finding) {

@@ -144,7 +144,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
       static_cast<std::int64_t>(list.size()), until_full,
       [&](std::int64_t k) {
         Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], options), {}};
-        made.line = json_line(made.panel.told);
+        made.line = json_line(made.panel.json);
         return made;
       },
       [&](const Made& made) {

@@ -68,9 +68,7 @@ CommandRun add_worst(CLI::App& command) {
   WorstOptions& options = given->options;
   CLI::Option* const method =
       command.add_option("--method", given->method, "the method, for rays or intersection");
-  command
-      .add_option("--family", options.family,
-                  "the family or other source to start from, or FAMILY@SEVERITY")
+  command.add_option("--family", options.family, "the source to start from, or SOURCE@SEVERITY")
       ->required();
   command.add_option("--quantity", options.quantity,
                      "direction or pixel-point; parameter, backward-error or hit-point (default: "

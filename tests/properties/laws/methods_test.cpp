@@ -80,7 +80,7 @@ Names laws_that(Is is) {
 /// The laws that depend on how spheres are intersected.
 Names laws_of_intersections() {
   return laws_that([](const Law& law) {
-    return !is_of_plans(law) && (speaks_of_intersections(law) || !speaks_of_cameras(law));
+    return !is_of_plans(law) && (is_about_intersections(law) || !is_about_cameras(law));
   });
 }
 

@@ -103,7 +103,7 @@ TEST(ValidRootsLaws, FindWrongEndsAndReportDefectsFarFromThem) {
 }
 
 /// The law that reports a defect; "" without one.
-std::string told_as_defect(const scene::ValidRoots& valid, const Change& mistake) {
+std::string law_of_defect(const scene::ValidRoots& valid, const Change& mistake) {
   for (const char* law : {"class", "nearest-root"}) {
     const Verdict found = verdict(law, follower(mistake), valid);
     if (found.count(Standing::kDefect) == 0) continue;
@@ -119,12 +119,12 @@ std::string told_as_defect(const scene::ValidRoots& valid, const Change& mistake
 TEST(ValidRootsLaws, ReportAnswersOutsideTheIntervalAsDefects) {
   const auto closed = [](scene::Conventions& c) { c.valid.ends = scene::Ends::kClosed; };
   // The near root of the first ray is 2, the far one 4; 7 and 11 of the second sphere.
-  EXPECT_EQ(told_as_defect({2, 7, scene::Ends::kOpenMin, {}, {}}, closed), "nearest-root");
-  EXPECT_EQ(told_as_defect({5, 7, scene::Ends::kOpenMax, {}, {}}, closed), "class");
+  EXPECT_EQ(law_of_defect({2, 7, scene::Ends::kOpenMin, {}, {}}, closed), "nearest-root");
+  EXPECT_EQ(law_of_defect({5, 7, scene::Ends::kOpenMax, {}, {}}, closed), "class");
   // 3.5 radii of the second sphere.
-  EXPECT_EQ(told_as_defect({3, 3.5, scene::Ends::kOpenMax, scene::TUnit::kRadius, {}}, closed),
+  EXPECT_EQ(law_of_defect({3, 3.5, scene::Ends::kOpenMax, scene::TUnit::kRadius, {}}, closed),
             "class");
-  EXPECT_EQ(told_as_defect({2, 7, scene::Ends::kOpen, {}, {}}, [](auto&) {}), "");
+  EXPECT_EQ(law_of_defect({2, 7, scene::Ends::kOpen, {}, {}}, [](auto&) {}), "");
 }
 
 /// s is 1/3, slightly above the nearest double, which is the best answer.

@@ -74,16 +74,17 @@ Sentences sentences_for(const Candidate& candidate,
 template <class Value>
 Candidate following(Value scene::Conventions::*member, Value value) {
   Candidate candidate = fast_candidate(fast::kDirectRays, *fast::intersect_methods().front());
-  const auto told = [=](scene::Conventions conventions) {
+  const auto overridden = [=](scene::Conventions conventions) {
     conventions.*member = value;
     return conventions;
   };
   const auto follow = [&](auto& function) {
-    function = [=, answer = function](auto camera_or_rays, const auto& given, auto pixels_or_told) {
+    function = [=, answer = function](auto camera_or_rays, const auto& given,
+                                      auto pixels_or_conventions) {
       if constexpr (std::is_convertible_v<decltype(given), scene::Conventions>) {
-        return answer(camera_or_rays, told(given), pixels_or_told);
+        return answer(camera_or_rays, overridden(given), pixels_or_conventions);
       } else {
-        return answer(camera_or_rays, given, told(pixels_or_told));
+        return answer(camera_or_rays, given, overridden(pixels_or_conventions));
       }
     };
   };
@@ -221,7 +222,7 @@ class EachMistake : public testing::TestWithParam<std::size_t> {
 };
 
 /// The mistake, or the one of its family that was named, since cases may not distinguish sizes.
-const Mistake& as_told(const Mistake& mistake, const Sentences& sentences) {
+const Mistake& as_named(const Mistake& mistake, const Sentences& sentences) {
   const auto is_alike = [&](const Mistake& other) {
     return &other == &mistake || (!other.family.empty() && other.family == mistake.family);
   };
@@ -255,7 +256,7 @@ TEST_P(EachMistake, IsExplainedOnlyByItsSentence) {
   if ((says("numbers are r") && mistake().camera) || says("as many lines as there are columns")) {
     return expect_among(sentences, mistake().sentence);
   }
-  EXPECT_EQ(sentences, Sentences{as_told(mistake(), sentences).sentence});
+  EXPECT_EQ(sentences, Sentences{as_named(mistake(), sentences).sentence});
 }
 
 INSTANTIATE_TEST_SUITE_P(OnTheWay, EachMistake, testing::ValuesIn(indices(true)));
@@ -269,7 +270,7 @@ TEST_P(EachMistakeInRays, IsAmongTheExplanationsOfOnlyRays) {
   candidate.pixel_rays = mistake().candidate.pixel_rays;
   candidate.focal_rays = mistake().candidate.focal_rays;
   const Sentences sentences = sentences_for(candidate);
-  expect_among(sentences, as_told(mistake(), sentences).sentence);
+  expect_among(sentences, as_named(mistake(), sentences).sentence);
 }
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInRays, testing::ValuesIn(indices(true)));
@@ -287,7 +288,7 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfOnlyNearestSpheres) {
   if (mistake().hit) {
     EXPECT_EQ(sentences, Sentences());
   } else {
-    expect_among(sentences, as_told(mistake(), sentences).sentence);
+    expect_among(sentences, as_named(mistake(), sentences).sentence);
   }
 }
 

@@ -114,7 +114,7 @@ TEST(PictureCausesOfEveryMistake, NameIt) {
   const std::vector<Scene> scenes = rubric_scenes();
   int named = 0, single = 0;
   for (const Mistake& its : mistakes()) {
-    if (!its.is_told_by_pictures) continue;
+    if (!its.shows_in_pictures) continue;
     const Causes causes = picture_causes(shown_with({&its}, scenes));
     if (causes.kind == CauseKind::kExplained) {
       EXPECT_TRUE(is_named(causes, {&its}))

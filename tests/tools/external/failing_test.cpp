@@ -188,7 +188,7 @@ TEST(FailingLine, is_reported_for_every_kind_of_crash) {
   const auto lines = named_lines();
   constexpr int kAtATime = 6;  // fewer than are searched for
   const int all = static_cast<int>(kWays.size());
-  int told = 0;
+  int reported = 0;
   for (int first = 0; first < all; first += kAtATime) {
     const std::string scene =
         temporary_file("deaths.toml", scene_of(first + 1, std::min(first + kAtATime, all)));
@@ -206,10 +206,10 @@ TEST(FailingLine, is_reported_for_every_kind_of_crash) {
       EXPECT_EQ(at["file"], file) << way.name;
       EXPECT_EQ(at["line"], line) << way.name;
       expect_parts(at["text"].get<std::string>(), {way.name});
-      ++told;
+      ++reported;
     }
   }
-  EXPECT_EQ(told, all);
+  EXPECT_EQ(reported, all);
 }
 
 TEST(FailingLine, is_reported_for_cmake_builds) {

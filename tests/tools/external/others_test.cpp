@@ -95,9 +95,9 @@ static std::optional<Hit> intersect(const Ray&, const Sphere&, const Conventions
 }
 RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)
 )");
-  const json told = report_of("tradeoff --family distance --cases 20" + kUnkept, "source:" + source,
-                              0)["intersections"][0];
-  EXPECT_EQ(told["called_in_process"], true) << told["note"];
+  const json timed = report_of("tradeoff --family distance --cases 20" + kUnkept,
+                               "source:" + source, 0)["intersections"][0];
+  EXPECT_EQ(timed["called_in_process"], true) << timed["note"];
 }
 
 TEST(OthersExplain, are_shown_beside_the_exact_value_of_every_implemented_step) {

@@ -50,14 +50,14 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
 }
 
 TEST(Renderer, whose_format_cannot_express_a_scene_is_not_judged_on_it) {
-  const std::string unsaid = python_renderer("sys.exit(77)");
-  const Outcome outcome = check(kProbeScene, unsaid);
+  const std::string inexpressible = python_renderer("sys.exit(77)");
+  const Outcome outcome = check(kProbeScene, inexpressible);
   EXPECT_EQ(outcome.exit_code, 4) << outcome.err;
   const json report = json::parse(outcome.out)["candidates"][0];
   EXPECT_EQ(report["discrepancies"], 0);
   expect_parts(report["left_out"].dump(), {"its input format cannot express the scene"});
-  const json campaign =
-      report_of("properties --filter image --source crowds --cases 3", unsaid, 4)["campaigns"][1];
+  const json campaign = report_of("properties --filter image --source crowds --cases 3",
+                                  inexpressible, 4)["campaigns"][1];
   EXPECT_EQ(campaign["left_out"], 3);
   EXPECT_EQ(campaign["reason_left_out"], "its input format cannot express the scene");
   // A picture counts, whatever the exit code.

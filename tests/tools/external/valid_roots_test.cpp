@@ -71,8 +71,8 @@ TEST(ValidRoots, that_are_declared_but_not_followed_are_defects) {
   const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 2) << report.dump(2);
   // Without a declaration every root >= 0 counts.
-  const std::string silent = with_ends("silent.py", "s >= 0", "None");
-  expect_values(judged(scene, silent), {{"discrepancies", 0}, {"excluded", nullptr}});
+  const std::string undeclared = with_ends("undeclared.py", "s >= 0", "None");
+  expect_values(judged(scene, undeclared), {{"discrepancies", 0}, {"excluded", nullptr}});
 }
 
 TEST(ValidRoots, of_a_scene_are_sent_to_candidates_that_follow_them) {

@@ -122,7 +122,7 @@ Numbers numbers_of(const json& record, const std::vector<std::string>& parts,
 }
 
 /// The secrets that a number of the text reveals, to its digits.
-std::vector<std::string> told(const Numbers& numbers, const std::string& text) {
+std::vector<std::string> revealed_by(const Numbers& numbers, const std::string& text) {
   std::vector<std::string> found;
   const std::vector<Written> all = numbers_in(text);
   for (const double secret : numbers.secret) {
@@ -148,13 +148,14 @@ constexpr const char* kLaws[] = {"frame",     "direction",    "unit-direction", 
 /// An item's visibility and detail.
 using Shown = std::vector<std::pair<std::string, std::string>>;
 
-struct Told {
+struct Revealed {
   std::size_t secrets = 0;
-  std::vector<std::string> told;
+  std::vector<std::string> revealed;
 };
 
-Told told_to_students(const std::string& format, const Shown& shown,
-                      const std::vector<std::string>& parts, const std::vector<std::string>& keys) {
+Revealed revealed_to_students(const std::string& format, const Shown& shown,
+                              const std::vector<std::string>& parts,
+                              const std::vector<std::string>& keys) {
   const Grading grading;
   std::string items;
   for (const std::string law : kLaws) {
@@ -166,12 +167,12 @@ Told told_to_students(const std::string& format, const Shown& shown,
   }
   grading.grade(grading.short_rubric("", items), grading.submit_each(kMistakes, "rays.cpp"), "out",
                 "--format " + format);
-  Told all;
+  Revealed all;
   for (const std::string& mistake : kMistakes) {
     const Numbers numbers = numbers_of(grading.result(mistake), parts, keys);
-    const auto found = told(numbers, given_to_student(grading, mistake));
+    const auto found = revealed_by(numbers, given_to_student(grading, mistake));
     all.secrets += numbers.secret.size();
-    all.told.insert(all.told.end(), found.begin(), found.end());
+    all.revealed.insert(all.revealed.end(), found.begin(), found.end());
   }
   return all;
 }
@@ -185,17 +186,18 @@ TEST_P(EachResultsFormat, ContainsNoWithheldNumber) {
       {"after_due_date", "actual-only"}};
   // Gradescope itself hides items until they are due.
   if (GetParam() != std::string("gradescope")) shown.emplace_back("after_due_date", "full");
-  const Told all = told_to_students(GetParam(), shown, {"failing", "first_wrong"},
-                                    {"exact", "error", "condition"});
+  const Revealed all = revealed_to_students(GetParam(), shown, {"failing", "first_wrong"},
+                                            {"exact", "error", "condition"});
   EXPECT_GT(all.secrets, 60u);
-  EXPECT_TRUE(all.told.empty()) << all.told.size() << " of " << all.secrets
-                                << " are told, the first: " << all.told.front();
+  EXPECT_TRUE(all.revealed.empty()) << all.revealed.size() << " of " << all.secrets
+                                    << " are revealed, the first: " << all.revealed.front();
 }
 
 TEST_P(EachResultsFormat, ContainsNumbersThatAreNotWithheld) {
-  const Told all = told_to_students(GetParam(), {{"visible", "full"}}, {"failing"}, {"exact"});
+  const Revealed all =
+      revealed_to_students(GetParam(), {{"visible", "full"}}, {"failing"}, {"exact"});
   EXPECT_GE(all.secrets, 5u);
-  EXPECT_EQ(all.told.size(), all.secrets);
+  EXPECT_EQ(all.revealed.size(), all.secrets);
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, EachResultsFormat, testing::Values("gradescope", "prairielearn"),

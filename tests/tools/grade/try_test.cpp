@@ -73,10 +73,10 @@ TEST(TryCommand, shows_visible_items_and_counts_all) {
   expect_parts(tried.out, {"\n  not shown, but in the score: 1 item\n"});
   const std::size_t at = tried.out.find("\nnearest root\n");
   ASSERT_NE(at, std::string::npos) << tried.out;
-  const std::string told = tried.out.substr(at, tried.out.find("\n\n", at) - at);
-  expect_parts(told, {"hint: "});
+  const std::string shown = tried.out.substr(at, tried.out.find("\n\n", at) - at);
+  expect_parts(shown, {"hint: "});
   for (const char* part : {"mistake", "[[sphere]]", "got", "the law"}) {
-    EXPECT_FALSE(has(told, part)) << told;
+    EXPECT_FALSE(has(shown, part)) << shown;
   }
   EXPECT_EQ(item_lines(tried.out).front(), item_lines(graded.out).front()) << "the same score";
   EXPECT_EQ(files_of(grading.path("tried/mine")), files_of(grading.path("out/mine")));

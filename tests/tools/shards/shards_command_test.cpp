@@ -282,14 +282,14 @@ TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
                {"once all are done: raycheck merge " + folder + " --run-candidates"});
   run(asked + " --sandbox none --i-know --shard 2/2 --out " + folder, 0);
   fs::remove(ran);
-  const std::string told =
+  const std::string warning =
       folder + ": its campaign runs candidates: raycheck properties --filter class --cases 20";
   const Outcome refused = run("merge --sandbox none --i-know " + folder, 2);
   expect_parts(refused.err,
-               {told, "'" + candidate + "'", "add --run-candidates if you trust them"});
+               {warning, "'" + candidate + "'", "add --run-candidates if you trust them"});
   EXPECT_FALSE(fs::exists(ran));
   const Outcome merged = run("merge --run-candidates --sandbox none --i-know " + folder, 0);
-  EXPECT_EQ(lines_of(merged.err).front().find("raycheck: " + told), 0u) << merged.err;
+  EXPECT_EQ(lines_of(merged.err).front().find("raycheck: " + warning), 0u) << merged.err;
   EXPECT_EQ(merged.out, whole.out);
   EXPECT_TRUE(fs::exists(ran));
 }
@@ -297,11 +297,11 @@ TEST(Shards, with_candidates_are_merged_only_if_running_them_is_allowed) {
 /// A candidate that hangs on some cases, whatever the earlier questions and the number of threads.
 TEST(Shards, with_time_outs_merge_to_the_report_of_one_run) {
   const std::string asked =
-      "properties --candidate 'command:python3 tests/candidates/sometimes_silent.py' "
+      "properties --candidate 'command:python3 tests/candidates/sometimes_hangs.py' "
       "--timeout 0.5 --filter class --source rays --source distance --cases 100 --format json";
   const std::string whole = run(asked + " --threads 1", 1).out;
   EXPECT_EQ(run(asked + " --threads 3", 1).out, whole);
-  const std::string folder = fresh_folder("silent");
+  const std::string folder = fresh_folder("hangs");
   for (const int k : {3, 1, 2}) run(fmt::format("{} --shard {}/3 --out {}", asked, k, folder), 0);
   EXPECT_EQ(run("merge --run-candidates --format json " + folder, 1).out, whole);
 }
@@ -323,11 +323,11 @@ TEST(Shards, drop_a_candidate_that_never_replies) {
 }
 
 TEST(Shards, are_set_by_schedulers) {
-  struct Told {
+  struct Scheduler {
     std::vector<std::pair<const char*, std::string>> variables;
-    std::string shard, said;
+    std::string shard, message;
   };
-  const std::vector<Told> all = {
+  const std::vector<Scheduler> all = {
       {{{"SLURM_ARRAY_TASK_ID", "5"},
         {"SLURM_ARRAY_TASK_COUNT", "3"},
         {"SLURM_ARRAY_TASK_MIN", "4"}},
@@ -347,17 +347,18 @@ TEST(Shards, are_set_by_schedulers) {
       {{{"CI_NODE_INDEX", "1"}, {"CI_NODE_TOTAL", "2"}},
        "--shard 2/5",
        "shard 2 of 5 (--shard 2/5)"}};
-  for (const Told& told : all) {
+  for (const Scheduler& scheduler : all) {
     std::vector<std::unique_ptr<Variable>> set;
-    for (const auto& [name, value] : told.variables)
+    for (const auto& [name, value] : scheduler.variables)
       set.push_back(std::make_unique<Variable>(name, value));
     const Outcome outcome =
-        run(fmt::format("{} {} --out {}", kAsked, told.shard, fresh_folder("told")), 0);
-    EXPECT_EQ(lines_of(outcome.err).front(), "raycheck: " + told.said);
+        run(fmt::format("{} {} --out {}", kAsked, scheduler.shard, fresh_folder("schedulers")), 0);
+    EXPECT_EQ(lines_of(outcome.err).front(), "raycheck: " + scheduler.message);
     EXPECT_EQ(outcome.out, "");
   }
-  expect_parts(run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("told"), 0).err,
-               {"--format has no effect here: give it to raycheck merge"});
+  expect_parts(
+      run(kAsked + " --format json --shard 1/2 --out " + fresh_folder("schedulers"), 0).err,
+      {"--format has no effect here: give it to raycheck merge"});
   // Without --out the variables are ignored.
   const Variable index("CI_NODE_INDEX", "1"), count("CI_NODE_TOTAL", "2");
   EXPECT_TRUE(has(run(kAsked, 0).out, "1 campaign"));

@@ -161,12 +161,12 @@ void expect_which_digits_are_right(const json& scene) {
 
 /// Methods that agree in value, error and standing are listed together; every method is listed.
 void expect_methods_that_agree_share_an_answer(const json& scene) {
-  std::size_t shared = 0, told = 0;
+  std::size_t shared = 0, names = 0;
   for (const json& panel : scene["panels"]) {
     for (const json& step : panel["steps"]) {
       std::set<std::string> contents;
       for (json answer : step["answers"]) {
-        told += answer["names"].size();
+        names += answer["names"].size();
         if (answer["names"].size() > 1) ++shared;
         answer.erase("names");
         EXPECT_TRUE(contents.insert(answer.dump()).second) << answer;
@@ -174,7 +174,7 @@ void expect_methods_that_agree_share_an_answer(const json& scene) {
     }
   }
   EXPECT_GT(shared, 300u);
-  EXPECT_GT(told, 2000u);
+  EXPECT_GT(names, 2000u);
 }
 
 void expect_panels_show_the_methods_that_were_asked_for(const json& all, const json& some) {
@@ -216,8 +216,8 @@ void expect_the_microscope_of_a_miss_says_why_it_is_wide(const json& scene) {
     nearest = std::min(nearest, std::max(std::abs(number(mark["x"])), std::abs(number(mark["y"]))));
   }
   ASSERT_LT(nearest, HUGE_VAL);
-  const std::string told = microscope["sentences"][1];
-  EXPECT_TRUE(has(told, fmt::format("claims is {:.3g} ulp away", nearest)));
+  const std::string sentence = microscope["sentences"][1];
+  EXPECT_TRUE(has(sentence, fmt::format("claims is {:.3g} ulp away", nearest)));
 }
 
 std::uint64_t pixels_of(const json& picture, const std::string& text) {

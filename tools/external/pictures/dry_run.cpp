@@ -114,8 +114,8 @@ class DryRunner {
   }
   /// A single line of output is part of the reason; more lines follow below it.
   static Refusal refusal_of(const ProcessFailure& failure) {
-    if (failure.said().find('\n') == std::string::npos) return {failure.what(), {}};
-    return {failure.why(), failure.said()};
+    if (failure.output().find('\n') == std::string::npos) return {failure.what(), {}};
+    return {failure.why(), failure.output()};
   }
 
   /// Draws the symmetric scene in a form.

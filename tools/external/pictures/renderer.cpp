@@ -169,7 +169,8 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
   if (failure) {
     throw ProcessFailure(
         failure->kind(),
-        fmt::format("it {}{}", failure->why(), limit_text(process.said(), program.limits)), said);
+        fmt::format("it {}{}", failure->why(), limit_text(process.error_output(), program.limits)),
+        said);
   }
   throw ProcessFailure(FailureKind::kBadReply, "it made no picture {image}", said);
 }
@@ -237,7 +238,7 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
     keep(stored_text(made));
     return made;
   } catch (const ProcessFailure& failure) {
-    if (is_lasting(failure.kind())) keep(failure.why() + '\n' + failure.said(), failure.kind());
+    if (is_lasting(failure.kind())) keep(failure.why() + '\n' + failure.output(), failure.kind());
     throw;
   } catch (const std::system_error& error) {
     if (!is_of_the_machine(error.code())) {
@@ -246,7 +247,7 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver, Pictur
       keep(words, FailureKind::kBadReply);
       throw ProcessFailure(FailureKind::kBadReply, words);
     }
-    if (const auto& told = renderer.program.surroundings) told->blame(error.what());
+    if (const auto& surroundings = renderer.program.surroundings) surroundings->blame(error.what());
     throw;
   }
 }

@@ -15,7 +15,7 @@
 namespace raycheck::tools {
 
 /// The number of time-outs after which a candidate is dropped.
-inline constexpr int kMostSilences = 3;
+inline constexpr int kMostTimeouts = 3;
 
 /// The most pixels of a picture, whatever the size of the scene.
 inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
@@ -42,7 +42,7 @@ struct Renderer {
   double threshold = 0;                      ///< Hits with an s of at most this are not judged.
   std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
   /// The number of time-outs after which it is no longer started.
-  int most_silences = kMostSilences;
+  int most_silences = kMostTimeouts;
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
 };
 

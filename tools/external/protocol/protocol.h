@@ -20,7 +20,7 @@ inline constexpr int kProtocolVersion = 1;
 
 /// A candidate's introduction.
 struct Introduction {
-  std::string name;  ///< "-": without a name
+  std::string name;  ///< "-": it declares no name.
   std::set<std::string> functions;
   /// By default every root >= 0 counts.
   properties::DeclaredConventions declared = {.rows = {},

@@ -176,22 +176,22 @@ enum class FailureKind {
 };
 
 /// A program's output as a clause for error messages; empty without output.
-std::string said_text(const std::string& said);
+std::string output_text(const std::string& output);
 
 /// A failure of a candidate's process: "exited with 3", "was killed by signal 11 (Segmentation
 /// fault)", "gave no reply within 10 s".
 class ProcessFailure : public std::runtime_error {
  public:
-  /// `why`: one line. `said`: an excerpt of the output, or empty; what() has both.
-  ProcessFailure(FailureKind kind, const std::string& why, const std::string& said = {})
-      : std::runtime_error(why + said_text(said)), kind_(kind), why_(why), said_(said) {}
+  /// `why`: one line. `output`: an excerpt of the output, or empty; what() has both.
+  ProcessFailure(FailureKind kind, const std::string& why, const std::string& output = {})
+      : std::runtime_error(why + output_text(output)), kind_(kind), why_(why), output_(output) {}
   FailureKind kind() const { return kind_; }
   const std::string& why() const { return why_; }
-  const std::string& said() const { return said_; }
+  const std::string& output() const { return output_; }
 
  private:
   FailureKind kind_;
-  std::string why_, said_;
+  std::string why_, output_;
 };
 
 /// The folders in which programs are searched.

@@ -32,7 +32,7 @@ std::string why_not(const Layers& layers) {
     Process process({.arguments = {"/bin/true"}, .readable = {}, .layers = layers, .limits = {}});
     const int code = process.finish();
     if (code == 0) return "";
-    return fmt::format("'true' exited with {}{}", code, said_text(process.excerpt()));
+    return fmt::format("'true' exited with {}{}", code, output_text(process.excerpt()));
   } catch (const ProcessFailure& failure) {
     return failure.what();
   }

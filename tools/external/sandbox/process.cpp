@@ -81,8 +81,8 @@ std::string reason_ended(int status, const Limits& limits) {
 
 }  // namespace
 
-std::string last_line_text(const KeptText& said) {
-  std::istringstream lines(said.text());
+std::string last_line_text(const KeptText& error_output) {
+  std::istringstream lines(error_output.text());
   std::string text, last;
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) last = line;
@@ -99,7 +99,7 @@ std::string last_line_text(const KeptText& said) {
   return text.empty() ? "" : "; it said: " + text;
 }
 
-std::string limit_text(const KeptText& said, const Limits& limits) {
+std::string limit_text(const KeptText& error_output, const Limits& limits) {
   using Signs = std::vector<std::string_view>;
   const std::pair<std::string, Signs> rows[] = {
       {fmt::format("it may have at most {} processes and threads{}", limits.processes,
@@ -111,7 +111,7 @@ std::string limit_text(const KeptText& said, const Limits& limits) {
        {"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory", "out of memory",
         "Out of memory", "could not allocate memory"}},
       {file_limit_text(limits), {"File too large"}}};
-  const std::string text = said.text();
+  const std::string text = error_output.text();
   for (const auto& [limit, signs] : rows) {
     if (std::ranges::any_of(
             signs, [&](std::string_view sign) { return text.find(sign) != std::string::npos; })) {
@@ -121,12 +121,14 @@ std::string limit_text(const KeptText& said, const Limits& limits) {
   return "";
 }
 
-std::string said_text(const std::string& said) {
-  if (said.empty()) return "";
-  return (said.find('\n') == std::string::npos ? "; it said: " : "; it said:\n") + said;
+std::string output_text(const std::string& output) {
+  if (output.empty()) return "";
+  return (output.find('\n') == std::string::npos ? "; it said: " : "; it said:\n") + output;
 }
 
-std::string Process::excerpt() const { return (said().empty() ? printed() : said()).excerpt(); }
+std::string Process::excerpt() const {
+  return (error_output().empty() ? printed() : error_output()).excerpt();
+}
 
 Process::Process(const Confined& confined) try : confined_(confined) {
   // Otherwise a candidate of the same user could read raycheck's memory.
@@ -175,7 +177,7 @@ bool Process::has_ended(int& status) {
   if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;
   pid_ = -1;
   watch_->end(seconds_of(used.ru_utime) + seconds_of(used.ru_stime));
-  listen(error_, said_);
+  listen(error_, error_output_);
   return true;
 }
 
@@ -279,7 +281,7 @@ std::string Process::exchange(std::string_view request,
     if (ready < 0 && errno != EINTR) {
       fail(FailureKind::kSystem, std::strerror(errno));
     }
-    if (streams[1].revents != 0) listen(error_, said_);
+    if (streams[1].revents != 0) listen(error_, error_output_);
     if (streams[2].revents != 0) {
       const ssize_t count = write(input_.number(), request.data(), request.size());
       if (count > 0) request.remove_prefix(static_cast<std::size_t>(count));
@@ -310,7 +312,7 @@ int Process::finish() {
     scene::poll();
     int status = 0;
     const bool ended = has_ended(status);
-    listen(error_, said_);
+    listen(error_, error_output_);
     listen(output_, printed_);
     if (ended) {
       if (signal_of(status) != 0) fail_with(status);

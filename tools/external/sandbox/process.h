@@ -38,10 +38,10 @@ class KeptText {
 std::string_view cut_to(std::string_view text, std::size_t most);
 
 /// The last line of a program's output that gives a reason, as a clause; empty without output.
-std::string last_line_text(const KeptText& said);
+std::string last_line_text(const KeptText& error_output);
 
 /// The limit that a failed program met, recognised from its output, as a clause; else empty.
-std::string limit_text(const KeptText& said, const Limits& limits);
+std::string limit_text(const KeptText& error_output, const Limits& limits);
 
 /// A sandboxed process in a private folder, with pipes to its standard streams. When it ends, its
 /// descendants are killed. Errors: ProcessFailure, also if it cannot be started; afterwards it is
@@ -66,7 +66,7 @@ class Process {
   int finish();
   /// Its standard error and, after finish(), its standard output: the beginning and the end of
   /// each.
-  const KeptText& said() const { return said_; }
+  const KeptText& error_output() const { return error_output_; }
   const KeptText& printed() const { return printed_; }
   /// The first and last lines of its standard error or, if that is empty, of its standard output.
   std::string excerpt() const;
@@ -93,7 +93,7 @@ class Process {
   std::optional<Watch> watch_;
   Descriptor input_, output_, error_;
   std::vector<char> buffer_ = std::vector<char>(65536);
-  KeptText said_, printed_;
+  KeptText error_output_, printed_;
   std::string answer_;
 };
 

@@ -103,7 +103,7 @@ RayAnswers ray_answers(Trial& trial, std::size_t ray, const Law& broken) {
     }
     if (trial.has_rays()) answers.ray = answered([&] { return trial.rays()[ray]; });
   }
-  if (!speaks_of_intersections(broken) || !trial.has_rays() || !candidate.intersect) return answers;
+  if (!is_about_intersections(broken) || !trial.has_rays() || !candidate.intersect) return answers;
   answers.hits = answered([&] {
     std::map<std::size_t, properties::HitAnswer> hits;
     for (std::size_t k = 0; k < trial.scene().spheres.size(); ++k) {
@@ -166,7 +166,7 @@ bool keeps_state(const FailedCase& failed, const GradedCandidate& graded) {
   if (is_right(at_place)) return false;
   graded.candidate.restart();
   const bool is_right_first = is_right(at_place);
-  graded.candidate.forget_silence();
+  graded.candidate.reset_timeouts();
   return is_right_first;
 }
 

@@ -42,18 +42,18 @@ std::string command_html(const HomeCommand& command) {
 /// The mistake, the hint, the failing case and the commands that repeat it.
 std::string next_steps(const StudentGrade& grade, std::size_t k) {
   const Item& item = *grade.items[k];
-  const ItemGrade& told = grade.submission.items[k];
+  const ItemGrade& graded = grade.submission.items[k];
   std::string steps;
   const auto step = [&](const std::string& html) { steps += "<li>" + html + "</li>\n"; };
-  for (const ExplainingMistake& mistake : told.mistakes) {
-    step("<strong>" + escaped(mistake_text(told, mistake)) + "</strong>");
+  for (const ExplainingMistake& mistake : graded.mistakes) {
+    step("<strong>" + escaped(mistake_text(graded, mistake)) + "</strong>");
   }
   if (!item.hint.empty()) step("Hint: " + escaped(item.hint));
   std::string files;
-  if (told.failing) {
+  if (graded.failing) {
     const std::string name = file_name(item.name);
-    const std::string scene = scene_text(*told.failing);
-    const std::string driver = driver_file_text(*told.failing, grade.submission.driver);
+    const std::string scene = scene_text(*graded.failing);
+    const std::string driver = driver_file_text(*graded.failing, grade.submission.driver);
     std::string links = "Save the case beside your program: ";
     if (!driver.empty()) {
       links += download(name + ".txt", driver) + " (driver file), ";

@@ -42,9 +42,9 @@ std::string answer_text(const WrongAnswer& answer) {
 std::string got_text(const WrongAnswer& answer) {
   if (answer.quantity == Quantity::kRefusal) return "";
   // The picture shows a sphere, but its colour does not identify which.
-  const bool is_untold = answer.quantity == Quantity::kNearestSphere &&
-                         answer.wrong == Wrong::kFalseHit && answer.got.empty();
-  return is_untold ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
+  const bool is_unidentified = answer.quantity == Quantity::kNearestSphere &&
+                               answer.wrong == Wrong::kFalseHit && answer.got.empty();
+  return is_unidentified ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
 }
 
 std::string exact_text(const WrongAnswer& answer) {

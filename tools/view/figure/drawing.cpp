@@ -37,14 +37,14 @@ Enclosure3 foot_of(const reference::ExactRay& ray, const scene::Sphere& sphere, 
 }
 
 /// Both numbers in the same format, with enough digits to distinguish them, at least six.
-std::array<std::string, 2> told_apart(double a, double b) {
+std::array<std::string, 2> distinct_texts(double a, double b) {
   constexpr int kFewestDigits = 6, kMostDigits = 17;
   for (int digits = kFewestDigits;; ++digits) {
-    std::array<std::string, 2> told = {fmt::format("{:.{}g}", a, digits),
-                                       fmt::format("{:.{}g}", b, digits)};
+    std::array<std::string, 2> texts = {fmt::format("{:.{}g}", a, digits),
+                                        fmt::format("{:.{}g}", b, digits)};
     const auto has_exponent = [](const std::string& text) { return text.find('e') < text.size(); };
-    const bool is_alike = has_exponent(told[0]) == has_exponent(told[1]);
-    if ((told[0] != told[1] && is_alike) || digits == kMostDigits) return told;
+    const bool is_alike = has_exponent(texts[0]) == has_exponent(texts[1]);
+    if ((texts[0] != texts[1] && is_alike) || digits == kMostDigits) return texts;
   }
 }
 
@@ -81,8 +81,8 @@ void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const sc
   const bool is_double = line == reference::HitClass::kTangent;
   const std::array<reference::Intersection, 2> both = {
       {{line, reference::WhichRoot::kSmaller}, {line, reference::WhichRoot::kLarger}}};
-  const auto told =
-      told_apart(ray.rounded_parameter(sphere, both[0]), ray.rounded_parameter(sphere, both[1]));
+  const auto texts = distinct_texts(ray.rounded_parameter(sphere, both[0]),
+                                    ray.rounded_parameter(sphere, both[1]));
   for (std::size_t k = 0; k < (is_double ? 1u : 2u); ++k) {
     const reference::Intersection& at = both[k];
     const bool is_chosen =
@@ -92,7 +92,7 @@ void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const sc
     drawing.places.emplace_back(name, point);
     if (is_chosen) drawing.places.emplace_back("answer", point);
     drawing.names[name] =
-        fmt::format("{}, s = {}{}", name, told[k],
+        fmt::format("{}, s = {}{}", name, texts[k],
                     is_chosen                                 ? ", the answer"
                     : may_count(ray, sphere, at, conventions) ? ""
                                                               : ", does not count");

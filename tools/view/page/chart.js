@@ -1,4 +1,4 @@
-// Error against run time, or against severity: every method a point or a curve, every family at once.
+// Error against run time, or against severity: every method a point or a curve, every source at once.
 import { atEachWidth, brief, briefSentence, choice, disclosure, element } from "./dom.js";
 import { rangeField, refill, svg, table } from "./dom.js";
 import { methodMark } from "./marks.js";
@@ -12,7 +12,7 @@ const ALL = 0; // severities together, where there are run times
 
 const isTimed = (facet) => facet.baseline !== "";
 
-/// The chart's selection: a facet (a stage's methods on a family), one of its quantities, a quantile, a severity. A
+/// The chart's selection: a facet (a stage's methods on a source), one of its quantities, a quantile, a severity. A
 /// dial's severity follows the store's scene.
 export function mountChart(root, { chart, dial }, store) {
   const state = { facet: chart.facets[0], quantity: 0, share: chart.share, severity: ALL };
@@ -88,7 +88,7 @@ function legendOf(state, { key }) {
       { type: "button", class: "chip", "data-method": number }, entry(number, "right", brief(name)))))];
 }
 
-/// All families of the stage, if there are several; each links to its own chart.
+/// All sources of the stage, if there are several; each links to its own chart.
 function smallCharts(state, chart, set) {
   const facets = chart.facets.filter(({ stage }) => stage === state.facet.stage);
   if (facets.length === 1) return [];

@@ -12,7 +12,7 @@ namespace raycheck::tools {
 namespace {
 
 /// A scene of only this ray and sphere, as given input for explain.
-scene::Scene alone(const scene::Scene& scene, const Selection& selection) {
+scene::Scene pair_scene(const scene::Scene& scene, const Selection& selection) {
   scene::Scene result;
   result.conventions = scene.conventions;
   result.rays = {scene.rays.at(selection.ray.value_or(0))};
@@ -213,7 +213,7 @@ Json exact_json(const ExplainReport& report) {
 
 /// The steps, each method's answer, and the exact one. Rich text is a list of [kind, text]: "",
 /// "symbol", "number", "mark" (wrong digits) or "wrong".
-Json told_json(const ExplainReport& report) {
+Json answers_json(const ExplainReport& report) {
   const auto step = [&](const Step& one) { return step_json(one, report); };
   const auto verdict = [&](const MethodReport& one) { return verdict_json(one, report); };
   return {{"steps", list_json(report.steps, step)},
@@ -227,8 +227,10 @@ std::string direction_remark(const ExplainReport& report) {
   if (report.pixel) return {};
   const scene::Vector3& D = report.ray.direction;
   const double length = std::hypot(D.x, D.y, D.z);
-  const std::string told = fmt::format("{:.6g}", length);
-  return told == "1" ? "" : fmt::format(" times the ray's direction, which is {} long", told);
+  const std::string length_text = fmt::format("{:.6g}", length);
+  return length_text == "1"
+             ? ""
+             : fmt::format(" times the ray's direction, which is {} long", length_text);
 }
 
 Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selection& selection,
@@ -241,7 +243,7 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
     explained.pixel = selection.pixel;
     explained.sphere = selection.sphere;
   } else {
-    explained.scene = alone(scene, selection);
+    explained.scene = pair_scene(scene, selection);
   }
   ExplainReport report = explain(explained);
   Panel panel;
@@ -251,9 +253,9 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
   } else if (report.sphere) {
     panel.selection.sphere = selection.sphere.value_or(0);
   }
-  panel.told = selection_json(panel.selection);
-  panel.told["command"] = explain_command(report, selection, options);
-  panel.told["text"] = explain_text(report, {});
+  panel.json = selection_json(panel.selection);
+  panel.json["command"] = explain_command(report, selection, options);
+  panel.json["text"] = explain_text(report, {});
   keep_methods(options, report);
   for (const MethodReport& method : report.methods) {
     if (method.goes_wrong()) panel.wrong.push_back(method.name);
@@ -265,9 +267,9 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
                          reference::ExactCamera(*report.scene.camera, report.scene.conventions),
                          *report.pixel)
                    : reference::ExactRay(report.ray);
-  panel.told.update(told_json(report));
-  panel.told["drawing"] = drawing_json(frame, ray, sphere, report.scene.conventions);
-  panel.told["microscope"] =
+  panel.json.update(answers_json(report));
+  panel.json["drawing"] = drawing_json(frame, ray, sphere, report.scene.conventions);
+  panel.json["microscope"] =
       sphere != nullptr ? microscope_json(report, ray, *sphere) : Json(nullptr);
   return panel;
 }

@@ -115,10 +115,10 @@ TEST_P(HostileControlGroupOn, CannotBeLeftOrChangedByItsProcesses) {
   // By the given path, by the path of its group, and by every path that it finds.
   const std::string lines = R"(
 own = open('/proc/self/cgroup').read().split('0::')[1].strip()
-told = sys.argv[1]
-mounted = told.rsplit('/', 1)[0]
-folders = {told, mounted, mounted + own, told + own}
-for place in '/sys/fs/cgroup', told:
+given = sys.argv[1]
+mounted = given.rsplit('/', 1)[0]
+folders = {given, mounted, mounted + own, given + own}
+for place in '/sys/fs/cgroup', given:
     folders.update(folder for folder, _, _ in os.walk(place))
 gained = []
 for folder in sorted(folders):
