@@ -111,8 +111,8 @@ struct Line {
   bool is_quick = false;  ///< It may end before it catches signals.
 };
 
-const std::string kHangs = "command:python3 tests/candidates/hostile.py sleep";
-const std::string kHangs = "renderer:python3 tests/candidates/rt.py hang {scene} {image}";
+const std::string kNeverReplies = "command:python3 tests/candidates/hostile.py sleep";
+const std::string kNeverReplies = "renderer:python3 tests/candidates/rt.py hang {scene} {image}";
 const std::string kTen = "scene/examples/ten-spheres.toml";
 
 const std::vector<Line>& lines() {
@@ -120,8 +120,8 @@ const std::vector<Line>& lines() {
       {"check", {"check", "BIG", "--threads", "2"}},
       {"check_many_spheres", {"check", "MANY"}},
       {"check_every_method", {"check", "MANY", "--all"}},
-      {"check_that_hangs", {"check", kTen, "--candidate", kHangs, "--timeout", "60"}},
-      {"check_hanging_renderer", {"check", kTen, "--candidate", kHangs, "--timeout", "60"}},
+      {"check_that_hangs", {"check", kTen, "--candidate", kNeverReplies, "--timeout", "60"}},
+      {"check_hanging_renderer", {"check", kTen, "--candidate", kNeverReplies, "--timeout", "60"}},
       {"check_compiling",
        {"check", kTen, "--candidate", "source:tests/candidates/right.cpp", "--pixels", "all"}},
       {"properties", {"properties", "--cases", "1000000000"}},
@@ -145,7 +145,7 @@ const std::vector<Line>& lines() {
       {"image", {"image", "BIG", "--out", "OUT.png"}},
       {"image_of_errors", {"image", "MANY", "--what", "error", "--out", "OUT.ppm"}},
       {"view", {"view", "MANY", "--out", "OUT.html"}},
-      {"view_of_a_candidate", {"view", kTen, "--candidate", kHangs, "--timeout", "60"}},
+      {"view_of_a_candidate", {"view", kTen, "--candidate", kNeverReplies, "--timeout", "60"}},
       {"view_of_a_family", {"view", "--family", "distance", "--out", "OUT.html"}},
       {"plan", {"plan", "MANY"}},
       {"plan_classes", {"plan", "BIG", "--wanted", "class"}},
