@@ -36,20 +36,20 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
 /// The commands, in the order of --help: NAME is that of tools/ROOM/NAME_command.cpp, where add_NAME
 /// gives it its options, PROGRAM is the raycheck-PROGRAM that has it.
 #define RAYCHECK_COMMANDS(ROW) \
-  ROW(check, check, "Judge methods on every pixel of a scene")                                      \
-  ROW(properties, study, "Try the laws on random cases, and shrink cases that break them")          \
-  ROW(explain, study, "Derive one ray step by step, exactly and by every method")                   \
-  ROW(stress, study, "Judge each stage of methods separately, on cases of growing severity")        \
-  ROW(tradeoff, study, "Compare methods by certified error and measured time on the same inputs")   \
-  ROW(worst, study, "Search for the input on which a method's certified error is largest")          \
-  ROW(merge, study, "Report on a campaign whose shards ran separately, on any machines")            \
-  ROW(image, study, "Write the picture of a scene, with every pixel decided exactly")               \
-  ROW(view, study, "Show a scene, its rays and where methods go wrong, in a page for a browser")    \
-  ROW(plan, study, "Show which work a scene does not need, and measure the time that this saves")   \
-  ROW(grade, grade, "Grade submissions by a rubric; without any, try the rubric")                   \
-  ROW(try, grade, "Grade your own submission by a rubric, as your instructors will")                \
-  ROW(rubric, grade, "Print or copy a rubric that comes with raycheck; without a name, list them")  \
-  ROW(new, study, "Write an adapter for your own code, to fill in")                                 \
+  ROW(check, check, "Judge methods on every pixel of a scene")                                     \
+  ROW(properties, study, "Try the laws on random cases, and shrink cases that break them")         \
+  ROW(explain, study, "Derive one ray step by step, exactly and by every method")                  \
+  ROW(stress, study, "Judge each stage of methods separately, on cases of growing severity")       \
+  ROW(tradeoff, study, "Compare methods by certified error and measured time on the same inputs")  \
+  ROW(worst, study, "Search for the input on which a method's certified error is largest")         \
+  ROW(merge, study, "Report on a campaign whose shards ran separately, on any machines")           \
+  ROW(image, study, "Write the picture of a scene, with every pixel decided exactly")              \
+  ROW(view, study, "Show a scene, its rays and where methods go wrong, in a page for a browser")   \
+  ROW(plan, study, "Show which work a scene does not need, and measure the time that this saves")  \
+  ROW(grade, grade, "Grade submissions by a rubric; without any, try the rubric")                  \
+  ROW(try, grade, "Grade your own submission by a rubric, as your instructors will")               \
+  ROW(rubric, grade, "Print or copy a rubric that comes with raycheck; without a name, list them") \
+  ROW(new, study, "Write an adapter for your own code, to fill in")                                \
   ROW(list, study, "Show methods, laws, sources and conventions")
 // clang-format on
 

@@ -52,7 +52,7 @@ class Malformed(Exception):
 
 LONGEST = 4000  # digits: products of four doubles have fewer
 EXPONENTS = range(-1074, 1024)  # of doubles
-BRACKET_EXPONENTS = range(-(2**14), 2**14)  # of products of four doubles, and of roots, to more bits
+BRACKET_EXPONENTS = range(-(2**14), 2**14)  # products of four doubles, and roots, to more bits
 PLAIN_DIGITS = 19  # of integers that are not strings: 64 bits, as for pixels
 WORDS = ("nan", "inf", "-inf", SOME_SPHERE)  # instead of a number
 
@@ -1041,7 +1041,8 @@ def is_met_everywhere(box, conventions):
     if discriminant.low < 0 or (discriminant.low == 0 and conventions["tangent"] == "miss"):
         _, g, r, _ = box.whole
         least_sq = r.low**2 * norm_sq(g).low
-        if r.low <= 0 or not is_shorter(vector_variations(box, moment_form), box.middle[1], least_sq):
+        moment = vector_variations(box, moment_form)
+        if r.low <= 0 or not is_shorter(moment, box.middle[1], least_sq):
             return False
     c = box.variation(constant_form)
     if conventions["root"] == "smaller":

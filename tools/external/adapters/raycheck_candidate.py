@@ -15,7 +15,8 @@ and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The funct
     pixel_ray(camera, conventions, pixel) -> (P, direction) from P, direction unit
     focal_ray(camera, conventions, pixel) -> (E, direction) from the eye
     intersect(ray, sphere, conventions) -> (s, point) or None
-    intersect_batch(rays, sphere, conventions) -> a list of the same, one for each ray; instead of intersect
+    intersect_batch(rays, sphere, conventions) -> a list of the same, one for each ray;
+                                                  instead of intersect
     nearest(ray, spheres, conventions) -> index or None
 
 Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
@@ -141,7 +142,8 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
     replies, sys.stdout = sys.stdout, sys.stderr
     lines = iter(sys.stdin)
     if not next(lines, "").startswith("raycheck "):
-        sys.exit("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input")
+        sys.exit("raycheck_candidate.run: not started by raycheck: "
+                 "expected 'raycheck 1' on standard input")
     declared = {"rows": rows, "samples": samples, "origin": origin, "root": root,
                 "tangent": tangent}
     said = [f"raycheck 1 {name}"]
