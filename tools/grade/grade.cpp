@@ -248,7 +248,7 @@ class ClassRun {
                  last_failure, runnable.external.program.spent},
                 control, grade);
       note_that_nothing_shows(dry, grade);
-      if (std::string unsaid = unsaid_text(grade); !unsaid.empty()) grade.notes.push_back(unsaid);
+      if (std::string note = inexpressible_text(grade); !note.empty()) grade.notes.push_back(note);
       grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
       grade.build_seconds = watch.lap();

@@ -166,13 +166,13 @@ struct Confined {
 
 /// How a candidate's process failed.
 enum class FailureKind {
-  kSystem,    ///< A system call failed: it could not be started, or not be reached.
-  kEnded,     ///< It ended before it had finished its task.
-  kTimeUp,    ///< It timed out.
-  kSaidMore,  ///< More output than requested, or allowed.
-  kBadReply,  ///< A malformed reply, or not a picture.
-  kNotAsked,  ///< It timed out too often and was dropped.
-  kCannotSay  ///< Not a failure: its input format cannot express the scene.
+  kSystem,       ///< A system call failed: it could not be started, or not be reached.
+  kEnded,        ///< It ended before it had finished its task.
+  kTimeUp,       ///< It timed out.
+  kExtraOutput,  ///< More output than requested, or allowed.
+  kBadReply,     ///< A malformed reply, or not a picture.
+  kNotAsked,     ///< It timed out too often and was dropped.
+  kCannotSay     ///< Not a failure: its input format cannot express the scene.
 };
 
 /// A program's output as a clause for error messages; empty without output.

@@ -295,13 +295,14 @@ std::string Process::exchange(std::string_view request,
       const std::string_view line = std::string_view(answer_).substr(line_begin, end - line_begin);
       line_begin = searched = end + 1;
       if (!is_last(line)) continue;
-      if (line_begin != answer_.size()) fail(FailureKind::kSaidMore, "wrote more after its reply");
+      if (line_begin != answer_.size())
+        fail(FailureKind::kExtraOutput, "wrote more after its reply");
       charge();
       return std::exchange(answer_, {});
     }
     searched = answer_.size();
     if (answer_.size() > most_bytes) {
-      fail(FailureKind::kSaidMore, fmt::format("replied with more than {} bytes", most_bytes));
+      fail(FailureKind::kExtraOutput, fmt::format("replied with more than {} bytes", most_bytes));
     }
   }
 }

@@ -152,10 +152,10 @@ std::string not_judged(const ClassGrade& graded) {
 }
 
 /// The submissions whose total lacks cases.
-std::string unsaid(const ClassGrade& graded) {
+std::string inexpressible(const ClassGrade& graded) {
   std::string html;
   for (const SubmissionGrade& grade : graded.submissions) {
-    const std::string text = unsaid_text(grade);
+    const std::string text = inexpressible_text(grade);
     if (!text.empty()) html += "<p>" + link(grade) + ": " + text + "</p>\n";
   }
   return html.empty() ? "" : "<h2>Cases that were not asked</h2>\n" + html;
@@ -241,8 +241,8 @@ std::string summary(const ClassGrade& graded) {
 /// mistakes.
 std::string class_page(const ClassGrade& graded) {
   return page(graded.rubric.title, summary(graded) + distribution(graded) + failing_items(graded) +
-                                       mistakes(graded) + not_judged(graded) + unsaid(graded) +
-                                       opaque(graded) + everyone(graded));
+                                       mistakes(graded) + not_judged(graded) +
+                                       inexpressible(graded) + opaque(graded) + everyone(graded));
 }
 
 }  // namespace raycheck::tools

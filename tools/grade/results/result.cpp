@@ -48,7 +48,7 @@ std::string plain_text(const std::string& said) {
   return text;
 }
 
-std::string unsaid_text(const SubmissionGrade& grade) {
+std::string inexpressible_text(const SubmissionGrade& grade) {
   std::uint64_t unsaid = 0, cases = 0;
   for (const ItemGrade& item : grade.items) {
     unsaid += item.unsaid;

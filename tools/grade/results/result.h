@@ -199,7 +199,7 @@ struct SubmissionGrade {
 };
 
 /// A sentence about the cases that cannot be written in its input format; or empty.
-std::string unsaid_text(const SubmissionGrade& grade);
+std::string inexpressible_text(const SubmissionGrade& grade);
 
 /// If false, its points mean nothing, since it did not run.
 inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refused; }
