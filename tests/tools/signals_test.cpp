@@ -112,7 +112,7 @@ struct Line {
 };
 
 const std::string kNeverReplies = "command:python3 tests/candidates/hostile.py sleep";
-const std::string kNeverReplies = "renderer:python3 tests/candidates/rt.py hang {scene} {image}";
+const std::string kHangs = "renderer:python3 tests/candidates/rt.py hang {scene} {image}";
 const std::string kTen = "scene/examples/ten-spheres.toml";
 
 const std::vector<Line>& lines() {
@@ -121,7 +121,7 @@ const std::vector<Line>& lines() {
       {"check_many_spheres", {"check", "MANY"}},
       {"check_every_method", {"check", "MANY", "--all"}},
       {"check_that_hangs", {"check", kTen, "--candidate", kNeverReplies, "--timeout", "60"}},
-      {"check_hanging_renderer", {"check", kTen, "--candidate", kNeverReplies, "--timeout", "60"}},
+      {"check_hanging_renderer", {"check", kTen, "--candidate", kHangs, "--timeout", "60"}},
       {"check_compiling",
        {"check", kTen, "--candidate", "source:tests/candidates/right.cpp", "--pixels", "all"}},
       {"properties", {"properties", "--cases", "1000000000"}},

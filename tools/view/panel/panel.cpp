@@ -213,7 +213,7 @@ Json exact_json(const ExplainReport& report) {
 
 /// The steps, each method's answer, and the exact one. Rich text is a list of [kind, text]: "",
 /// "symbol", "number", "mark" (wrong digits) or "wrong".
-Json answers_json(const ExplainReport& report) {
+Json explained_json(const ExplainReport& report) {
   const auto step = [&](const Step& one) { return step_json(one, report); };
   const auto verdict = [&](const MethodReport& one) { return verdict_json(one, report); };
   return {{"steps", list_json(report.steps, step)},
@@ -267,7 +267,7 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
                          reference::ExactCamera(*report.scene.camera, report.scene.conventions),
                          *report.pixel)
                    : reference::ExactRay(report.ray);
-  panel.json.update(answers_json(report));
+  panel.json.update(explained_json(report));
   panel.json["drawing"] = drawing_json(frame, ray, sphere, report.scene.conventions);
   panel.json["microscope"] =
       sphere != nullptr ? microscope_json(report, ray, *sphere) : Json(nullptr);
