@@ -87,7 +87,8 @@ def arguments(member):
         text = f"{code(one.find('type'))} {one.findtext('declname') or ''}".strip()
         default = code(one.find("defval"))
         texts.append(text + (f" = {default}" if default else ""))
-    return f"({', '.join(texts)})" + (" const" if member.get("const") == "yes" else "")
+    said = [f" {word}" for word in ("const", "noexcept") if member.get(word) == "yes"]
+    return f"({', '.join(texts)})" + "".join(said)
 
 
 def signature(member):

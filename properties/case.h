@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/conventions.h"
 #include "scene/precision.h"
 #include "scene/scene.h"
 
@@ -33,9 +34,8 @@ enum class Level {
   kExtreme     ///< All that doubles can express.
 };
 inline constexpr std::array<std::string_view, 3> kLevelNames = {"ordinary", "demanding", "extreme"};
-constexpr std::string_view name(Level level) {
-  return kLevelNames[static_cast<std::size_t>(level)];
-}
+constexpr auto& names_of(Level /*of*/) { return kLevelNames; }
+using scene::name;
 
 /// The numbers that a candidate accepts: those of a format and, if it needs unit directions, only
 /// rays with directions of length 1 up to rounding.

@@ -41,10 +41,7 @@ struct CodeLine {
   std::string file;       ///< Relative to the working folder where it lies below that.
   std::int64_t line = 1;  ///< From 1 on.
   std::string text = {};  ///< The text of the line, trimmed.
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(file, line, text);
-  }
+  void serialize(auto& archive) { archive(file, line, text); }
 };
 
 /// It failed at a known line.

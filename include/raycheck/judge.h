@@ -122,10 +122,10 @@ struct Verdict {
   std::string text;
 
   /// It was judged, and the law holds.
-  [[nodiscard]] bool holds() const { return finding == Finding::holds; }
+  [[nodiscard]] bool holds() const noexcept { return finding == Finding::holds; }
   /// The law holds or does not apply: it is not broken, undecided or judged too rarely. Also true
   /// if the candidate lacks the function that the law is about: then nothing was judged.
-  [[nodiscard]] bool passes() const {
+  [[nodiscard]] bool passes() const noexcept {
     return finding == Finding::holds || finding == Finding::left_out ||
            finding == Finding::not_judged;
   }

@@ -2,8 +2,8 @@
 
 #include "properties/candidate.h"
 #include "properties/case.h"
+#include "properties/discrepancy.h"
 #include "properties/laws/law.h"
-#include "properties/verdict.h"
 #include "scene/geometry.h"
 
 namespace raycheck::properties {

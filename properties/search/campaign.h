@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <deque>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,7 +36,7 @@ struct CampaignOptions {
   Level level = Level::kDemanding;
   /// The sources of the cases; empty: every source of the level that suits the law. A source
   /// without a severity stands for all its severities of the level.
-  std::vector<ChosenSource> sources;
+  std::vector<ChosenSource> sources = {};
   /// The number of distinct failures to shrink: above one, a law's cases go on after a break.
   std::size_t keep_going = 1;
 };
@@ -48,10 +51,7 @@ struct CaseCounts {
   std::string reason;           ///< Why the last of those left out was.
 
   void add(const CaseCounts& other);
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(cases, left_out, not_judged, given_rays, reason);
-  }
+  void serialize(auto& archive) { archive(cases, left_out, not_judged, given_rays, reason); }
 };
 
 /// A case that breaks a law.
@@ -60,10 +60,7 @@ struct Break {
   std::string replay;
   std::vector<DefectKind> defects;
   std::optional<CodeLine> failed_at = {};  ///< Where the candidate died or threw.
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(replay, defects, failed_at);
-  }
+  void serialize(auto& archive) { archive(replay, defects, failed_at); }
 };
 
 /// A law's verdict on the cases of one source, at one severity if it has any. Ends at the first
@@ -88,8 +85,7 @@ struct CampaignPart {
   /// Called after the last case: stores the undecided kinds.
   void close(bool strict);
   /// Does not contain the source.
-  template <class Archive>
-  void serialize(Archive& archive) {
+  void serialize(auto& archive) {
     archive(counts, verdict, breaks, undecided, undecided_seed, failed_at_once, timed_out);
   }
 };
@@ -116,9 +112,7 @@ inline constexpr std::uint64_t kFewestRight = 10;
 enum class Finding { kHolds, kBroken, kUndecided, kTooFewJudged, kNotJudged, kLeftOut };
 inline constexpr std::array<std::string_view, 6> kFindingNames = {
     "holds", "broken", "undecided", "too few judged", "not judged here", "left out"};
-constexpr std::string_view name(Finding finding) {
-  return kFindingNames[static_cast<std::size_t>(finding)];
-}
+constexpr auto& names_of(Finding /*of*/) { return kFindingNames; }
 
 struct CampaignResult {
   Level level = Level::kDemanding;
@@ -195,39 +189,44 @@ class Campaigns {
   CampaignResult finished(std::size_t candidate, std::size_t law, const Candidate& judged);
 
  private:
-  /// The number of cases in a series for a law of a candidate, both by index.
+  /// A law of a candidate, both by index, on the cases of a series.
   struct Tried {
+    Tried(std::size_t of_candidate, std::size_t its_law, int in_series)
+        : candidate(of_candidate), law(its_law), cases(in_series) {}
     std::size_t candidate, law;
     int cases;
+    /// The first unit in which the law is broken: later ones do not count.
+    mutable std::atomic<std::size_t> broken_in = std::numeric_limits<std::size_t>::max();
   };
   /// A source at a severity.
   struct Series {
     ChosenSource source;
-    std::vector<Tried> tried;  ///< Candidate after candidate.
-    std::size_t first_unit;
-    /// The first unit in which each of these is broken: later ones do not count.
-    std::vector<std::atomic<std::size_t>> broken_in;
-    int most() const;  ///< The largest number of cases of a law.
+    std::deque<Tried> tried;  ///< Candidate after candidate.
+    std::size_t first_unit = 0;
+    /// The largest number of cases of a law.
+    int most() const { return std::ranges::max_element(tried, {}, &Tried::cases)->cases; }
   };
   struct Unit {
-    Series& series;
+    const Series& series;
     int number;  ///< In the series.
+  };
+  /// A candidate's campaigns, and whether it is asked any more.
+  struct OfCandidate {
+    LawsOfCandidate asked;
+    std::vector<CampaignResult> results;  ///< By law.
+    bool has_answered = false;
+    std::size_t units_failed = 0;  ///< In which it only failed, before it answered anything.
+    std::size_t units_timed_out = 0;
+    std::atomic<bool> is_dropped = false;  ///< As kUnitsToFail says.
+    bool answers_nothing() const { return units_failed == kUnitsToFail; }
   };
   Unit unit(std::size_t number) const;
 
-  std::vector<LawsOfCandidate> asked_;
-  mutable std::vector<Series> series_;  ///< In the order of sources and severities.
+  std::vector<OfCandidate> candidates_;
+  std::deque<Series> series_;  ///< In the order of sources and severities.
   std::size_t unit_count_ = 0;
   int unit_cases_ = kUnitCases;
   bool units_are_kept_;
-  /// By candidate: the number of units in which it only failed before it answered anything; after
-  /// kUnitsToFail it is dropped.
-  std::vector<bool> has_answered_;
-  std::vector<std::size_t> units_failed_;
-  std::vector<std::atomic<bool>> answers_nothing_;
-  std::vector<std::size_t> units_timed_out_;
-  std::vector<std::atomic<bool>> timed_out_;          ///< Dropped because of time-outs.
-  std::vector<std::vector<CampaignResult>> results_;  ///< By candidate and law.
 };
 
 /// Runs a law on random cases (by RapidCheck's streams) of every source and severity, each with its

@@ -23,10 +23,7 @@ RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, Inpu
 struct Example {
   Case the_case;
   Discrepancy discrepancy;
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(the_case, discrepancy);
-  }
+  void serialize(auto& archive) { archive(the_case, discrepancy); }
 };
 
 /// The verdicts of the same cases on one candidate, inside and outside its stated domain.
@@ -37,10 +34,7 @@ struct StressResult {
   std::uint64_t left_out = 0;  ///< Cases that its format cannot hold (rounded_case).
 
   void merge(StressResult other);
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(inside, outside, found, left_out);
-  }
+  void serialize(auto& archive) { archive(inside, outside, found, left_out); }
 };
 
 struct StressOptions {

@@ -34,8 +34,7 @@ struct WorstCase {
   double height_random = 0;   ///< That of the worst random case.
   double height_climbed = 0;  ///< That before shrinking.
   Discrepancy shown;          ///< The place, the candidate's answer and the exact one.
-  template <class Archive>
-  void serialize(Archive& archive) {
+  void serialize(auto& archive) {
     archive(the_case, error, stability.condition, stability.ratio, stability.outcome, height,
             height_random, height_climbed, shown);
   }

@@ -313,6 +313,8 @@ TEST(Judge, JudgesOnlyFunctionsThatAreSet) {
         << bound;
   }
   const Verdict left_out = judge(frames, "class");
+  static_assert(noexcept(left_out.passes()), "callers rely on it");
+  static_assert(noexcept(left_out.holds()), "callers rely on it");
   EXPECT_TRUE(left_out.passes());
   EXPECT_FALSE(left_out.holds());
 }

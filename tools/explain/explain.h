@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/verdict.h"
+#include "properties/discrepancy.h"
 #include "reference/account/closed_form.h"
 #include "reference/exact_ray.h"
 #include "scene/scene.h"

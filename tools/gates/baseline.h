@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "properties/verdict.h"
+#include "properties/discrepancy.h"
 
 namespace raycheck::tools {
 

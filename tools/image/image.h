@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/excuse.h"
 #include "properties/run_control.h"
-#include "properties/verdict.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "tools/implementations/built_in.h"

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/verdict.h"
+#include "properties/discrepancy.h"
 #include "scene/scene.h"
 #include "tools/report/json.h"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/discrepancy.h"
 #include "properties/mistakes/explanation.h"
-#include "properties/verdict.h"
 #include "reference/visibility/visibility.h"
 #include "scene/conventions.h"
 #include "scene/files/scene_file.h"

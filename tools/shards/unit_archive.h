@@ -14,7 +14,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "properties/verdict.h"
+#include "properties/excuse.h"
+#include "properties/quantity.h"
 #include "scene/conventions.h"
 #include "scene/precision.h"
 
@@ -27,10 +28,7 @@ constexpr std::size_t enumerators(Enum value) {
 }
 constexpr std::size_t enumerators(scene::Precision) { return scene::kPrecisionNames.size(); }
 constexpr std::size_t enumerators(properties::Quantity) { return properties::kQuantityCount; }
-constexpr std::size_t enumerators(properties::Wrong) { return properties::kWrongCount; }
 constexpr std::size_t enumerators(properties::ExcuseKind) { return properties::kExcuses.size(); }
-constexpr std::size_t enumerators(properties::Outcome) { return properties::kOutcomeCount; }
-constexpr std::size_t enumerators(properties::Blame) { return properties::kBlameNames.size(); }
 
 class UnitWriter : public cereal::OutputArchive<UnitWriter, cereal::AllowEmptyClassElision> {
  public:

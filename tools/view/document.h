@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/verdict.h"
+#include "properties/excuse.h"
 #include "scene/scene.h"
 #include "tools/report/json.h"
 #include "tools/view/chart/chart.h"

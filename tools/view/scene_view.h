@@ -1,8 +1,8 @@
 #pragma once
 
 #include "properties/case.h"
+#include "properties/decision.h"
 #include "properties/run_control.h"
-#include "properties/verdict.h"
 #include "tools/implementations/built_in.h"
 #include "tools/view/document.h"
 #include "tools/view/pictures/pictures.h"

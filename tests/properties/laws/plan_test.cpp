@@ -110,7 +110,8 @@ TEST_P(EachSource, KeepsTheLawsOfThePlan) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sources, EachSource, testing::ValuesIn(names_of(case_sources())), by_name);
+INSTANTIATE_TEST_SUITE_P(Sources, EachSource, testing::ValuesIn(raycheck::names_of(case_sources())),
+                         by_name);
 
 /// Counts of spheres that plans left out, and of tests that they made unnecessary.
 struct Savings {

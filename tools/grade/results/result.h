@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/decision.h"
 #include "properties/truth.h"
-#include "properties/verdict.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/pictures/driver_form.h"
 #include "tools/external/sandbox/launch.h"

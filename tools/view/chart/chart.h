@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "properties/quantity.h"
-#include "properties/verdict.h"
+#include "properties/tally.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
