@@ -11,8 +11,9 @@
 #include <system_error>
 
 #include "scene/invalid_input.h"
-#include "tools/arguments.h"
+#include "tools/commands.h"
 #include "tools/external/sandbox/file_tree.h"
+#include "tools/flags.h"
 #include "tools/report/digest.h"
 #include "tools/report/version.h"
 #include "tools/terminal.h"

@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/shard_arguments.h"
 #include "tools/terminal.h"
