@@ -1,8 +1,8 @@
 #include <memory>
 
 #include "tools/commands.h"
+#include "tools/commands/list.h"
 #include "tools/flags.h"
-#include "tools/list/list.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {

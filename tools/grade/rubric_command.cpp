@@ -3,7 +3,7 @@
 #include <string>
 
 #include "tools/commands.h"
-#include "tools/rubric/shipped_rubrics.h"
+#include "tools/grade/rubric/rubric.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
