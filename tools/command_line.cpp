@@ -21,8 +21,8 @@
 #include "scene/interruption.h"
 #include "scene/invalid_input.h"
 #include "scene/text.h"
-#include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/report/json.h"
 #include "tools/report/output_file.h"
 #include "tools/report/version.h"
@@ -187,6 +187,12 @@ int exit_of(const CLI::ParseError& said, const CLI::App& app) {
 }
 
 }  // namespace
+
+int exit_code(bool was_interrupted, bool found, bool checked) {
+  if (was_interrupted) return kExitOfSignal + caught_signal();
+  if (found) return kExitDiscrepancy;
+  return checked ? kExitNothingFound : kExitNothingChecked;
+}
 
 std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked) {
   program.description("An exact reference for camera rays and ray-sphere intersections");

@@ -86,5 +86,7 @@ inline constexpr int kExitNothingChecked = 4;
 inline constexpr int kExitInternal = 70;
 /// Plus the signal: the one that interrupted it, or SIGPIPE if the output pipe is closed.
 inline constexpr int kExitOfSignal = 128;
+/// `found`: a defect or another failure; `checked`: enough was judged to exclude one.
+int exit_code(bool was_interrupted, bool found, bool checked);
 
 }  // namespace raycheck::tools

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "properties/run_control.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -35,6 +38,17 @@ void print_warnings(const std::vector<std::string>& warnings);
 void print_report(const std::string& report, bool colours = false);
 /// Likewise for lines that the log of a GitHub workflow is to execute.
 void print_commands(const std::string& commands);
+
+/// Prints a report in the format of this name.
+/// Domain: a name that add_format accepts.
+template <class Report, std::size_t N>
+void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report) {
+  const bool colours = stdout_takes_colours();
+  for (const View<Report>& view : views) {
+    if (view.name != format) continue;
+    print_report(view.render(report, {colours}), colours);
+  }
+}
 
 /// Control for work run from a terminal: caught signals end it early, and standard error shows the
 /// progress of `what` while the control lives.

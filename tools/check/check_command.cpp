@@ -3,9 +3,11 @@
 #include <memory>
 #include <string>
 
-#include "tools/arguments.h"
+#include "properties/verdict.h"
+#include "tools/candidate_arguments.h"
 #include "tools/check/check.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/gate_arguments.h"
 #include "tools/shard_arguments.h"
 #include "tools/terminal.h"
@@ -73,13 +75,13 @@ CommandRun add_check(CLI::App& command) {
       command.add_option("--intersect", judged.intersect,
                          "the method that intersects rays; may be repeated (default: "
                          "cross)");
-  add_external(command, judged.external);
-  add_renderer(command, judged.external);
+  add_judged(command, judged.external);
   command.add_flag("--all", arguments.all, "every pair of methods")
       ->excludes(rays, intersect, command.get_option("--candidate"));
   command.add_option("--pixels", arguments.pixels, "all, or a number of pixels, spread evenly")
       ->capture_default_str();
-  add_top(command, arguments.options.top);
+  add_number(command, "--top", arguments.options.top, 0, properties::kKeptDiscrepancies,
+             "the number of worst discrepancies to show");
   add_max_ulp(command, arguments.options.max_error,
               "errors above this are discrepancies (default: the method's documented bound)");
   add_strict(command, arguments.options.strict);

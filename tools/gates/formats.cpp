@@ -275,7 +275,7 @@ std::string gitlab_codequality(const Gate& gate) {
 constexpr GateFormat kFormats[] = {
     {"junit", junit},
     {"markdown", markdown},
-    {"github", github, ViewKind::kCommands},
+    {"github", github, true},
     {"gitlab-codequality", gitlab_codequality},
 };
 

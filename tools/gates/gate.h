@@ -12,7 +12,6 @@
 #include "properties/failures.h"
 #include "tools/gates/baseline.h"
 #include "tools/report/json.h"
-#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -91,7 +90,7 @@ Json ratchet_json(const std::optional<Ratchet>& ratchet);
 struct GateFormat {
   std::string_view name;
   std::string (*write)(const Gate& gate);
-  ViewKind kind = ViewKind::kText;
+  bool is_executed = false;  ///< Lines that GitHub's workflow log executes.
 };
 /// Every format, in the order of --help (formats.cpp).
 std::span<const GateFormat> gate_formats();

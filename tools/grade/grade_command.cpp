@@ -7,8 +7,9 @@
 #include <stdexcept>
 
 #include "scene/files/file_text.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/probe.h"

@@ -1,7 +1,8 @@
 #include <memory>
 
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/grade/grade.h"
 #include "tools/terminal.h"
 

@@ -1,9 +1,10 @@
 #include <limits>
 #include <memory>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/plan/plan.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {

@@ -4,8 +4,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/gate_arguments.h"
 #include "tools/properties/properties.h"
 #include "tools/shard_arguments.h"
@@ -80,8 +81,7 @@ CommandRun add_properties(CLI::App& command) {
   command.add_option("--rays", judged.rays, "only this method of making rays");
   command.add_option("--intersect", judged.intersect,
                      "only this intersection method; may be repeated");
-  add_external(command, judged.external);
-  add_renderer(command, judged.external);
+  add_judged(command, judged.external);
   command.add_option("--dialect", judged.dialect,
                      "of the driver files that renderers are given: A, B, C, 2017 to 2020, auto "
                      "(what it reads), or a form such as B:17:no-light (default: B)");

@@ -10,12 +10,6 @@ struct ViewOptions {
   bool colours = false;  ///< For a terminal.
 };
 
-/// Active content in a text.
-enum class ViewKind {
-  kText,      ///< Nothing.
-  kCommands,  ///< Lines that GitHub's workflow log interprets.
-};
-
 /// A format of a command's report: its name for --format, and its writer. A room's views are in a
 /// table; the first is the default.
 template <class Report>

@@ -4,8 +4,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/shard_arguments.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"

@@ -6,8 +6,9 @@
 #include <stdexcept>
 
 #include "scene/invalid_input.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/shard_arguments.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"

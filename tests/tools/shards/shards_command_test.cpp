@@ -436,8 +436,8 @@ TEST(Units, that_contradict_each_other_are_named) {
 TEST(Units, depend_on_listed_options_only) {
   std::set<std::string> known = {"--help",   "--out",     "--shard", "--replay",
                                  "--target", "--package", "--probe", "--for"};
-  for (const tools::NamedOption& one : tools::kReportOptions) known.insert(one.name);
-  for (const tools::NamedOption& one : tools::kUnitOptions) known.insert(one.name);
+  known.insert(std::begin(tools::kReportOptions), std::end(tools::kReportOptions));
+  known.insert(std::begin(tools::kUnitOptions), std::end(tools::kUnitOptions));
   const std::regex option("\\n +(?:-[a-z],)?(--[a-z-]+)");
   for (const char* command : {"properties", "stress", "worst", "check", "grade"}) {
     const std::string help = run(std::string(command) + " --help", 0).out;

@@ -87,7 +87,12 @@ struct CaseOutcome {
   ItemReason unanswered;        ///< Why some questions were not answered.
   const properties::Law* broken = nullptr;
   std::optional<properties::Discrepancy> discrepancy;
-  std::optional<FailureKind> failure;  ///< The candidate's failure, if it breaks the law.
+  std::optional<FailureKind> failure;   ///< The candidate's failure, if it breaks the law.
+  std::optional<ShownPicture> picture;  ///< Of a renderer.
+  bool is_untold = false;               ///< Its colours do not identify the spheres.
+
+  bool failed() const { return discrepancy && discrepancy->wrong == Wrong::kFailed; }
+  bool timed_out() const { return failure == FailureKind::kTimeUp; }
   bool is_answered() const { return unanswered.kind == ItemReason::Kind::kNone; }
   bool holds() const { return broken == nullptr && is_answered(); }
 };
@@ -204,6 +209,37 @@ bool tells_spheres(const ShownPicture& picture) {
   return 2 * untold <= spheres;
 }
 
+/// Tries the laws on a case; of a renderer, also gets its picture.
+CaseOutcome ask(const std::vector<const Law*>& laws, const Case& the_case,
+                const GradedCandidate& graded) {
+  CaseOutcome outcome = try_case(laws, the_case, graded);
+  if (!graded.pictures || !outcome.answers) return outcome;
+  // The picture was just drawn and is reused; a time-out is not repeated.
+  if (!outcome.timed_out()) {
+    outcome.picture = properties::shown_picture(the_case.scene, graded.unmasked);
+  }
+  if (outcome.broken == nullptr && outcome.unanswered.kind == ItemReason::Kind::kOtherColours) {
+    outcome.is_untold = !tells_spheres(*outcome.picture);
+    outcome.unanswered = {};
+  }
+  return outcome;
+}
+
+/// Counts a case, and keeps it if it broke a law.
+void count(ItemCase item_case, CaseOutcome outcome, std::size_t most_kept, ItemTrial& trial) {
+  ItemGrade& grade = trial.grade;
+  ++grade.cases;
+  grade.comparisons += outcome.compared;
+  if (outcome.holds()) {
+    ++grade.held;
+    return;
+  }
+  if (grade.reason.kind == ItemReason::Kind::kNone) grade.reason = outcome.unanswered;
+  if (outcome.broken == nullptr || trial.failed.size() >= most_kept) return;
+  trial.failed.push_back({std::move(item_case), outcome.broken, *outcome.discrepancy,
+                          outcome.failure, std::move(outcome.picture)});
+}
+
 /// The outcome of all cases. `is_untold`: in some cases the colours do not identify the spheres.
 void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
   if (grade.cases == 0 && (is_untold || grade.unsaid > 0)) {
@@ -230,12 +266,13 @@ void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
 
 ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCandidate& graded,
                    const std::function<ItemReason()>& reason_to_stop, ItemGrade given) {
-  ItemTrial trial;
-  ItemGrade& grade = trial.grade = std::move(given);
+  ItemTrial trial{std::move(given), {}, {}, {}};
+  ItemGrade& grade = trial.grade;
   Verdict all;
-  int failed_altogether = 0, silent = 0;
+  int failures = 0, silent = 0;
   bool is_untold = false;
-  for (std::size_t k = 0; k < cases.size(); ++k) {
+  std::size_t k = 0;
+  for (; k < cases.size() && failures < kMostFailures && silent < kMostSilentCases; ++k) {
     if (ItemReason reason = reason_to_stop(); reason.kind != ItemReason::Kind::kNone) {
       grade.state = ItemState::kNotJudged;
       grade.reason = std::move(reason);
@@ -244,42 +281,20 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
     }
     std::optional<ItemCase> item_case = cases[k];
     if (!item_case) continue;
-    CaseOutcome outcome = try_case(task.laws, item_case->the_case, graded);
+    CaseOutcome outcome = ask(task.laws, item_case->the_case, graded);
     all.merge(std::move(outcome.verdict));
     if (outcome.is_unsaid) ++grade.unsaid;
-    if (!outcome.answers) continue;
-    std::optional<ShownPicture> picture;
-    // The picture was just drawn and is reused; a time-out is not repeated.
-    const bool timed_out = outcome.failure == FailureKind::kTimeUp;
-    if (graded.pictures && !timed_out)
-      picture = properties::shown_picture(item_case->the_case.scene, graded.unmasked);
-    if (picture) trial.pictures.push_back(*picture);
-    if (outcome.broken == nullptr && outcome.unanswered.kind == ItemReason::Kind::kOtherColours) {
-      if (!tells_spheres(*picture)) {
-        is_untold = true;
-        continue;
-      }
-      outcome.unanswered = {};
-    }
-    ++grade.cases;
-    grade.comparisons += outcome.compared;
-    if (outcome.holds()) {
-      ++grade.held;
-      continue;
-    }
-    if (grade.reason.kind == ItemReason::Kind::kNone) grade.reason = outcome.unanswered;
-    if (outcome.broken == nullptr) continue;
-    failed_altogether += outcome.discrepancy->wrong == properties::Wrong::kFailed ? 1 : 0;
-    silent += timed_out ? 1 : 0;
-    if (graded.pictures || trial.failed.size() < kKeptCases) {
-      trial.failed.push_back({std::move(*item_case), outcome.broken, *outcome.discrepancy,
-                              outcome.failure, std::move(picture)});
-    }
-    if (failed_altogether < kMostFailures && silent < kMostSilentCases) continue;
-    grade.cases += cases.size() - k - 1;
-    while (++k < cases.size()) {
-      if (auto next = cases[k]) trial.not_asked.push_back(std::move(next->the_case.scene));
-    }
+    if (outcome.failed()) ++failures;
+    if (outcome.timed_out()) ++silent;
+    if (outcome.picture) trial.pictures.push_back(*outcome.picture);
+    if (outcome.is_untold) is_untold = true;
+    if (!outcome.answers || outcome.is_untold) continue;
+    count(std::move(*item_case), std::move(outcome), graded.pictures ? cases.size() : kKeptCases,
+          trial);
+  }
+  grade.cases += cases.size() - k;
+  for (; k < cases.size(); ++k) {
+    if (auto next = cases[k]) trial.not_asked.push_back(std::move(next->the_case.scene));
   }
   finish(all, is_untold, grade);
   return trial;

@@ -147,14 +147,22 @@ struct Rubric {
 /// the dialect.
 Rubric load_rubric(const std::filesystem::path& path, const std::string& dialect = "");
 
-/// The names of the shipped rubrics, without ".toml", sorted.
-std::vector<std::string> shipped_rubrics();
-
 /// The path of a shipped rubric; the name may end in ".toml". Empty: there is no such rubric.
 std::optional<std::filesystem::path> shipped_rubric(const std::filesystem::path& name);
 
 /// The path of a scene that comes with the shipped rubrics; empty: there is no such scene.
 std::optional<std::filesystem::path> shipped_scene(const std::filesystem::path& name);
+
+/// A line for each shipped rubric: name, title, number of items.
+std::string rubrics_text();
+
+/// The text of a shipped rubric's file.
+/// Errors: std::invalid_argument if there is no such rubric.
+std::string rubric_file(const std::string& name);
+
+/// Copies a shipped rubric and its scenes to a folder; returns a line about what was written.
+/// Errors: as rubric_file(); std::invalid_argument if a file exists already, or cannot be written.
+std::string copy_rubric(const std::string& name, const std::string& out);
 
 /// The seed of a submission: the first 64 bits of the HMAC-SHA-256 of its name under a secret,
 /// unpredictable without the secret.

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -10,9 +9,9 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/shard_arguments.h"
 #include "tools/terminal.h"
@@ -57,17 +56,15 @@ int run_merge(const MergeArguments& arguments) {
       words.push_back(*argument);
       continue;
     }
-    const auto known = std::ranges::find(kUnitOptions, *argument, &NamedOption::name);
-    const bool lacks_value =
-        known != std::end(kUnitOptions) && known->has_value && std::next(argument) == all.end();
-    if (known == std::end(kUnitOptions) || lacks_value) {
+    const bool has_value = !has(kFlags, *argument);
+    if (!has(kUnitOptions, *argument) || (has_value && std::next(argument) == all.end())) {
       throw std::invalid_argument(fmt::format(
           "{}: its campaign has {}, which raycheck never writes: the folder was changed",
           arguments.folders.front(), *argument));
     }
     // One word, so that a value that begins with '-' is not read as an option.
-    words.push_back(known->has_value ? *argument + "=" + *std::next(argument) : *argument);
-    if (known->has_value) ++argument;
+    words.push_back(has_value ? *argument + "=" + *std::next(argument) : *argument);
+    if (has_value) ++argument;
   }
   report_what_runs(campaign, arguments.folders.front(), arguments.may_run);
   for (const std::string& folder : arguments.folders) words.push_back("--merged=" + folder);
@@ -95,16 +92,16 @@ CommandRun add_merge(CLI::App& command) {
       ->type_name("FOLDER");
   command.add_flag("--run-candidates", given->may_run,
                    "allow the merge to run the campaign's candidates or submissions");
-  for (const NamedOption& option : kReportOptions) {
-    const std::string meaning = "as for the campaign's command";
-    if (option.has_value) {
-      command.add_option(option.name, given->passed[option.name], meaning)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-          ->expected(1)
-          ->take_all();
-    } else {
-      command.add_flag(option.name, given->flags[option.name], meaning);
+  for (const std::string_view option : kReportOptions) {
+    const std::string name(option), meaning = "as for the campaign's command";
+    if (has(kFlags, name)) {
+      command.add_flag(name, given->flags[name], meaning);
+      continue;
     }
+    command.add_option(name, given->passed[name], meaning)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->expected(1)
+        ->take_all();
   }
   return [given] { return run_merge(*given); };
 }

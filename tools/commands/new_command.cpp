@@ -9,11 +9,12 @@
 
 #include "scene/files/file_text.h"
 #include "scene/invalid_input.h"
-#include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/external/sandbox/launch.h"
+#include "tools/flags.h"
 #include "tools/report/output_file.h"
 #include "tools/report/version.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,8 +1,9 @@
 #include <memory>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/list/list.h"
+#include "tools/commands/list.h"
+#include "tools/flags.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 

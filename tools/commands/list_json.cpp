@@ -1,5 +1,5 @@
 #include "scene/conventions.h"
-#include "tools/list/list.h"
+#include "tools/commands/list.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

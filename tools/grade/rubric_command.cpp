@@ -1,9 +1,10 @@
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 
-#include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/rubric/shipped_rubrics.h"
+#include "tools/grade/rubric/rubric.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {

@@ -5,8 +5,9 @@
 #include <stdexcept>
 
 #include "scene/number.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/image/image.h"
 #include "tools/terminal.h"
 

@@ -5,7 +5,7 @@
 
 #include "scene/conventions.h"
 #include "scene/text.h"
-#include "tools/list/list.h"
+#include "tools/commands/list.h"
 
 namespace raycheck::tools {
 

@@ -7,9 +7,10 @@
 #include <stdexcept>
 
 #include "scene/interruption.h"
-#include "tools/arguments.h"
+#include "tools/candidate_arguments.h"
 #include "tools/check/check.h"
 #include "tools/commands.h"
+#include "tools/flags.h"
 #include "tools/report/output_file.h"
 #include "tools/report/words.h"
 #include "tools/stress/stress.h"
