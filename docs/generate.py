@@ -18,9 +18,9 @@
                                         into a folder, and their pictures, with a headless Chromium
                                         (docs/pictures.py)
 
-In a template a line `{{ARGUMENTS}}` is replaced by the output of `./run ARGUMENTS`. In a console
-block `$ ./run ARGUMENTS` is followed by its output. A block that elides lines by `...` is not
-changed: edit it by hand. The session blocks of a page are the commands of one shell.
+In a template, a line `{{ARGUMENTS}}` is replaced by the output of `./run ARGUMENTS`. In a console
+block, the output of `./run ARGUMENTS` follows the line `$ ./run ARGUMENTS`. A block that elides lines
+by `...` is not changed: edit it by hand. The session blocks of a page run in one shell.
 A marked part lies between `<!-- NAME: ... -->` and `<!-- end of NAME -->`.
 """
 import json
@@ -38,12 +38,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
 def printed(arguments):
-    """The output of the program; exit code 1 means that it found something, and is accepted."""
+    """The output of the program. Exit code 1 is accepted: it means that the program found something."""
     built = sorted(ROOT.glob("build/release/examples/engines/*.so"))
     engines = [f"--candidate library:{path.name}" for path in built]
     if engines:
         engines.append("--sandbox none --i-know")
-    # Run in the engines' folder, so that their names are short.
+    # In the engines' folder, so that their names are short.
     where = built[0].parent if built and "$ENGINES" in arguments else ROOT
     result = subprocess.run(f"{ROOT}/run {arguments}", shell=True, cwd=where, text=True,
                             capture_output=True, env={**os.environ, "ENGINES": " ".join(engines)})
@@ -75,7 +75,7 @@ def from_template(name):
 
 
 def shown(path):
-    """Runs the commands of a file's console blocks again, if these show all lines."""
+    """Runs the commands of a file's console blocks again, and writes their output, unless a block elides lines."""
     def again(match):
         arguments, lines = match[1], match[2]
         if "\n...\n" in "\n" + lines:
@@ -191,7 +191,7 @@ def rate(row):
 
 
 def beside_embree(rows, scene):
-    """Embree's time as a multiple of ours, and the share of its pixels that are wrong."""
+    """Embree's time divided by raycheck's, and the share of its pixels that are wrong."""
     if f"{scene}/embree" not in rows:
         return "no floats"
     ours, embree = rows[f"{scene}/certified"], rows[f"{scene}/embree"]
@@ -275,7 +275,7 @@ def families_table(rows):
 
 
 def methods_table(rows):
-    """The batches of one sphere, by their time over that of the textbook's formula."""
+    """The batches of one sphere, ordered by their time divided by that of the textbook's formula."""
     textbook = rate(rows["intersect/quadratic"])
     lines = ["| method | M/s | time over `quadratic` |", "|---|---|---|"]
     for name, row in sorted(rows.items(), key=lambda item: -rate(item[1])):
@@ -284,7 +284,7 @@ def methods_table(rows):
 
 
 def plot_spheres(rows, path):
-    """Certified and uncertified images, a curve each."""
+    """A plot with a curve for certified and one for uncertified images."""
     kinds = {"certified": "pointtype 7 linecolor '#0072b2'", "uncertified": "pointtype 5 linecolor '#d55e00'"}
     script = [f"set terminal svg size 720,440 font 'sans,13' background 'white'; set output '{path}'",
               "set logscale xy; set xlabel 'spheres'; set ylabel 'M rays/s'; set grid"]
@@ -297,7 +297,7 @@ def plot_spheres(rows, path):
 
 
 def campaign(*options):
-    """Of a campaign of the default pair: the number of judged cases, the CPU time and the elapsed time."""
+    """The number of judged cases, the CPU time and the elapsed time of a campaign of the default pair."""
     command = [str(ROOT / "build/release/tools/raycheck"), "properties", "--rays", "direct", "--intersect", "cross",
                "--format", "json", *options]
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
@@ -309,7 +309,7 @@ def campaign(*options):
 
 
 def laws_table():
-    """Judged cases a second of CPU: of each law by itself, and of all."""
+    """Cases judged per second of CPU, for all laws together and for each law by itself."""
     listed = subprocess.run([ROOT / "build/release/tools/raycheck", "list", "--format", "json"], stdout=subprocess.PIPE)
     laws = [law["name"] for law in json.loads(listed.stdout)["laws"]]
     rates = []
@@ -326,7 +326,7 @@ def laws_table():
 
 
 def growth_table():
-    """One campaign with more workers: elapsed time and total CPU time, over those with one."""
+    """One campaign with more workers: elapsed time and total CPU time, divided by those with one worker."""
     case = ("--cases", "100000")
     _, cpu, passed = campaign(*case, "--threads", "1")
     lines = ["| workers | times as fast | CPU |", "|---|---|---|", "| 1 thread | 1 | 1 |"]
