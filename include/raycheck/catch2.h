@@ -17,7 +17,7 @@
 #endif
 #include <raycheck/law_tests.h>
 
-/// The test of a raycheck::Candidate, of this name.
+/// Defines a test with this name, which judges a raycheck::Candidate.
 #define RAYCHECK_TESTS(name, candidate)                                                     \
   TEST_CASE(name, "[raycheck]") {                                                           \
     static const ::raycheck::LawTests raycheck_tests(candidate);                            \
