@@ -1,7 +1,7 @@
 #pragma once
 
-// Turns a method that answers one ray at a time into an IntersectMethod, in whatever number type it
-// computes. Such a Method is made from a sphere, `Method{sphere}`, and then answers rays:
+// Makes an IntersectMethod from a type Method that answers one ray at a time, in any number type. A
+// Method is made from a sphere, `Method{sphere}`, and has the member
 // std::optional<Hit> answer(const scene::Ray&, scene::HitRule) const.
 
 #include <cstddef>

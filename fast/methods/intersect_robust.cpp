@@ -14,7 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
-// The first step: robust_guess.h, then one Newton step from a residual in multiples of powers of 2.
+// The first step of `robust`: robust_guess.h, then one Newton step. Its residual is computed in
+// multiples of powers of 2.
 //
 // Let h = sqrt(disc), t = disc/(a r^2) <= 1 and x = f/r, so that t > 0.99 (2^-13 + 2^-31 x^2), and
 // t > 0.99 (2^-13 + 2^-28 x^2) where disc comes from b^2 - a c. On a hit |m| <= |d| r, hence f|d|
@@ -50,8 +51,9 @@ namespace {
 // All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
 // made from L' + (s0 d)', the rest and the correction of s, and rounded once.
 
-/// Whether Newton's step leaves an error below 2^-57 of s beside the surface, near and far, at the
-/// worst x that the margins allow; squared, to avoid roots.
+/// Whether Newton's step leaves an error below 2^-57 of s in each of three cases (beside the
+/// surface, near and far), for the worst x that the margins allow. Both sides are squared, to avoid
+/// roots.
 constexpr bool leaves_little() {
   using Required = Margins<double>;
   constexpr double kUnit = 0x1p-53, kMost = 0x1p-57;
@@ -65,7 +67,7 @@ constexpr bool leaves_little() {
              kMost * kMost * 12.2 * Required::kFarShare * kDisc * kDisc * kDisc * kDisc;
 }
 static_assert(leaves_little());
-// The residual's 800u^2 and 150u^2, and that the rests of squares are within 0.32 V r.
+// Checks the residual's 800u^2 and 150u^2, and that the rests of squares are below 0.32 V r.
 static_assert(16 * (9.45 + kRobustLow) <= 800 && 3 * (9.45 + kRobustLow) <= 150 &&
               5.1 <= 0.32 * 16);
 
@@ -77,13 +79,13 @@ HWY_INLINE N first_bit(const N& x) {
   return much - N(1 - 0x1p-53) * much;
 }
 
-/// Each coordinate to a multiple of 2^-53 scale.
+/// Each coordinate rounded to a multiple of 2^-53 scale.
 template <class N>
 HWY_INLINE Triple<N> coarse_triple(const Triple<N>& x, const N& scale) {
   return {coarse(x.x, scale), coarse(x.y, scale), coarse(x.z, scale)};
 }
 
-/// With the centre and the square of the radius as the residual takes them.
+/// A Ball with the coarse parts and the rests of the centre and of r^2, for the residual.
 template <class N>
 struct Target : Ball<N> {
   HWY_INLINE explicit Target(const SphereOf<N>& sphere)
@@ -96,12 +98,12 @@ struct Target : Ball<N> {
         end_rest(product_rest(sphere.radius, sphere.radius, end)) {}
 
   N scale;              ///< S.
-  Triple<N> high, low;  ///< Of the centre.
+  Triple<N> high, low;  ///< The coarse part of the centre, and the rest.
   N base;
-  N end, end_rest;  ///< r^2.
+  N end, end_rest;  ///< The coarse part of r^2, and the rest.
 };
 
-/// Newton's step from s0, and the point there.
+/// The hit after a Newton step from s0.
 template <class N>
 HWY_INLINE ChosenOf<N> correct(const RayOf<N>& ray, const Target<N>& ball, const First<N>& root) {
   const auto& [origin, direction] = ray;
@@ -140,8 +142,9 @@ bool any_hit(const std::uint8_t* codes) {
 constexpr std::size_t kBlock = 128;
 static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
 
-/// A BatchKernel for multiples of kLaneCount. Two passes over data that fits the L1 cache: one
-/// vector's chain of operations is too long for the next to start before it ends.
+/// A BatchKernel for multiples of kLaneCount. It makes two passes over data that fits the L1 cache,
+/// since the operations of one vector, in one pass, would be too many for the processor to overlap
+/// with the next vector.
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchInput& input, const HitArrays& answers) {
   const BatchInput asked = input;
   const HitArrays to = answers;
@@ -172,7 +175,7 @@ bool robust_batch(const BatchInput& input, const HitArrays& answers) {
   return answer_batch(answer_whole, input, answers);
 }
 
-/// The first step's answer to one ray; empty where it is not certain.
+/// The first step's answer to one ray; empty if it is not certain.
 [[gnu::flatten]] std::optional<Chosen> robust_one(const scene::Ray& ray,
                                                   const scene::Sphere& sphere,
                                                   scene::HitRule rule) {
@@ -225,8 +228,8 @@ std::optional<Hit> one_by_robust(const scene::Ray& ray, const scene::Sphere& sph
 
 }  // namespace
 
-/// The class is exact and s within max_ulp on every valid input, also where s is subnormal; it
-/// overflows to infinity as IEEE-754. kWideDomain is where Q's relative error means something.
+/// On every valid input the class is exact and s is within max_ulp, even if s is subnormal. s
+/// overflows to infinity as IEEE-754 says. kWideDomain limits only the promise for Q.
 const IntersectMethod kRobust = {
     .name = "robust",
     .sentence = "a root corrected once by a residual in parts where proven; else pairs, integers",
