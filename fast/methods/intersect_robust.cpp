@@ -17,39 +17,40 @@ namespace {
 // The first step of `robust`: robust_guess.h, then one Newton step. Its residual is computed in
 // multiples of powers of 2.
 //
-// Let h = sqrt(disc), t = disc/(a r^2) <= 1 and x = f/r, so that t > 0.99 (2^-13 + 2^-31 x^2), and
-// t > 0.99 (2^-13 + 2^-28 x^2) where disc comes from b^2 - a c. On a hit |m| <= |d| r, hence f|d|
-// <= |b| + |d| r <= q/sqrt(t), and f|d| <= 1.16 q where x > 2;
-//   |disc^ - disc| <= 19u f^2 |d|^2 + 10u a r^2 + u disc       near, by b^2 - a c,
-//                  <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2   far, by |m|^2,
-// moves h by (9.5x + 5)u q/t near, (11x + 3)u q/sqrt(t) where x > 2, and 8.8u q/t far (the last
-// term is negligible, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), later steps by 9.5u q at
-// most: s0 by E q/a in all, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, (11x +
-// 17)u/sqrt(t) where x > 2, and 24u/t far.
+// The first value s0. Let h = sqrt(disc), t = disc/(a r^2) <= 1 and x = f/r. "Near" means that disc
+// is computed as b^2 - a c, "far" that it is computed with |m|^2. By the margins, t > 0.99 (2^-13 +
+// 2^-31 x^2), and near, t > 0.99 (2^-13 + 2^-28 x^2). On a hit |m| <= |d| r, hence f|d| <= |b| +
+// |d| r <= q/sqrt(t), and f|d| <= 1.16 q if x > 2. The error of disc is
+//   |disc^ - disc| <= 19u f^2 |d|^2 + 10u a r^2 + u disc              near,
+//                  <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2    far.
+// It moves h by (9.5x + 5)u q/t near, or (11x + 3)u q/sqrt(t) if x > 2, and by 8.8u q/t far (the
+// last term is negligible, as f|d| < 2^15.6 h). b^ is off by 4u q/sqrt(t), and later steps by at
+// most 9.5u q. Together s0 is off by E q/a, where E is (9.5x + 5 + 4 sqrt(t) + 9.5t)u/t near, or
+// (11x + 17)u/sqrt(t) if x > 2, and 24u/t far.
 //
-// Newton's step leaves (E q/a)^2 a/(2h). As a share of s that is E^2 where s = q/a, which counts
-// only where c < 0 and hence q <= 2h; and with y = a|c|/h^2 = |x^2 - 1|/t, where s = |c|/q,
-//   (E^2/2) (1 + sqrt(1 + y))^3/y      with c > 0, else (E^2/2) 8/y:
-//   far, y > 2^10: 0.55 (24u)^2 x/t^2.5 <= 2^-57.9, as t^2.5 > 2^-39.8 x
-//   near, x > 32: 0.55 (11.6x)^2 u^2 x/t^1.5 <= 2^-57.7; else below 2^-59 where y > 1
-//   y < 1: 4E^2/y <= 2^-57.3, as x^2 is 2^-26 from 1 and E <= 14.6u/t where t is least.
-// 1/(2h) stands for its exact value: off by (9.5x^2 + 5)u/t + 6u of itself near and (4.3x + 11)u/t
-// far, which times the error of s0 is 2^-57.1 of s near, where x > 32, 2^-65 far, and 2^-57.3 where
-// y < 1.
+// Newton's step leaves an error of (E q/a)^2 a/(2h). If s = q/a, which counts only if c < 0 and
+// hence q <= 2h, this is at most E^2 s. If s = |c|/q, let y = a|c|/h^2 = |x^2 - 1|/t; as a share of
+// s, the error is (E^2/2) (1 + sqrt(1 + y))^3/y if c > 0, else (E^2/2) 8/y. Its bounds are:
+//   far, y > 2^10: 0.55 (24u)^2 x/t^2.5 <= 2^-57.9, as t^2.5 > 2^-39.8 x;
+//   near, x > 32: 0.55 (11.6x)^2 u^2 x/t^1.5 <= 2^-57.7; otherwise below 2^-59 if y > 1;
+//   y < 1: 4E^2/y <= 2^-57.3, as |x^2 - 1| >= 2^-26, and E <= 14.6u/t at the least t.
+// The computed 1/(2h) is off by a share of (9.5x^2 + 5)u/t + 6u near and (4.3x + 11)u/t far. This
+// times the error of s0 is 2^-57.1 of s near, if x > 32, 2^-65 far, and 2^-57.3 if y < 1.
 //
-// The residual |L + s0 d - C|^2 - r^2. Let S be a power of 2 from 2M to 4M, and o' be o rounded by
-// adding S, off by at most u(|o| + S); so is (s0 d)', off by u(2|s0 d| + S), as it may be rounded
-// twice. Both are multiples of 2^-53 S. So L' + (s0 d)' is exact, as it is less than 1.1M, and so
-// is w, its difference to C', as |w| <= 1.01 r. v, the sum of the parts rounded off, is at most V =
-// u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by the margin of f^2 - r^2), and off by
-// 2.7u V per coordinate. The squares of w are split by 4r^2 alike: the high parts add up exactly.
-// v's errors cost 9.45u V r; the product (2w + v) v, the low parts and their sums cost kRobustLow u
-// V r more. Their sum over 2 s h is the error as a share of s: 800u^2 M r/(2 s h) <= 2^-60.3, as
-// s h >= |f - r| max(2^-6.6 r, 2^-15.6 f) > 2^-37 M r by the margin of f^2 - r^2, and
-// 150u^2 f r/(2 s h) <= 2^-63.6.
+// The residual |L + s0 d - C|^2 - r^2. Let S be a power of 2 from 2M to 4M. L' is L rounded by
+// adding S, off by at most u(|L| + S). (s0 d)' is rounded in the same way, but perhaps twice, and
+// off by at most u(2|s0 d| + S). Both are multiples of 2^-53 S. L' + (s0 d)' is exact, as it is
+// less than 1.1M. So is w, its difference to C', as |w| <= 1.01 r. v, the sum of the parts rounded
+// off, is at most V = u(16M + 3f) < 2^-17 r (as f < 2^15.6 r, and M < 2^27.7 r by the margin of f^2
+// - r^2), and off by 2.7u V per coordinate. The squares of w are split in the same way by 4r^2, and
+// their high parts add up exactly. v's errors cost 9.45u V r; the product (2w + v) v, the low parts
+// and their sums cost kRobustLow u V r more. The sum of these, divided by 2 s h, is the error as a
+// share of s. Its parts are 800u^2 M r/(2 s h) <= 2^-60.3, as s h >= |f - r| max(2^-6.6 r, 2^-15.6
+// f) > 2^-37 M r by the margin of f^2 - r^2, and 150u^2 f r/(2 s h) <= 2^-63.6.
 //
-// All in all s is off by less than 2^-56.1 of itself before it is rounded: 0.62 ulp. Q = L + s d is
-// made from L' + (s0 d)', the rest and the correction of s, and rounded once.
+// Together s is off by less than 2^-56.1 of itself before it is rounded, and by 0.62 ulp
+// afterwards. Q = L + s d is made from L' + (s0 d)', the rest and the correction of s, and rounded
+// once.
 
 /// Whether Newton's step leaves an error below 2^-57 of s in each of three cases (beside the
 /// surface, near and far), for the worst x that the margins allow. Both sides are squared, to avoid

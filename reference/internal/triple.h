@@ -2,7 +2,7 @@
 
 namespace raycheck::reference {
 
-/// A point or vector by coordinates of a number type, and its algebra.
+/// A point or vector with coordinates of a number type, and its operations.
 template <class Number>
 struct Triple {
   Number x;
