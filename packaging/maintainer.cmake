@@ -1,4 +1,4 @@
-# The maintainer: DEBFULLNAME and DEBEMAIL of the environment, as for Debian's tools.
+# The maintainer, from DEBFULLNAME and DEBEMAIL in the environment, as in Debian's tools.
 set(name "$ENV{DEBFULLNAME}")
 if(NOT name)
   set(name "The raycheck authors")
