@@ -1,5 +1,5 @@
-# Adds the licence and the changelog, which Debian requires in every package, and compresses man pages.
-# cpack runs this before it packs.
+# Adds the licence and the changelog, which Debian requires in every package, and compresses man
+# pages. cpack runs this before it packs.
 include(${CMAKE_CURRENT_LIST_DIR}/maintainer.cmake)
 
 file(READ ${CPACK_RAYCHECK_SOURCE_DIR}/LICENSE licence)

@@ -6,7 +6,8 @@ function intersect({ origin, direction }, { centre, radius }) {
   throw new Error("NAME: calls nothing yet");
 }
 
-// root: "smaller" is always v - d. Add what applies to your code: precision: "single" if it computes in floats;
-// roots: { ends: "()", tMin: 1e-3, unit: "length" } if it ignores hits nearer than 1e-3; directions: "unit" if it requires
-// unit directions; returns: "parameter", "point", "distance", "squared-distance" or "class".
+// root: "smaller" is always v - d. Add what applies to your code: precision: "single" if it
+// computes in floats; roots: { ends: "()", tMin: 1e-3, unit: "length" } if it ignores hits nearer
+// than 1e-3; directions: "unit" if it requires unit directions; returns: "parameter", "point",
+// "distance", "squared-distance" or "class".
 run("NAME", { root: "nearest", tangent: "either", intersect });

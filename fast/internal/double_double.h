@@ -1,8 +1,8 @@
 #pragma once
 
-// Numbers of about 106 bits as unevaluated sums of two doubles. Internal to fast/.
-// Source of the algorithms and their names: Joldes, Muller and Popescu, Tight and rigorous error
-// bounds for basic building blocks of double-word arithmetic, 2017.
+// Numbers of about 106 bits as unevaluated sums of two doubles. Internal to fast/. Source of the
+// algorithms and their names: Joldes, Muller and Popescu, Tight and rigorous error bounds for basic
+// building blocks of double-word arithmetic, 2017.
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 # Defines raycheck::raycheck, the library. For each test framework that is installed, defines
-# raycheck::gtest (with GoogleTest's main), raycheck::catch2 (with Catch2's main), raycheck::doctest or
-# raycheck::rapidcheck; with clang, also raycheck::fuzz (with libFuzzer's main). To require one, name
-# it as a component: find_package(raycheck REQUIRED COMPONENTS gtest).
+# raycheck::gtest (with GoogleTest's main), raycheck::catch2 (with Catch2's main), raycheck::doctest
+# or raycheck::rapidcheck; with clang, also raycheck::fuzz (with libFuzzer's main). To require one,
+# name it as a component: find_package(raycheck REQUIRED COMPONENTS gtest).
 include("${CMAKE_CURRENT_LIST_DIR}/raycheckTargets.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/raycheckFrameworks.cmake")
 

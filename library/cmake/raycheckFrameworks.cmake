@@ -1,5 +1,5 @@
-# The targets raycheck::gtest, raycheck::catch2, raycheck::doctest and raycheck::rapidcheck, for each
-# test framework that is installed.
+# The targets raycheck::gtest, raycheck::catch2, raycheck::doctest and raycheck::rapidcheck, for
+# each test framework that is installed.
 function(raycheck_framework name package)
   if(TARGET raycheck::${name})
     return()

@@ -1,6 +1,6 @@
-; l = |P - E| = sqrt(n^2 + alpha^2 + beta^2), which does not depend on the axes. For all U, V, W and g
-; = n W + alpha U + beta V, the difference of |g|^2 and n^2 + alpha^2 + beta^2 consists of terms with
-; |U|^2 - 1, U.V and so on, which are all 0 for perpendicular unit vectors (third_axis.smt2).
+; l = |P - E| = sqrt(n^2 + alpha^2 + beta^2), which does not depend on the axes. For all U, V, W and
+; g = n W + alpha U + beta V, the difference of |g|^2 and n^2 + alpha^2 + beta^2 consists of terms
+; with |U|^2 - 1, U.V and so on, which are all 0 for perpendicular unit vectors (third_axis.smt2).
 ; docs/problem.md, Camera; fast/methods/pixel_ray_focal.cpp.
 (set-logic QF_NRA)
 (define-fun dot ((ax Real) (ay Real) (az Real) (bx Real) (by Real) (bz Real)) Real

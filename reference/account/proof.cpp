@@ -100,8 +100,7 @@ struct Quadratic {
 };
 
 /// Whether certainly low <= root <= high, for the given root of p. Only up to the smaller root both
-/// p
-/// >= 0 and b - a mu >= 0 hold.
+/// p >= 0 and b - a mu >= 0 hold.
 bool is_root_between(const RationalInterval& low, const RationalInterval& high, WhichRoot root,
                      const Quadratic& p) {
   const auto& [a, b, c] = p;

@@ -1,7 +1,8 @@
-// PhysX 4 (npm @cocos/physx: NVIDIA's C++ by Emscripten, in floats), PxScene::raycast with a PxSphereGeometry: hit.distance
-// of "unitDir: Normalized direction of the ray", up to 2^20. If the origin is inside, "the reported hit distance is set to
-// zero". 0 is not a point on the sphere; the adapter returns it as a miss, and declares the first root, in front of the
-// origin. An end very close to the surface may count as on either side of it. Silent about tangents. Source: PhysX SDK
+// PhysX 4 (npm @cocos/physx: NVIDIA's C++ by Emscripten, in floats), PxScene::raycast with a
+// PxSphereGeometry: hit.distance of "unitDir: Normalized direction of the ray", up to 2^20. If the
+// origin is inside, "the reported hit distance is set to zero". 0 is not a point on the sphere; the
+// adapter returns it as a miss, and declares the first root, in front of the origin. An end very
+// close to the surface may count as on either side of it. Silent about tangents. Source: PhysX SDK
 // Guide, "Geometry Queries" (raycasts against spheres); PxScene.h.
 import { run } from "./raycheck_candidate.mjs";
 import initPhysX from "@cocos/physx";

@@ -1,6 +1,7 @@
-"""A function in GLSL, run by OpenGL: python3 glsl.py FILE.glsl. A compute shader calls it for all rays and one sphere, in
-floats. Without a display and a GPU, Mesa's llvmpipe runs it (Debian: python3-moderngl, libgl1-mesa-dri, libegl1). A GPU's
-driver may round differently, since GLSL allows errors of some ulp in divisions and roots.
+"""A function in GLSL, run by OpenGL: python3 glsl.py FILE.glsl. A compute shader calls it for all
+rays and one sphere, in floats. Without a display and a GPU, Mesa's llvmpipe runs it (Debian:
+python3-moderngl, libgl1-mesa-dri, libegl1). A GPU's driver may round differently, since GLSL allows
+errors of some ulp in divisions and roots.
 """
 import os
 import pathlib

@@ -1,6 +1,7 @@
-"""A function in OpenCL C, run by OpenCL: python3 opencl.py FILE.cl. A kernel calls it for all rays and one sphere, in
-floats. Without a GPU, PoCL runs it (Debian: python3-pyopencl, pocl-opencl-icd). A GPU may round differently, since OpenCL
-allows errors of 2.5 ulp in divisions and 3 ulp in roots of floats.
+"""A function in OpenCL C, run by OpenCL: python3 opencl.py FILE.cl. A kernel calls it for all rays
+and one sphere, in floats. Without a GPU, PoCL runs it (Debian: python3-pyopencl, pocl-opencl-icd).
+A GPU may round differently, since OpenCL allows errors of 2.5 ulp in divisions and 3 ulp in roots
+of floats.
 """
 import os
 import pathlib
