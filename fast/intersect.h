@@ -29,8 +29,7 @@ struct Roots {
 ///         std::invalid_argument naming the field. Nonzero lengths inside `domain`; otherwise
 ///         intermediate values over- or underflow silently.
 /// Error:  that of the method only, since the given rays are taken as exact. At most max_ulp ulp in
-/// s
-///         and max_point_ulp u of |Q| in Q, up to a condition number of kModerateCondition
+///         s and max_point_ulp u of |Q| in Q, up to a condition number of kModerateCondition
 ///         (properties/quantity.h); above, both bounds grow in proportion to the condition number.
 ///         The class is exact unless a relative change of the inputs by kExcusedChange makes the
 ///         ray tangent or moves the origin across the surface; with `exact_class` it is always

@@ -18,11 +18,10 @@ namespace raycheck::fast {
 ///         std::invalid_argument naming the field. Pixels inside the image. Nonzero lengths inside
 ///         `domain`; otherwise intermediate values over- or underflow silently.
 /// Error:  at most max_point_ulp u in a point (relative error) and max_direction_ulp u in a
-/// direction
-///         (angle), up to condition numbers of kModerateCondition (properties/quantity.h); above,
-///         both bounds grow in proportion to the condition number. |D| differs from 1 by at most
-///         max_unit_defect_ulp u. A method's `not_kept` names the inputs without these bounds.
-/// A missing function is null.
+///         direction (angle), up to condition numbers of kModerateCondition
+///         (properties/quantity.h); above, both bounds grow in proportion to the condition number.
+///         |D| differs from 1 by at most max_unit_defect_ulp u. A method's `not_kept` names the
+///         inputs without these bounds. A missing function is null.
 struct PixelRayMethod {
   using MakePoints = void (*)(const scene::Camera&, const scene::Conventions&,
                               std::span<const scene::Pixel>, Vectors&);

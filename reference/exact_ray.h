@@ -88,14 +88,12 @@ using scene::name;
 
 /// A ray, known exactly: through a camera's pixel, or given by doubles.
 /// Units:  scene lengths. s is a length for a camera's ray, whose direction is unit, and in
-/// multiples
-///         of the direction for a given ray.
+///         multiples of the direction for a given ray.
 /// Domain: every valid input (scene/validate.h) over the whole range of doubles. Otherwise
 ///         constructors, and functions with a sphere, throw std::invalid_argument naming the field.
 /// Error:  decisions are exact; enclosures contain the true value; rounded_* are correctly rounded
-/// to
-///         the format (to nearest, ties to even; overflow to infinity as IEEE-754 says; every zero
-///         is +0).
+///         to the format (to nearest, ties to even; overflow to infinity as IEEE-754 says; every
+///         zero is +0).
 /// Thread safety: const functions may be called from several threads. The caller's rounding mode is
 ///         restored.
 /// Source: docs/problem.md; filters before exact arithmetic as in CGAL's Filtered_predicate.

@@ -30,8 +30,7 @@ std::optional<IntervalIntersection> intersect_by_intervals(const scene::Ray& ray
 /// The intersection (class and root) that is the same for all rays and spheres of two boxes, also
 /// after a relative change of their numbers.
 /// Shape:  a box of given rays, a box of spheres -> their intersection; empty if intervals do not
-/// show
-///         that it is the same for all.
+///         show that it is the same for all.
 /// Domain: boxes with valid ends; otherwise throws like intersect_by_intervals(). 0 <=
 ///         relative_change < 1.
 /// Error:  exact.

@@ -12,8 +12,7 @@ namespace raycheck::reference {
 // ExactRay. `intersection` is the result of ray.intersect(sphere), a hit or a tangent.
 //         The error of an answer that is not finite is infinite.
 // Error:  upper bounds: by double-doubles if these enclose the error to a relative 2^-30, otherwise
-// by
-//         balls around values of ExactRay::kValueBits.
+//         by balls around values of ExactRay::kValueBits.
 
 scene::Measured pixel_point_error(const ExactRay& ray, const scene::Point3& given);
 scene::Measured origin_error(const ExactRay& ray, const scene::Point3& given);

@@ -13,16 +13,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-// A class is certain if all of these hold:
-// - |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2, or, if disc was computed as b^2 - a c,
-// with
-//   kNearShare in place of kFarShare;
-// - |f^2 - r^2| > kSurfaceShare r^2 + K M^2, where M = |C|_1 + r and
-//   K = min(kReachShare + kSmallShare (M/r)^2, kMostReach);
-// - |disc^| > kLeastDiscriminant, a + f^2 < kLargestSquare and r^2 < kLargestSquare. Then no
-// product
-//   overflows, a > 2^-600, for a hit r^2 > 2^-600, and underflows are negligible beside the
-//   margins.
+// A class is certain if three conditions hold.
+//   |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2. If disc was computed as b^2 - a c,
+//   kNearShare takes the place of kFarShare.
+//   |f^2 - r^2| > kSurfaceShare r^2 + K M^2, where M = |C|_1 + r and
+//   K = min(kReachShare + kSmallShare (M/r)^2, kMostReach).
+//   |disc^| > kLeastDiscriminant, a + f^2 < kLargestSquare and r^2 < kLargestSquare.
+// By the third, no product overflows, a > 2^-600, for a hit r^2 > 2^-600, and underflows are
+// negligible beside the margins.
 //
 // Signs. |m^ - m| <= 4.3u f|d|, |c^ - c| <= 6u (f^2 + r^2), and by either formula |disc^ - disc| <=
 // 19u a (f^2 + r^2) + u |disc^|, less than a hundredth of the margin. A miss that follows from the

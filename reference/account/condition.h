@@ -11,8 +11,7 @@ namespace raycheck::reference {
 // the sum of |dq/dx|_2 |x| / |q|_2. To first order, it is the largest relative change of q, divided
 // by the relative change of all inputs, over all choices of signs.
 // Inputs: a given ray's 6 doubles, or a camera's eye, look_at, up, near, left, right, bottom and
-// top
-//         (14); and a sphere's 4. Indices and numbers of pixels are not inputs.
+//         top (14); and a sphere's 4. Indices and numbers of pixels are not inputs.
 // Units:  none.
 // Domain: that of ExactRay. If q = 0, the result is 0 if all |dq/dx| |x| are certainly 0, otherwise
 //         infinite. It is infinite, too, beyond the largest double.

@@ -26,8 +26,7 @@ struct FirstMet {
 /// Error:  that of right_nearby() for one sphere. A witness ends with the last input that changes.
 ///         Under Tangent::kEither no ray that touches a sphere is a witness.
 /// Source: that of right_nearby() for one sphere. Intervals find the spheres that matter. That
-/// several
-///         inequalities cannot all hold is shown by a sum of them (J. Farkas).
+///         several inequalities cannot all hold is shown by a sum of them (J. Farkas).
 NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
                           const Neighbourhood& around, const FirstMet& claim);
 

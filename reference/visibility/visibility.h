@@ -42,15 +42,15 @@ struct DecidedBy {
 /// Shape:  rows j_begin <= j < j_end of a camera's image -> one answer per pixel, in (j, i) order.
 /// Units:  scene lengths.
 /// Domain: doubles that round to nearest; the scene of the plan (another scene is not detected),
-/// with
-///         fewer than 2^31 spheres. Throws std::invalid_argument if an array has the wrong size, or
-///         the image has more than kMostVisibleSide columns or rows (naming the camera's field).
+///         with fewer than 2^31 spheres. Throws std::invalid_argument if an array has the wrong
+///         size, or the image has more than kMostVisibleSide columns or rows (naming the camera's
+///         field).
 /// Memory: about 100 bytes per column and row, and up to kMostVisibleParts list entries.
 /// Error:  no decision is wrong. A tangent counts as a hit unless the convention is `miss`. s is
-/// off by
-///         at most kVisibleParameterError |Q - E| plus the least double: far from silhouettes, by a
-///         few u of |Q - E|; if an exact ray decided, s is correctly rounded. Each coordinate of Q
-///         is off by at most kVisibleParameterError |Q - E| + 4u |Q| plus the least double.
+///         off by at most kVisibleParameterError |Q - E| plus the least double: far from
+///         silhouettes, by a few u of |Q - E|; if an exact ray decided, s is correctly rounded.
+///         Each coordinate of Q is off by at most kVisibleParameterError |Q - E| + 4u |Q| plus the
+///         least double.
 /// Thread safety: const functions may be called from several threads.
 /// Source: reference/internal/formulas.h; the filter's bound is proved in
 /// reference/visibility/visibility_kernel.h.

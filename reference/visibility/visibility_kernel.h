@@ -31,8 +31,9 @@
 //   E  = 4 S e + e^2 + 33 u0 S^2 + R^2 1.1 E_a + 1.1 rho_r A:
 //        |h|^2 is off by 2 |h| e + e^2, r^2 a like c a above, and seven roundings follow.
 // This bound holds if |h| <= 2 S. Otherwise disc < -3 S^2, and with e <= S/8, disc^ < -2 S^2: the
-// ray misses, and is not taken for a hit. For each sphere the form with the smaller E is used. The
-// sign of disc^ is certain if |disc^| > kDecidedBeyond E. If it is positive, disc is above
+// ray misses, and is not taken for a hit. For each sphere the form with the smaller E is used.
+//
+// The sign of disc^ is certain if |disc^| > kDecidedBeyond E. If it is positive, disc is above
 // (kDecidedBeyond - 1) E, so that q^ is off by at most E / (2 sqrt((kDecidedBeyond - 1) E)) < 0.51
 // sqrt(E / kDecidedBeyond) and its rounding, and
 //   |m^ - m| <= E_m = E_b + 0.52 sqrt(E / kDecidedBeyond) + 4 u0 (B + sqrt(B^2 + |c^| A)).

@@ -4,9 +4,8 @@
 
 /// All reals from low to high; an end is infinite if no bound is known.
 /// Error:  the result of an operation encloses its values for all reals in the operands. Unless
-/// these
-///         values are tiny or beyond the largest double, each end is at most kBoundsMaxUlp ulp too
-///         far out.
+///         these values are tiny or beyond the largest double, each end is at most kBoundsMaxUlp
+///         ulp too far out.
 /// Domain: doubles that round to nearest; low <= high, neither is NaN, low < inf, high > -inf.
 template <class N>
 struct BoundsOf {

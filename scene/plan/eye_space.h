@@ -50,8 +50,7 @@ inline constexpr double kDeterminantRoundings = 15;
 /// Bounds on a camera's axes and image plane.
 /// Domain: a valid camera (scene/validate.h).
 /// Error:  all bounds enclose the real values. Those on the axes are some ulps wide, unless E - A
-/// or
-///         up x W nearly vanish, and exact if the axes are the world's (`axis_aligned`).
+///         or up x W nearly vanish, and exact if the axes are the world's (`axis_aligned`).
 /// Source: docs/problem.md, section Camera.
 class EyeSpace {
  public:
