@@ -1,13 +1,13 @@
 #ifndef RAYCHECK_DOCTEST_H_
 #define RAYCHECK_DOCTEST_H_
 
-// raycheck's laws as subcases of a doctest test, one per law and source of cases:
+// Makes a doctest test of raycheck's laws, with a subcase for each law and source of cases:
 //
 //     #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 //     #include <raycheck/doctest.h>
 //     RAYCHECK_TESTS("tracer", my_candidate());
 //
-// makes the test "tracer" with the subcases class/distance and so on. doctest 2.4; C++17; link
+// The test is "tracer"; its subcases are class/distance and so on. doctest 2.4; C++17; link
 // raycheck::doctest.
 
 #include <doctest/doctest.h>

@@ -9,7 +9,7 @@
 //     met.parameter->rounded();       // 4, correctly rounded
 //     met.parameter->ulp_error(3.9);  // the error of 3.9 in ulp
 //
-// Domain: the domains in <raycheck/scene.h>, and finite numbers; otherwise functions throw
+// Domain: finite numbers, and what the structs of scene.h require; otherwise functions throw
 //         std::invalid_argument naming the field.
 // Errors: none. Decisions are exact, rounded values correctly rounded; enclosures hold the value.
 // Thread safety: const members of one object may be called from several threads.
@@ -95,7 +95,7 @@ class RAYCHECK_API Ray {
   /// A given ray. Domain: finite, nonzero direction; otherwise throws std::invalid_argument.
   explicit Ray(const raycheck::Ray& ray);
 
-  [[nodiscard]] Numbers origin() const;     ///< Where it starts.
+  [[nodiscard]] Numbers origin() const;     ///< The point where it starts.
   [[nodiscard]] Numbers direction() const;  ///< Its direction, of length 1.
   /// How it meets a sphere. Domain: a finite sphere of radius >= 0; otherwise throws
   /// std::invalid_argument naming the field.

@@ -6,9 +6,9 @@
 //     #include <raycheck/fuzz.h>
 //     RAYCHECK_FUZZ(my_candidate(), "class")
 //
-// compiled by clang and linked with raycheck::fuzz makes a program that stops at the first case
-// that breaks the law, and prints this case. C++17. Without libFuzzer, link raycheck::raycheck and
-// call LLVMFuzzerTestOneInput() yourself.
+// Compile this by clang and link it with raycheck::fuzz. The program stops at the first case that
+// breaks the law, and prints this case. C++17. Without libFuzzer, link raycheck::raycheck and call
+// LLVMFuzzerTestOneInput() yourself.
 
 #include <raycheck/cases.h>
 #include <raycheck/judge.h>

@@ -1,12 +1,13 @@
 #ifndef RAYCHECK_GTEST_H_
 #define RAYCHECK_GTEST_H_
 
-// raycheck's laws as GoogleTest tests, one per law and source of cases:
+// Makes GoogleTest tests of raycheck's laws, one for each law and source of cases:
 //
 //     #include <raycheck/gtest.h>
 //     RAYCHECK_TESTS(Tracer, my_candidate());
 //
-// makes Tracer.class/distance and so on: law/source, with _ for -, which means "not" in a filter.
+// The tests are Tracer.class/distance and so on: law/source, with _ for -, which means "not" in a
+// filter.
 // C++17; link raycheck::gtest.
 
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ namespace raycheck {
 /// The outcome of one test.
 struct LawOutcome {
   bool passes = false;           ///< The test's result.
-  bool says_too_little = false;  ///< It passes only because no case, or too few, were judged.
+  bool says_too_little = false;  ///< It passes, but no case or too few cases were judged.
   std::string text;              ///< The text of the verdict.
 };
 

@@ -10,7 +10,7 @@
 //       ...
 //     });
 //
-// A failing case is shown as a scene file that reads back bit-identically. C++17; link
+// A failing case is shown as a scene file with the same numbers to the bit. C++17; link
 // raycheck::rapidcheck.
 
 #include <rapidcheck.h>
