@@ -8,9 +8,10 @@
 namespace raycheck::reference {
 
 // The errors of given answers for one ray, by the measures of reference/error_measure.h and
-// ExactRay. Units:  u of doubles; for the parameter, ulp of the given format. Domain: that of
-// ExactRay. `intersection` is the result of ray.intersect(sphere), a hit or a tangent.
-//         The error of an answer that is not finite is infinite.
+// ExactRay.
+// Units:  u of doubles; for the parameter, ulp of the given format.
+// Domain: that of ExactRay. `intersection` is the result of ray.intersect(sphere), a hit or a
+//         tangent. The error of an answer that is not finite is infinite.
 // Error:  upper bounds: by double-doubles if these enclose the error to a relative 2^-30, otherwise
 //         by balls around values of ExactRay::kValueBits.
 

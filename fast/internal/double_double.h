@@ -23,8 +23,9 @@ struct DoubleDouble {
   double low = 0;  ///< |low| <= ulp(high)/2
 
   constexpr DoubleDouble() = default;
-  constexpr DoubleDouble(double value) : high(value) {}  // NOLINT: a double is one, exactly
-  constexpr DoubleDouble(Rounded value) : high(value.x), low(value.error) {}  // NOLINT: likewise
+  constexpr DoubleDouble(double value) : high(value) {}  // NOLINT: an exact conversion
+  constexpr DoubleDouble(Rounded value)                  // NOLINT: an exact conversion
+      : high(value.x), low(value.error) {}
   explicit operator double() const { return high; }
 
   DoubleDouble& operator+=(const DoubleDouble& y);

@@ -16,8 +16,8 @@ namespace raycheck::reference {
 // Domain: that of ExactRay. If q = 0, the result is 0 if all |dq/dx| |x| are certainly 0, otherwise
 //         infinite. It is infinite, too, beyond the largest double.
 // Error:  an upper bound, too large by at most the share kConditionWidth or by
-// kNegligibleCondition. Source: derivatives by forward-mode automatic differentiation of
-// reference/internal/formulas.h,
+//         kNegligibleCondition.
+// Source: derivatives by forward-mode automatic differentiation of reference/internal/formulas.h,
 //         enclosed by intervals first, then by balls of growing precision.
 inline constexpr double kConditionWidth = 0x1p-10;
 inline constexpr double kNegligibleCondition = 0x1p-30;
@@ -29,7 +29,8 @@ double condition_of_direction(const ExactRay& ray);
 double condition_of_axial_distance(const ExactRay& ray, const scene::Sphere& sphere);
 double condition_of_half_chord_sq(const ExactRay& ray, const scene::Sphere& sphere);
 /// The condition numbers of s and Q; infinite at an exact tangent, as the derivative of sqrt(d^2)
-/// is. Domain: `intersection` is the result of ray.intersect(sphere), a hit or a tangent.
+/// is.
+/// Domain: `intersection` is the result of ray.intersect(sphere), a hit or a tangent.
 double condition_of_parameter(const ExactRay& ray, const scene::Sphere& sphere,
                               const Intersection& intersection);
 double condition_of_point(const ExactRay& ray, const scene::Sphere& sphere,

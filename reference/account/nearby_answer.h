@@ -36,13 +36,13 @@ struct Neighbourhood {
 /// s'' the other root. s must not be negative, and may be off from s' by the relative change times
 /// s plus the distance from the origin to the centre (its largest coordinate over the direction's).
 /// Near a double root it may also be off as far as a (|s - s'| + |s' - s''|)^2 <= R, where a =
-/// |g|^2, and R is the change of |T - s g|^2 - r^2 over the neighbourhood, to first order. Shape:
-/// a ray, a sphere and an answer -> a witness, a refutation, or neither. Units:  s in multiples of
-/// a given ray's direction; for a camera's ray, a length. Domain: that of ExactRay. An s that is
-/// negative or NaN is refuted. Error:  witnesses are verified and refutations proved, both by
-/// balls, or by intervals if an answer
-///         is far from right. The search assumes that the deciders are linear in the inputs, as
-///         they nearly are over a small neighbourhood. In wide neighbourhoods it uses lengths of
+/// |g|^2, and R is the change of |T - s g|^2 - r^2 over the neighbourhood, to first order.
+/// Shape:  a ray, a sphere and an answer -> a witness, a refutation, or neither.
+/// Units:  s in multiples of a given ray's direction; for a camera's ray, a length.
+/// Domain: that of ExactRay. An s that is negative or NaN is refuted.
+/// Error:  witnesses are verified and refutations proved, both by balls, or by intervals if an
+///         answer is far from right. The search assumes that the deciders are linear in the inputs,
+///         as they nearly are over a small neighbourhood. In wide neighbourhoods it uses lengths of
 ///         vectors, and for witnesses also projections and lines. Undecided are roots that are
 ///         about as far from right as the neighbourhood is wide, and answers that only an exact
 ///         tangent would make right. If not every root >= 0 counts, see

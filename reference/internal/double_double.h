@@ -11,8 +11,8 @@ namespace raycheck::reference {
 /// A closed interval that certainly contains one real number x: |x - (high + low)| <= radius, where
 /// high is the double nearest to high + low. It has about 104 bits, and needs no heap memory. Its
 /// exponents are limited: the radius covers over- and underflow, and is infinite or NaN if nothing
-/// is known. Valid only while doubles round to nearest. Error:  each operation encloses the exact
-/// result. With u = 2^-53, it adds to the radius of its
+/// is known. Valid only while doubles round to nearest.
+/// Error:  each operation encloses the exact result. With u = 2^-53, it adds to the radius of its
 ///         operands at most kDoubleDoubleError of the result (for a sum, of the larger operand),
 ///         and kDoubleDoubleUnderflow. This is proved for products, quotients and roots in proofs/;
 ///         the rounding errors of sums are computed.

@@ -184,7 +184,7 @@ typename K::FT constant_coefficient(const LineAndSphere<K>& pair) {
 }
 
 /// b^2 - a c, computed by Lagrange's identity as a r^2 - |f x g|^2, which does not cancel for far
-/// spheres and does not depend on where on the line the ray starts.
+/// spheres and does not depend on the ray's origin on the line.
 template <class K>
 typename K::FT discriminant(const LineAndSphere<K>& pair) {
   const typename K::Vector_3 moment = CGAL::cross_product(pair.f, pair.line.g);

@@ -39,7 +39,8 @@ struct PixelAxis {
 
 /// The part of a x - b y below its leading double. Given are the exact rounding errors of a times
 /// the leading part of x, of b times the leading part of y, and of the difference of these
-/// products. Error: kDeterminantRoundings u^2 times the sum of the products' sizes, to first order.
+/// products.
+/// Error:  kDeterminantRoundings u^2 times the sum of the products' sizes, to first order.
 template <class N>
 N rest_of_determinant(const N& of_difference, const N& of_first, const N& of_second, const N& a,
                       const N& x_rest, const N& b, const N& y_rest) {

@@ -69,12 +69,13 @@ struct SpherePlan {
 
 /// The computations that a scene needs, decided once from its camera and spheres. Bounds are
 /// rounded outward, so that leaving out the other computations changes no answer. Scenes of given
-/// rays have no plan. Shape:  a scene -> one SpherePlan and one distance per sphere, in their
-/// order. Units:  rectangles in pixels (i, j) as the conventions count them; scene lengths. Domain:
-/// a valid scene with a camera; otherwise throws std::invalid_argument naming the field. Error: the
-/// ray of a pixel outside a sphere's rectangle certainly misses the sphere. The rectangle
-///         exceeds the sphere's exact silhouette bounds by at most kRectangleSlack pixels on each
-///         side, if these bounds are well conditioned.
+/// rays have no plan.
+/// Shape:  a scene -> one SpherePlan and one distance per sphere, in their order.
+/// Units:  rectangles in pixels (i, j) as the conventions count them; scene lengths.
+/// Domain: a valid scene with a camera; otherwise throws std::invalid_argument naming the field.
+/// Error:  the ray of a pixel outside a sphere's rectangle certainly misses the sphere. The
+///         rectangle exceeds the sphere's exact silhouette bounds by at most kRectangleSlack pixels
+///         on each side, if these bounds are well conditioned.
 /// Source: silhouette bounds of the cone from the eye over the sphere. In the planes (U, W) and (V,
 ///         W), its two tangents are the direction of the centre turned by asin(r/rho).
 struct ScenePlan {

@@ -248,7 +248,7 @@ constexpr int kBits = 400;
 class Comparison {
  public:
   void expect_same(double error, double by_balls) {
-    // Wider than both enclosures: 70 bits where balls of ExactRay took over.
+    // Wider than both enclosures, which have at least 70 bits.
     EXPECT_NEAR(error, by_balls, 0x1p-16 + by_balls * 0x1p-29);
     if (error > 0 && std::isfinite(error)) ++measured_;
   }

@@ -26,8 +26,8 @@ struct BoxOptimum {
 std::vector<double> highest(const LinearForm& f);
 
 /// The point where f is largest among the points of the box with g = 0; empty if there are none.
-/// The value of f there is also the maximum of f + multiplier g over the box. Source: the dual's
-/// breakpoints, as in G. B. Dantzig's fractional knapsack.
+/// The value of f there is also the maximum of f + multiplier g over the box.
+/// Source: the dual's breakpoints, as in G. B. Dantzig's fractional knapsack.
 std::optional<BoxOptimum> highest_where_zero(const LinearForm& f, const LinearForm& g);
 
 /// A point of the box, and the multipliers that prove it optimal. They are not negative, and their
@@ -39,8 +39,8 @@ struct LeastOptimum {
 };
 
 /// The point where the minimum of one or more forms of equal dimension is largest. This minimum is
-/// an upper bound, over the box, on the sum of the forms, each times its multiplier. Source: the
-/// simplex method with bounded variables (G. B. Dantzig).
+/// an upper bound, over the box, on the sum of the forms, each times its multiplier.
+/// Source: the simplex method with bounded variables (G. B. Dantzig).
 LeastOptimum highest_least(const std::vector<LinearForm>& forms);
 
 }  // namespace raycheck::reference
