@@ -48,7 +48,6 @@ struct Rays {
   }
 };
 
-/// The point where a ray meets a sphere.
 struct Hit {
   double parameter;     ///< s, in multiples of the ray's direction.
   scene::Point3 point;  ///< Q = L + s D.

@@ -20,7 +20,6 @@ namespace raycheck::exact {
 
 using reference::Enclosure;
 
-/// How a number is computed.
 struct Number::Impl {
   std::function<Enclosure(int relative_bits)> enclose;
   std::function<double()> rounded;

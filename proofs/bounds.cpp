@@ -252,7 +252,6 @@ struct RobustDiscriminant : RobustStep {
   }
 };
 
-/// The bound is relative to f |d|.
 struct RobustB : RobustStep {
   template <class N>
   static Values<N> computed(const Inputs<N, 10>& x) {
@@ -266,7 +265,6 @@ struct RobustB : RobustStep {
   }
 };
 
-/// The bound is relative to f^2 + r^2.
 struct RobustC : RobustStep {
   template <class N>
   static Values<N> computed(const Inputs<N, 10>& x) {
@@ -349,7 +347,6 @@ Script traced(double bound, std::optional<Mutation> mutation) {
   return script;
 }
 
-/// Random numbers from a few binades.
 class Random {
  public:
   double number() {

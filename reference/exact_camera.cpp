@@ -90,7 +90,6 @@ const scene::Conventions& ExactCamera::conventions() const { return impl_->conve
 
 namespace {
 
-/// Narrows or rounds every coordinate of the axes.
 template <class Frame, class Finish>
 Frame finish_frame(const ExactCamera::Impl& impl, Finish finish) {
   const auto axis = [&](auto of, auto exact_of) -> decltype(Frame::U) {

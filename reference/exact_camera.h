@@ -12,17 +12,14 @@
 
 namespace raycheck::reference {
 
-/// Enclosures of the camera axes.
 struct EnclosedFrame {
   Enclosure3 U, V, W;
 };
 
-/// The camera axes, correctly rounded.
 struct RoundedFrame {
   scene::UnitVector3 U, V, W;
 };
 
-/// The camera axes in double-doubles.
 struct DoubleDoubleFrame {
   Triple<DoubleDouble> U, V, W;
 };

@@ -99,7 +99,6 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Fi
   return take(FilterStage::kField, *sign_under(lift, line_of(lift, source_)));
 }
 
-/// Computes all coefficients at once.
 [[RAYCHECK_FLATTEN gnu::noinline]] std::optional<Intersection> ExactRay::intersect_by_intervals(
     const scene::Sphere& sphere, scene::Root root) const {
   const Filter filter(*this);

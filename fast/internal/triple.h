@@ -18,7 +18,6 @@ struct Triple {
   N x, y, z;
 };
 
-/// The triple of a point or vector of scene/.
 template <class N, class Plain>
 HWY_INLINE Triple<N> triple(const Plain& value) {
   return {N(value.x), N(value.y), N(value.z)};
@@ -55,7 +54,6 @@ template <class N>
 HWY_INLINE N dot(const Triple<N>& a, const Triple<N>& b) {
   return a.x * b.x + (a.y * b.y + a.z * b.z);
 }
-/// a.b by mul_add.
 template <class N>
 HWY_INLINE N fused_dot(const Triple<N>& a, const Triple<N>& b) {
   return mul_add(a.x, b.x, mul_add(a.y, b.y, a.z * b.z));

@@ -10,7 +10,6 @@ Vector3f single(const Triple& value) {
   return eigen(value).template cast<float>();
 }
 
-/// Computes the axes, alpha and beta in floats.
 class Single {
  public:
   Single(const scene::Camera& camera, const scene::Conventions& conventions)

@@ -47,7 +47,6 @@ inline constexpr unsigned kFewestTwos = 32, kLargestOdd = 999;
 /// The coordinates of a point or vector, each as a closed form.
 using ClosedForm3 = std::array<ClosedForm, 3>;
 
-/// The text of each form.
 std::vector<std::string> texts(std::span<const ClosedForm> forms);
 
 struct ClosedFormFrame {

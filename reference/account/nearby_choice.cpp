@@ -73,7 +73,6 @@ Judgement judge_by(const ChoiceQuestion& question, Meet meet, Order order) {
   return {claim.what != FirstMet::What::kSomething, {}};
 }
 
-/// Judges by exact decisions.
 Judgement judge(const ChoiceQuestion& question) {
   return judge_by(
       question,

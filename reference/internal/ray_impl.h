@@ -36,7 +36,6 @@ auto with_numbers(const ExactLift& /*lift*/, const ExactCamera::Impl& camera, Us
   return use(camera.exact());
 }
 
-/// E, or a given ray's origin.
 inline const scene::Point3& base_of(const ExactRay::Source& source) {
   return source.camera != nullptr ? source.camera->camera.eye : source.given.origin;
 }

@@ -2,7 +2,6 @@
 
 namespace raycheck::reference {
 
-/// A point or vector with coordinates of a number type, and its operations.
 template <class Number>
 struct Triple {
   Number x;

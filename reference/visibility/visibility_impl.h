@@ -171,7 +171,6 @@ class RowsInTiles {
   int row_begin_ = 0, row_end_ = 0;
 };
 
-// The functions of Visibility.
 DecidedBy nearest_of_rows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end,
                           const SeenRows& rows, Certified certified);
 DecidedBy classes_of_rows(const Visibility::Impl& impl, std::size_t sphere, std::int64_t j_begin,

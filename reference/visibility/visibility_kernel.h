@@ -60,7 +60,6 @@ inline constexpr double kDecidedBeyond = 0x1p6;
 inline constexpr double kLeastBound = 0x1p-900;
 inline constexpr double kLargestBound = 0x1p900;
 
-/// A double-double.
 struct Pair {
   double high = 0, low = 0;
 };

@@ -139,7 +139,6 @@ MaskOf<N> is_exactly_scaled(N x, N scaled) {
          ((size > N(kBoundsTiny)) & (size <= N(std::numeric_limits<double>::max())));
 }
 
-/// x 2^exponent
 template <class N>
 BoundsOf<N> scaled(const BoundsOf<N>& x, int exponent) {
   if (exponent == 0) return x;

@@ -69,7 +69,6 @@ bool covers(const Occluder& by, const SpherePlan& plan, double nearest_distance)
              times_positive(by.seen.radius, sqrt(sphere.distance_sq)).low;
 }
 
-/// Whether all of `sphere` is inside `by`.
 bool contains(const Sphere& by, const Sphere& sphere) {
   if (std::abs(sphere.centre.x - by.centre.x) >= by.radius ||
       std::abs(sphere.centre.y - by.centre.y) >= by.radius ||

@@ -13,7 +13,6 @@ BoundsOf<N> exactly(double x) {
   return {N(x), N(x)};
 }
 
-/// x.y
 template <class N>
 BoundsOf<N> dot(const AxisOf<N>& x, const EyeSpace::Axis& y) {
   return times_shared(x[0], y[0]) + times_shared(x[1], y[1]) + times_shared(x[2], y[2]);

@@ -79,7 +79,6 @@ class NightlyPackage : public testing::Test {
   static std::string contents(const std::string& package) {
     return shell("dpkg-deb -c '" + file_of(package).string() + "'").text;
   }
-  /// A control file of a package.
   static std::string control(const std::string& package, const std::string& name) {
     return shell("dpkg-deb -I '" + file_of(package).string() + "' " + name).text;
   }

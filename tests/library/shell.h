@@ -11,7 +11,6 @@ struct Ended {
   std::string text;  ///< Its standard output and standard error.
 };
 
-/// Runs a command in the shell.
 inline Ended shell(const std::string& command) {
   FILE* const pipe = popen(("( " + command + " ) 2>&1").c_str(), "r");
   Ended ended;

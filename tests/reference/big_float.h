@@ -55,7 +55,6 @@ inline bool contains(const Enclosure& enclosure, const Big& x) {
   return arb_overlaps(enclosure.ball(), truth.ball()) != 0;
 }
 
-/// A point or vector of such numbers.
 struct Big3 {
   Big x, y, z;
 };

@@ -10,7 +10,6 @@
 namespace raycheck::reference {
 namespace {
 
-/// x, exactly.
 Enclosure exactly(const Big& x) {
   Enclosure result(0, 8000);
   arf_set_mpfr(arb_midref(result.ball()), x.backend().data());
@@ -149,7 +148,6 @@ void expect_holds(const DoubleDouble& x, const Big& exact, const std::string& wh
   }
 }
 
-/// A number and its exact value.
 struct Pair {
   DoubleDouble number;
   Big exact;
