@@ -18,7 +18,7 @@ using Spheres = properties::Candidate::Spheres;
 
 scene::UnitVector3 unit(const Vector& v) { return {v.x, v.y, v.z}; }
 
-/// One ray per pixel.
+/// Calls a function that makes one ray, for each pixel.
 template <class Function>
 auto for_each_pixel(const Function& function) {
   return [&function](const scene::Camera& asked, const scene::Conventions& by, Pixels pixels) {

@@ -23,7 +23,7 @@ int place_of(Seen seen, std::size_t count, std::string_view field) {
   return require_one_of(static_cast<int>(seen), count, field);
 }
 
-/// The public enumerators are the internal ones, preceded by as_asked.
+/// The public enumerators are as_asked and then the internal enumerators, in the same order.
 template <class Inside, class Seen, class Names>
 std::optional<Inside> asked(Seen seen, const Names& names, std::string_view field) {
   const int place = place_of(seen, names.size() + 1, field);

@@ -1,6 +1,6 @@
 #pragma once
 
-// Between the public structs and those that raycheck computes with.
+// Converts the public structs to the internal ones and back.
 
 #include <raycheck/judge.h>
 
@@ -42,12 +42,12 @@ Camera camera(const scene::Camera& c);
 /// The index of an enumerator, below `count`. Errors: std::invalid_argument naming the field.
 int require_one_of(int place, std::size_t count, std::string_view field);
 
-/// as_asked becomes the default.
+/// Internal conventions; as_asked becomes the default.
 scene::Conventions conventions(const Conventions& c);
 Conventions conventions(const scene::Conventions& c);
-/// as_asked stays undeclared.
+/// Declared conventions; as_asked stays undeclared.
 properties::DeclaredConventions declared(const Conventions& c);
-/// Empty where it is not stated.
+/// The internal level; empty for Level::unstated.
 std::optional<properties::Level> level(Level level);
 scene::ValidRoots valid_roots(const ValidRoots& v);
 ValidRoots valid_roots(const scene::ValidRoots& v);
@@ -56,12 +56,13 @@ scene::Precision precision(Precision precision);
 scene::Scene scene_of(const Scene& s);
 Scene scene_of(const scene::Scene& s);
 
-/// Errors: std::invalid_argument where the scene is not valid or a pixel lies outside its image.
+/// The internal case. Errors: std::invalid_argument if the scene is not valid or a pixel lies
+/// outside its image.
 properties::Case case_of(const Case& the_case);
 Case case_of(const properties::Case& the_case);
 
-/// A candidate as the laws take it, judged by the bounds of direct/cross. `candidate` must outlive
-/// it. Errors: std::invalid_argument saying what is invalid.
+/// The internal candidate, judged by the bounds of direct/cross. `candidate` must live as long as
+/// it. Errors: std::invalid_argument naming what is invalid.
 properties::Candidate inside(const Candidate& candidate);
 
 }  // namespace raycheck::library

@@ -15,7 +15,7 @@ namespace {
 
 using properties::CampaignResult;
 
-/// The number of cases of a source that are searched for one that a law can use.
+/// The number of cases of a source that are searched for one to which a law applies.
 constexpr std::uint64_t kTriedSeeds = 8;
 
 const properties::Law& law_of(const std::string& name) {
@@ -24,7 +24,7 @@ const properties::Law& law_of(const std::string& name) {
       fmt::format("law {}: unknown name; raycheck::laws() has all names", name));
 }
 
-/// Whether the source has a case to which the law applies, given the candidate.
+/// Whether the source has a case to which the law applies, for this candidate.
 bool has_case(const properties::Law& law, const properties::ChosenSource& source,
               const properties::Candidate& candidate) {
   for (std::uint64_t seed = 0; seed < kTriedSeeds; ++seed) {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::string_view kSpace = " \t\v\f";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// One meaningful line of a driver file: a keyword and the words after it.
+/// A line of a driver file that is not empty: a keyword and the words after it.
 struct Entry {
   std::string keyword;
   std::vector<std::string> words;
@@ -27,8 +27,8 @@ struct Entry {
   std::string joined() const { return scene::joined(words, " "); }
 };
 
-/// The entries of a driver file, without its comments (from # to the end of a line), whatever its
-/// line endings.
+/// The entries of a driver file, without comments (from # to the end of a line). All forms of line
+/// ends are accepted.
 std::vector<Entry> driver_entries(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<Entry> entries;
@@ -128,7 +128,7 @@ class DriverReader {
                   "not a driver file; the name of a TOML file must end in .toml");
   }
 
-  /// Reads the words after a sphere's centre and radius: numbers are its material.
+  /// Reads the words after a sphere's centre and radius. Numbers there are the sphere's material.
   void take_material(const Entry& entry) {
     if (entry.words.size() <= kSphereNumbers) return;
     const bool are_numbers =
@@ -262,7 +262,7 @@ class DriverReader {
     lines_["camera." + camera_field] = entry.line;
   }
 
-  /// "sphere[12].radius" is on the line of that sphere.
+  /// The line of a field; a field of a sphere ("sphere[12].radius") is on the sphere's line.
   std::optional<std::size_t> line_of(const std::string& field) const {
     const auto known = lines_.find(field);
     if (known != lines_.end()) return known->second;
@@ -321,7 +321,7 @@ class DriverReader {
   inline static const std::set<std::string> kOfShading = {"ambient", "light", "model",
                                                           "recursionLevel", "recursionlevel"};
   static constexpr std::size_t kSphereNumbers = 4;
-  /// In a file that is not a driver file most lines begin with an unknown word.
+  /// Most lines of a file that is not a driver file would give a warning, each for an unknown word.
   static constexpr std::size_t kMostWarnings = 20;
 
   LocatedFields located_;
@@ -329,7 +329,8 @@ class DriverReader {
   std::map<std::string, std::size_t> lines_;  ///< The lines of the camera's fields.
   std::vector<std::size_t> sphere_lines_;
   std::map<std::string, int> of_shading_;
-  std::vector<std::string> first_seen_;  ///< The keywords of of_shading_, in the file's order.
+  std::vector<std::string>
+      first_seen_;  ///< The keywords of of_shading_, in their order in the file.
   bool has_materials_ = false;
   std::map<std::string, Entry> once_;
   std::set<std::string> warned_;

@@ -57,7 +57,7 @@ TEST(ReadDriverFile, ReadsSpheresInOrder) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
-TEST(ReadDriverFile, ListsWhatOnlyShadingNeeds) {
+TEST(ReadDriverFile, ListsEntriesThatOnlyShadingNeeds) {
   const std::string sphere = "sphere 0 0 -9 1";
   std::string text = kB + "ambient .1 .1 .1\nlight 1 1 1\nrecursionLevel 3\nlight 2 2 2\n" +
                      "model 0 1 0 45 2 0 0 0 cube.obj\nrecursionlevel 2\n";
@@ -75,7 +75,7 @@ TEST(ReadDriverFile, ListsWhatOnlyShadingNeeds) {
   EXPECT_TRUE(read(kB + sphere + "\n").not_needed.empty());
 }
 
-TEST(ReadDriverFile, WarnsOnceOfEachOddity) {
+TEST(ReadDriverFile, WarnsOnceAboutEachOddity) {
   std::string text = replaced(kB, "d -2", "d -2 7") + "fog 1 1 1\nfog 2 2 2\nAmbient .1 .1 .1\n";
   for (int i = 0; i < 10; ++i) text += "sphere 0 0 -9 1 .1 .1 .1 red\n";
   const std::vector<std::string> warnings = read(text).warnings;
@@ -180,7 +180,7 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
             "f.txt:1: camera.up = [0, 0, 5]: is exactly parallel to eye - look_at");
 }
 
-// A reader that takes quadratic time would not finish here.
+// A reader that needs quadratic time would not finish this test.
 TEST(HostileDriverFile, of_a_million_spheres_is_read) {
   constexpr std::size_t kSpheres = 1000000;
   std::string text = "eye 0 0 10\nlook 0 0 0\nup 0 1 0\nd -5\nbounds -1 1 -1 1\nres 4 4\n";
@@ -244,7 +244,7 @@ TEST_F(HostileFile, of_more_than_the_limit_is_refused) {
   fs::resize_file(file, 101);
   const std::string why = ": cannot be read: it has more than 100 bytes, which is the limit";
   EXPECT_EQ(refusal(file), file.string() + why);
-  fs::resize_file(file, std::uintmax_t{1} << 40);  // without taking room
+  fs::resize_file(file, std::uintmax_t{1} << 40);  // a sparse file, which needs no disk space
   EXPECT_EQ(
       thrown_by<SceneFileError>([&] { load_scene(file); }),
       file.string() + ": cannot be read: it has more than 268435456 bytes, which is the limit");
@@ -294,7 +294,7 @@ TEST(Examples, EachLoadsSaysWhatItShowsAndShowsSomething) {
     EXPECT_EQ(read_toml(write_toml(scene), "again").scene, scene);
     ++scenes;
     if (!scene.camera || entry.path().stem() == "sphere-behind-eye") continue;
-    // From the eye, so that hits in front of the image plane count.
+    // Rays start at the eye, so that hits in front of the image plane count.
     Conventions conventions = scene.conventions;
     conventions.origin = Origin::kFocal;
     const auto spheres = plan_scene(scene, conventions, Wanted::kNearest).spheres;

@@ -248,7 +248,7 @@ TEST(ValidRootsFile, ReadsBackWhatIsWritten) {
   }
 }
 
-TEST(ValidRootsFile, IsRefusedWhereItMakesNoSense) {
+TEST(ValidRootsFile, IsRefusedIfItMakesNoSense) {
   const std::pair<const char*, const char*> refused[] = {
       {"t_min = -1\n", "t_min = -1: must be finite and at least 0"},
       {"t_min = inf\n", "must be finite and at least 0"},
