@@ -157,12 +157,20 @@ void judge_class(Trial& trial, Verdict& verdict) {
     --misses;
   });
   verdict.judged_right(Quantity::kClass, Expected::kMiss, misses);
-  if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
+  if (unjudged > 0) verdict.leave_out("exact tangents are not judged under tangent = either");
 }
 
-void leave_out_without_hits(Verdict& verdict) {
-  if (verdict.compared() == 0)
-    verdict.leave_out("no hit that both the candidate and the reference find");
+/// If no hit was compared: why.
+void leave_out_without_hits(Trial& trial, Verdict& verdict) {
+  if (verdict.compared() > 0) return;
+  bool has_exact = false, has_common = false;
+  for_each_encounter(trial, [&](const Encounter& at) {
+    has_exact = has_exact || at.exact != nullptr;
+    has_common = has_common || (at.exact != nullptr && at.answer != nullptr);
+  });
+  verdict.leave_out(!has_exact   ? "no ray hits a sphere"
+                    : has_common ? "the candidate finds no hit at the right root"
+                                 : "the candidate misses every hit");
 }
 
 void judge_root(Trial& trial, Verdict& verdict) {
@@ -174,7 +182,7 @@ void judge_root(Trial& trial, Verdict& verdict) {
          at.is_at_other_root() || at.is_excluded() ? Wrong::kWrongRoot : Wrong::kNot},
         [&] { return at.excuse(); }, [&](Discrepancy& d) { at.describe(d); });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
 void judge_parameter(Trial& trial, Verdict& verdict) {
@@ -188,7 +196,7 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
         [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); },
         [&] { return at.plain_condition(); });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
 void judge_backward_error(Trial& trial, Verdict& verdict) {
@@ -204,7 +212,7 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
           return at.plain_condition() / trial.condition_of_parameter(at.ray_at, at.sphere_at);
         });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
 /// The distances of the candidate's point from its sphere and its ray, as shares of r and of s |D|.
@@ -260,7 +268,7 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         });
     judge_residuals(trial, verdict, at);
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
 /// The same pixel's answers from both origins.
@@ -308,7 +316,7 @@ bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const 
 /// The same point from both origins: s from the eye is s from the pixel point plus l.
 void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
   if (!trial.conventions().valid.is_usual()) {
-    return verdict.leave_out("t_min and t_max count from another origin");
+    return verdict.leave_out("t_min and t_max count from the origin of the ray, which differs");
   }
   const Candidate& candidate = trial.candidate();
   scene::Conventions from_pixel = trial.conventions();
@@ -419,7 +427,7 @@ constexpr Law kIntersectLawTable[] = {
      .stage = Stage::kIntersection,
      .judge = judge_hit_point},
     {.name = "focal-and-pixel",
-     .sentence = "focal and pixel origins find the same point, parameters l apart",
+     .sentence = "rays from E and from P hit the same point, and their s differ by l = |P - E|",
      .per = Per::kPair,
      .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
               Needs::kPoints,

@@ -53,6 +53,10 @@ inline constexpr Needs kOfCameras = Needs::kFrame | Needs::kPixelPoints | Needs:
                                     Needs::kPlan;
 inline constexpr Needs kOfIntersections =
     Needs::kIntersect | Needs::kNearest | Needs::kVisible | Needs::kImage | Needs::kPlan;
+/// The needs that only candidates with functions other than `image` meet.
+inline constexpr Needs kOfFunctions = Needs::kFrame | Needs::kPixelPoints | Needs::kMadeRays |
+                                      Needs::kBothOrigins | Needs::kVisible | Needs::kPlan |
+                                      Needs::kRays | Needs::kIntersect | Needs::kNearest;
 
 /// The first need that a trial does not meet, as a sentence; empty when it meets all.
 std::string_view what_is_missing(Needs needs, const Trial& trial);

@@ -83,7 +83,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   const auto describe_wrong = [&](bool is_first_wrong) {
     return [&, is_first_wrong](Discrepancy& d) {
       const HitAnswer* hit = (is_first_wrong ? first : second).hit;
-      d.what = (is_first_wrong ? "right only when " : "") + by.what;
+      d.what = (is_first_wrong ? "right only with " : "") + by.what;
       d.symbol = info(Quantity::kParameter).symbol;
       d.got_some_sphere = hit != nullptr && !gives_parameter(trial.candidate().returns);
       if (hit != nullptr && !d.got_some_sphere) d.got = {hit->parameter};
@@ -208,10 +208,10 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
     is_tried = true;
     compare(trial, verdict, *scene,
-            {"scaled by 2^" + std::to_string(exponent), [](const scene::Vector3& v) { return v; },
+            {"lengths scaled by 2^" + std::to_string(exponent), [](const scene::Vector3& v) { return v; },
              std::ldexp(1.0, exponent)});
   }
-  if (!is_tried) verdict.leave_out("every scaled scene leaves the candidate's stated domain");
+  if (!is_tried) verdict.leave_out("every scaled scene lies outside the candidate's domain");
 }
 
 /// A permutation of the world axes with signs: coordinates are never rounded.
@@ -221,23 +221,23 @@ struct AxesMap {
   scene::Vector3 (*apply)(const scene::Vector3&);
 };
 constexpr AxesMap kAxesMaps[] = {
-    {"axes permuted: (y, z, x)", false,
+    {"axes permuted to (y, z, x)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.y, v.z, v.x};
      }},
-    {"axes negated: (-x, -y, z)", false,
+    {"axes negated to (-x, -y, z)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {-v.x, -v.y, v.z};
      }},
-    {"axes negated: (x, -y, -z)", false,
+    {"axes negated to (x, -y, -z)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.x, -v.y, -v.z};
      }},
-    {"axes swapped: (y, x, z)", true,
+    {"axes swapped to (y, x, z)", true,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.y, v.x, v.z};
      }},
-    {"axis negated: (x, y, -z)", true,
+    {"axes negated to (x, y, -z)", true,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.x, v.y, -v.z};
      }},
@@ -339,18 +339,18 @@ void judge_look_at(Trial& trial, Verdict& verdict) {
   judge_moved(trial, verdict, &scene::Camera::look_at, {0.5, -1, -2, -8},
               "look-at moved along the view axis");
   if (verdict.compared() == 0)
-    verdict.leave_out("no point A + k (A - E) that was tried is representable");
+    verdict.leave_out("each point A + k (A - E) that was tried would be rounded");
 }
 
 void judge_up(Trial& trial, Verdict& verdict) {
   judge_moved(trial, verdict, &scene::Camera::up, {-1, 0.5, 1, 4}, "up + k (E - A)");
   if (verdict.compared() == 0)
-    verdict.leave_out("no vector up + k (E - A) that was tried is representable");
+    verdict.leave_out("each vector up + k (E - A) that was tried would be rounded");
 }
 
 void judge_growing_radius(Trial& trial, Verdict& verdict) {
   if (trial.conventions().root != scene::Root::kNearest) {
-    return verdict.leave_out("with root = smaller, a grown sphere may swallow the origin");
+    return verdict.leave_out("with root = smaller, a hit may become a miss: a grown sphere may contain the origin");
   }
   if (!trial.conventions().valid.is_usual()) {
     return verdict.leave_out(
@@ -395,7 +395,7 @@ constexpr Law kMetamorphicLawTable[] = {
      .quantity = Quantity::kInvariance,
      .judge = judge_scaling},
     {.name = "axes",
-     .sentence = "permuting or negating axes does the same to every answer",
+     .sentence = "permuting or negating the axes permutes or negates every answer",
      .per = Per::kRay,
      .needs = Needs::kRays,
      .quantity = Quantity::kInvariance,

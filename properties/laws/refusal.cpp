@@ -135,13 +135,13 @@ void judge_refusal(Trial& trial, Verdict& verdict) {
     spoil_intersections(trial, verdict);
   }
   if (verdict.compared() == 0) {
-    return verdict.leave_out("the candidate implements no function that takes the scene's input");
+    return verdict.leave_out("the candidate has no function that takes the scene's input");
   }
 }
 
 constexpr Law kRefusalLawTable[] = {
     {.name = "refusal",
-     .sentence = "non-finite and degenerate input is refused, not answered",
+     .sentence = "input that is not finite, or is degenerate, is refused, not answered",
      .per = Per::kScene,
      .needs = Needs::kRefusals,
      .quantity = Quantity::kRefusal,

@@ -55,7 +55,7 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
                              const scene::Conventions& conventions,
                              const std::optional<std::size_t>& shown);
 
-/// "computed in single precision", if d^2 loses all digits at this distance in radii.
+/// "computed in single precision", or what d^2 loses; `radii` is the distance of a sphere there.
 std::string imprecision_sentence(Arithmetic arithmetic, double radii);
 
 /// Roundings are named if they allow every wrong answer, if at least this many answers are wrong

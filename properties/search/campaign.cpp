@@ -197,16 +197,23 @@ Finding CampaignResult::finding() const {
 }
 
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most, std::size_t round) {
+  const auto has_wrong_answer = [](const CampaignPart& part) {
+    return part.is_broken() && std::any_of(part.breaks.front().defects.begin(),
+                                           part.breaks.front().defects.end(),
+                                           [](const DefectKind& kind) {
+                                             return kind.wrong != Wrong::kFailed;
+                                           });
+  };
   std::set<Level> levels;
   for (const CampaignPart& part : result.parts) {
-    if (part.is_broken()) levels.insert(part.source.level());
+    if (has_wrong_answer(part)) levels.insert(part.source.level());
   }
   if (round >= 2 * levels.size()) return {};
   const Level level = *std::next(levels.begin(), static_cast<std::ptrdiff_t>(round / 2));
   if (round % 2 == 1) most *= 4;
   std::vector<std::pair<ChosenSource, std::uint64_t>> broken;
   for (const CampaignPart& part : result.parts) {
-    if (!part.is_broken() || part.source.level() != level) continue;
+    if (!has_wrong_answer(part) || part.source.level() != level) continue;
     broken.emplace_back(part.source, parse_replay(part.breaks.front().replay).seed);
   }
   std::vector<Case> cases;
@@ -248,7 +255,7 @@ Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_
       CampaignResult& result = results_.back()[law];
       result.level = options.level;
       const CasesOfLaw series = cases_of(*laws[law], options);
-      if (series.empty()) result.counts.reason = "no source of cases has a camera";
+      if (series.empty()) result.counts.reason = "the law needs cameras, and no source that was chosen has one";
       for (const auto& [key, its] : series) {
         auto& [chosen, tried] = all[key];
         chosen = its.source;
@@ -389,7 +396,10 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
       search.judge_restarted();
       return *std::move(search.failure);
     }
-    return Failure{part.source.make(seed), part.verdict, broken.replay};  // interrupted
+    return Failure{.shrunk = part.source.make(seed),
+                   .verdict = part.verdict,
+                   .replay = broken.replay,
+                   .is_shrunk = false};  // interrupted
   };
   std::vector<const CampaignPart*> broken;
   for (const CampaignPart& part : result.parts) {

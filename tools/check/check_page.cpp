@@ -30,11 +30,10 @@ std::string looks_like(const std::vector<properties::Explanation>& explanations)
   std::string text;
   for (const properties::Explanation& one : explanations) {
     if (one.explained == 0 || one.sentence == properties::kNotNumbers) continue;
-    text += fmt::format("{}{} (explains {} of {} wrong answers)",
-                        text.empty() ? "Probable mistake: " : "; or ", one.sentence, one.explained,
-                        one.errors);
+    text += (text.empty() ? "Probable mistake: " : " Or: ") +
+            explained_text(one.sentence, one.explained, one.errors, "answers") + ".";
   }
-  return text.empty() ? text : text + ".";
+  return text;
 }
 
 /// Where to show a discrepancy that has no place: one of the camera, or a failure.
@@ -50,7 +49,9 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
     Selection selection = selection_of(one.place, scene);
     const bool is_placed = is_of_ray(selection) && has_place(one.quantity);
     if (!is_placed) selection = anywhere_in(scene);
-    std::string what = fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
+    std::string what = one.quantity == Quantity::kRefusal
+                           ? discrepancy_head(one)
+                           : fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
     if (one.quantity == Quantity::kNearestSphere) {
       what += fmt::format(", {} for {}", got_text(one), exact_text(one));
     }

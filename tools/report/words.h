@@ -62,29 +62,32 @@ std::string input_name(const properties::Discrepancy& discrepancy, std::size_t i
 std::string standings_text(
     const std::function<std::uint64_t(properties::Standing standing)>& count);
 
-/// "rows are upside down: explains 90 of 90 wrong pixels", without "explains" if the sentence is
-/// not about a formula.
+/// "rows are upside down; this explains all 90 wrong pixels"; `answers` is a noun in the plural.
 std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
                            std::string_view answers);
 
-/// The same of all, one per line; only the sentence if it explains nothing.
+/// A line for each explanation; only the sentence if it explains nothing.
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
                               std::string_view answers);
 
 /// How a discrepancy is wrong: "false hit", "off by 6.7e+07 ulp".
 std::string wrongness_text(const properties::Discrepancy& discrepancy);
-/// A discrepancy in a line: "parameter, pixel (9, 8), sphere 0: off by 6.7e+07 ulp".
+/// A discrepancy in a line: "parameter, pixel (9, 8), sphere 0: off by 6.7e+07 ulp"; "no answer,
+/// ray 2: it threw an exception".
 std::string discrepancy_head(const properties::Discrepancy& discrepancy);
 /// A discrepancy in lines: the answer, the exact one, the error and the excuse.
 std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);
 
 /// How a law is broken, in lines: its sentence, the discrepancy and its causes (separate lines),
-/// how to replay it (or empty) and the shrunk case as a scene.
+/// how to replay it (or empty) and the case as a scene, which `is_shrunk` or is as it was found.
 std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,
                             std::string_view causes, std::string_view replay,
-                            std::string_view scene);
+                            std::string_view scene, bool is_shrunk = true);
 
-/// "250 by the filter, 6 exactly (6 by intervals)"
+/// The questions of which an answer of this kind is expected: "rays that hit".
+std::string expected_text(properties::Expected expected);
+
+/// "250 by the certified filter, 6 by exact arithmetic (6 by intervals)"
 std::string decided_by_text(const reference::DecidedBy& decided_by);
 
 /// `text` in red, if colours are supported.
