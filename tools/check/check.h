@@ -35,18 +35,18 @@ struct ExcludedHit {
 /// What happens to the hits of a sphere.
 struct ExcludedOfSphere {
   std::uint64_t hits = 0;      ///< If every root >= 0 counts.
-  std::uint64_t excluded = 0;  ///< Those that become misses.
-  std::uint64_t moved = 0;     ///< Those that remain hits, but at the other root.
+  std::uint64_t excluded = 0;  ///< Hits that become misses.
+  std::uint64_t moved = 0;     ///< Hits that remain hits, but at the other root.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(hits, excluded, moved);
   }
 };
 
-/// The hits lost by an interval or culling: the exact hits of a scene without it, and with it.
+/// The exact hits of a scene that an interval or culling excludes or changes.
 struct ExcludedHits {
   std::vector<ExcludedOfSphere> spheres;
-  std::vector<ExcludedHit> worst;  ///< Those farthest along their rays, in radii.
+  std::vector<ExcludedHit> worst;  ///< The excluded hits farthest along their rays, in radii.
 
   ExcludedOfSphere all() const;
   void merge(const ExcludedHits& other);
@@ -91,7 +91,7 @@ struct CandidateReport {
   std::optional<scene::Scene> asked;  ///< The scene that it was asked about, if not the given one.
   std::string not_asked;  ///< Why it was not judged: the format cannot hold the scene; or empty.
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
-  bool given_rays = false;    ///< It makes no rays: its answers about raycheck's own are judged.
+  bool given_rays = false;    ///< It makes no rays: it is judged on rays that raycheck makes.
   properties::Verdict verdict;
   ExcludedHits excluded;  ///< What its t_min, t_max and culling cost; empty if it has none.
   std::vector<LeftOut> left_out;
@@ -109,9 +109,9 @@ struct CandidateReport {
   bool excludes_hits() const {
     return !conventions.valid.is_usual() && excluded.all().excluded > 0;
   }
-  /// Whether enough was judged to exclude defects, undecided answers aside,
+  /// Whether enough was judged to exclude defects, undecided answers aside.
   bool is_judged() const { return inside_domain && verdict.compared() > 0 && !too_few_judged(); }
-  /// and whether nothing is undecided.
+  /// Whether enough was judged, and nothing is undecided.
   bool is_enough_judged() const { return is_judged() && !is_undecided(); }
 };
 
@@ -153,10 +153,9 @@ struct CheckReport {
   bool is_enough_judged() const;
 };
 
-/// Judges the candidates on a scene file; the report does not depend on the number of threads. With
-/// `units`, only the missing units of the shard; if it is not the whole campaign, the report is
-/// empty.
-/// Throws as the reader.
+/// Judges the candidates on a scene file; the report does not depend on the number of threads. If
+/// `units` is given, judges only the shard's missing units, and returns an empty report unless all
+/// units are then present. Throws what load_scene() throws.
 CheckReport check(const CheckOptions& options, const properties::RunControl& control = {},
                   Units* units = nullptr);
 
@@ -171,9 +170,10 @@ inline constexpr View<CheckReport> kCheckViews[] = {
     {"json", check_json},
 };
 
-/// Why too little was judged to say anything; empty if enough was.
+/// Why too little was judged for a verdict; empty if enough was.
 std::string too_few_text(const CandidateReport& candidate);
-/// What was left out, a line for each reason, with the candidate's name unless it concerns all.
+/// A line for each reason why something was left out, with the candidate's name unless it concerns
+/// all.
 std::vector<std::string> left_out_lines(const CheckReport& report);
 
 /// Certificates of each candidate's worst discrepancies, as in check_json: one per line.

@@ -81,7 +81,7 @@ struct RootLeftOut {
 struct SphereReport {
   reference::Intersection intersection;
   bool is_hit = false;                ///< Under the conventions, which define which roots count.
-  std::vector<RootLeftOut> left_out;  ///< Those before the one that counts, if any.
+  std::vector<RootLeftOut> left_out;  ///< The roots before the one that counts.
   std::optional<double> parameter;
   std::vector<double> point;
   std::optional<reference::ClosedForm> closed_form_parameter;
@@ -97,10 +97,10 @@ struct ExplainReport {
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
   std::shared_ptr<const Implementation> other;
-  std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
+  std::optional<std::size_t> sphere;  ///< The sphere that is derived, and intersected by the methods.
   std::vector<SphereReport> spheres;
-  /// For that sphere with every root >= 0 counting, if the conventions differ: raycheck's methods
-  /// are judged by it.
+  /// The exact answer for `sphere` if every root >= 0 counts, if the conventions differ: raycheck's
+  /// methods are judged by it.
   std::optional<SphereReport> by_every_root;
   std::optional<std::size_t> nearest;
 
@@ -118,15 +118,15 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& options
 /// 17 significant digits; several numbers in parentheses.
 std::string digits_text(double value);
 std::string numbers_text(const std::vector<double>& values);
-/// "off by 3 ulp (0.5 in this step)"; empty without an error.
+/// "off by 3 ulp (0.5 by this step only)"; empty without an error.
 std::string off_text(const MethodStep& step);
-/// "condition number 4.2, of this step 1"; empty without one.
+/// "condition number 4.2 (of this step only: 1)"; empty without one.
 std::string condition_text(const Step& step);
 /// The text about one method: "s = 6 (0x1.8p+2), off by 0.2 ulp".
 std::string method_verdict(const MethodReport& method, const ExplainReport& report,
                            bool colours = false);
-/// The part of it after the answer, ", off by 0.2 ulp, a false hit (excused)"; all of it for a
-/// method that makes rays. Domain: it did not fail.
+/// The part of method_verdict() after the answer, ", off by 0.2 ulp, a false hit (excused)"; the
+/// whole text for a method that makes rays. Domain: it did not fail.
 std::string answer_remarks(const MethodReport& method);
 /// A remark for the step where a method goes wrong; usually empty.
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report);

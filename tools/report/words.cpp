@@ -138,7 +138,7 @@ std::string interval_text(const scene::ValidRoots& valid) {
 }
 
 std::string valid_roots_text(const scene::ValidRoots& valid) {
-  std::string text = "t in " + interval_text(valid);
+  std::string text = "s in " + interval_text(valid);
   if (valid.culling != scene::Culling::kNone) {
     text += fmt::format(", culling {}", name(valid.culling));
   }

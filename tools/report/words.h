@@ -38,7 +38,7 @@ std::string not_needed_text(const std::vector<std::string>& not_needed);
 
 /// "[0.001, inf] radii"
 std::string interval_text(const scene::ValidRoots& valid);
-/// "t in [0.001, inf] radii, culling back-faces"
+/// "s in [0.001, inf] radii, culling back-faces"
 std::string valid_roots_text(const scene::ValidRoots& valid);
 /// "rows bottom-first, samples edges, ..."; and which roots count, unless it is every one >= 0.
 std::string conventions_text(const scene::Conventions& conventions);
