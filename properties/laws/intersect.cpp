@@ -427,7 +427,8 @@ constexpr Law kIntersectLawTable[] = {
      .stage = Stage::kIntersection,
      .judge = judge_hit_point},
     {.name = "focal-and-pixel",
-     .sentence = "rays from E and from P hit the same point, and their s differ by l = |P - E|",
+     .sentence =
+         "rays from E and from P hit the same point, and their s differ by the length of P - E",
      .per = Per::kPair,
      .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
               Needs::kPoints,

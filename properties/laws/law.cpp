@@ -168,7 +168,8 @@ struct LawJudgement {
   bool failed = false;
 };
 
-/// Whether each sphere of a ray is a separate question. If a ray cannot be made, it is one question.
+/// Whether each sphere of a ray is a separate question. If a ray cannot be made, it is one
+/// question.
 bool asks_by_sphere(const Law& law, const Trial& trial) {
   return law.per == Per::kPair && !trial.lacks_rays();
 }

@@ -208,8 +208,8 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
     is_tried = true;
     compare(trial, verdict, *scene,
-            {"lengths scaled by 2^" + std::to_string(exponent), [](const scene::Vector3& v) { return v; },
-             std::ldexp(1.0, exponent)});
+            {"lengths scaled by 2^" + std::to_string(exponent),
+             [](const scene::Vector3& v) { return v; }, std::ldexp(1.0, exponent)});
   }
   if (!is_tried) verdict.leave_out("every scaled scene lies outside the candidate's domain");
 }
@@ -350,7 +350,8 @@ void judge_up(Trial& trial, Verdict& verdict) {
 
 void judge_growing_radius(Trial& trial, Verdict& verdict) {
   if (trial.conventions().root != scene::Root::kNearest) {
-    return verdict.leave_out("with root = smaller, a hit may become a miss: a grown sphere may contain the origin");
+    return verdict.leave_out(
+        "with root = smaller, a hit may become a miss: a grown sphere may contain the origin");
   }
   if (!trial.conventions().valid.is_usual()) {
     return verdict.leave_out(

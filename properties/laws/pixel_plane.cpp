@@ -38,7 +38,8 @@ class PlaneAnswers {
                     : reference::ExactCamera(camera, trial.conventions())),
         pixels_(std::move(pixels)),
         points_(trial.candidate().pixel_points(camera, trial.conventions(), pixels_)) {
-    if (points_.size() != pixels_.size()) throw CandidateFailed("pixel_point() returned too few or too many points");
+    if (points_.size() != pixels_.size())
+      throw CandidateFailed("pixel_point() returned too few or too many points");
   }
 
   std::size_t size() const { return pixels_.size(); }
@@ -189,8 +190,7 @@ void judge_bounds(Trial& trial, Verdict& verdict) {
     const Enclosure3 off = answers.position(k) - answers.exact_position(k);
     const Enclosure size = answers.size_of_point(k);
     answers.measure(verdict, k, std::max(relative(off.x, size), relative(off.y, size)),
-                    trial.bound(Quantity::kPixelPoint),
-                    [] { return "corner"; });
+                    trial.bound(Quantity::kPixelPoint), [] { return "corner"; });
     judge_promised_bits(trial, verdict, answers, k);
   }
 }
@@ -252,8 +252,8 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
     const Enclosure size = answers.size_of_point(0);
     return std::max(relative(own.x, size), relative(own.y, size));
   };
-  answers.measure(verdict, 0, right ? scene::Measured{} : off(),
-                  trial.bound(Quantity::kPixelPoint), [] { return "nearer to another corner"; });
+  answers.measure(verdict, 0, right ? scene::Measured{} : off(), trial.bound(Quantity::kPixelPoint),
+                  [] { return "nearer to another corner"; });
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {

@@ -75,8 +75,8 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
   }
   try {
     if (const auto under = right_under(law, asked, candidate)) {
-      return {{"right under " + under->conventions + ", which the candidate does not declare", under->defects,
-               under->defects}};
+      return {{"right under " + under->conventions + ", which the candidate does not declare",
+               under->defects, under->defects}};
     }
     if (!candidate.image) return answer_explanations(law, asked, candidate);
     std::vector<Explanation> found = explanations(picture_causes(shown(asked, candidate)));

@@ -20,8 +20,8 @@ struct Explanation {
 inline constexpr std::string_view kNotNumbers = "the answer is NaN or infinite";
 /// The sentence if no mistake is named; `explained` is 0.
 inline constexpr std::string_view kTooFewErrors = "too few wrong answers to name a cause";
-/// Fewer wrong answers than this fit too many explanations. A mistake is then named only if no other
-/// explains them, and if it gives the numbers of one of these answers.
+/// Fewer wrong answers than this fit too many explanations. A mistake is then named only if no
+/// other explains them, and if it gives the numbers of one of these answers.
 inline constexpr std::uint64_t kFewestErrorsOfACause = 3;
 /// If more mistakes than this explain the same answers, none is named.
 inline constexpr std::size_t kMostAlternatives = 3;

@@ -273,15 +273,15 @@ std::vector<Mistake> intersect_mistakes() {
                [](const Ray& ray, const Roots& roots, const Conventions& c) {
                  return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
                }),
-           of_answers("s is |v - d|, which is not a root if the ray starts inside a sphere", without_sign),
-           of_answers(
-               "the root with the smaller |s| is taken; if it is negative, that is a miss",
-               [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
-                 if (!meets(roots, c)) return {};
-                 const bool is_first = std::abs(roots.smaller) <= std::abs(roots.larger);
-                 const double s = is_first ? roots.smaller : roots.larger;
-                 return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
-               }),
+           of_answers("s is |v - d|, which is not a root if the ray starts inside a sphere",
+                      without_sign),
+           of_answers("the root with the smaller |s| is taken; if it is negative, that is a miss",
+                      [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
+                        if (!meets(roots, c)) return {};
+                        const bool is_first = std::abs(roots.smaller) <= std::abs(roots.larger);
+                        const double s = is_first ? roots.smaller : roots.larger;
+                        return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
+                      }),
            at_one_root(),
            of_answers("s is read as an integer: its fraction is dropped, and 0 is a miss",
                       [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {

@@ -101,8 +101,7 @@ const ThresholdFamily kFamilies[] = {
      " (perhaps less), in multiples of P - E, are dropped: the largest s that counts is too small",
      "far hits", kLargeSizes, up_to, nullptr, true, true},
     {"where d^2 is below about ",
-     " (perhaps more) v is taken for both roots: the epsilon is too large", "merged roots",
-     kSizes,
+     " (perhaps more) v is taken for both roots: the epsilon is too large", "merged roots", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double v = roots.axial_distance;
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
@@ -118,7 +117,8 @@ const ThresholdFamily kFamilies[] = {
        return usual_choice(ray, is_merged ? both_at(roots.axial_distance, size) : roots, c);
      },
      nullptr, false},
-    {"hits are found by marching, which stops when a sphere is nearer than about ", "", "marched", kSizes,
+    {"hits are found by marching, which stops when a sphere is nearer than about ", "", "marched",
+     kSizes,
      [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
        return usual_choice(ray, roots, c);
      },
@@ -132,8 +132,8 @@ const ThresholdFamily kFamilies[] = {
      },
      nullptr, false},
     {"rays that pass less than about ",
-     " radii (perhaps more) inside a sphere's outline miss it: the tolerance is too large", "shallow chords",
-     kSizes,
+     " radii (perhaps more) inside a sphere's outline miss it: the tolerance is too large",
+     "shallow chords", kSizes,
      [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
        return usual_choice(ray, roots, c);
      },

@@ -198,11 +198,9 @@ Finding CampaignResult::finding() const {
 
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most, std::size_t round) {
   const auto has_wrong_answer = [](const CampaignPart& part) {
-    return part.is_broken() && std::any_of(part.breaks.front().defects.begin(),
-                                           part.breaks.front().defects.end(),
-                                           [](const DefectKind& kind) {
-                                             return kind.wrong != Wrong::kFailed;
-                                           });
+    return part.is_broken() &&
+           std::any_of(part.breaks.front().defects.begin(), part.breaks.front().defects.end(),
+                       [](const DefectKind& kind) { return kind.wrong != Wrong::kFailed; });
   };
   std::set<Level> levels;
   for (const CampaignPart& part : result.parts) {
@@ -255,7 +253,8 @@ Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_
       CampaignResult& result = results_.back()[law];
       result.level = options.level;
       const CasesOfLaw series = cases_of(*laws[law], options);
-      if (series.empty()) result.counts.reason = "the law needs cameras, and no source that was chosen has one";
+      if (series.empty())
+        result.counts.reason = "the law needs cameras, and no source that was chosen has one";
       for (const auto& [key, its] : series) {
         auto& [chosen, tried] = all[key];
         chosen = its.source;

@@ -40,7 +40,7 @@ struct CampaignOptions {
 
 /// Counts of cases by their treatment.
 struct CaseCounts {
-  std::int64_t cases = 0;       ///< Tried, before an end or a break.
+  std::int64_t cases = 0;  ///< Tried, before an end or a break.
   /// Those of `cases` to which the law does not apply, or which the candidate's format cannot hold.
   std::int64_t left_out = 0;
   std::int64_t not_judged = 0;  ///< Those of `cases` outside the candidate's stated domain.
@@ -148,14 +148,14 @@ struct CampaignResult {
 /// Cases from which the cause of a law that wrong answers break may be found (missing answers have
 /// no such cause). In a round there are at most `most` cases of the sources and severities that
 /// break the law at one level, the first failing cases first, and, unless all sources break it, as
-/// many of any source, which rule out causes that would break them. Rounds 0 and 1 are at the lowest
-/// level at which the law is broken, rounds 2 and 3 at the next such level, and so on; odd rounds
-/// have four times as many cases. Empty after the last round.
+/// many of any source, which rule out causes that would break them. Rounds 0 and 1 are at the
+/// lowest level at which the law is broken, rounds 2 and 3 at the next such level, and so on; odd
+/// rounds have four times as many cases. Empty after the last round.
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most,
                                 std::size_t round = 0);
 
-/// The cases of a unit of work: few enough for threads to end together. In a large campaign they are
-/// multiplied by a power of two, so that there are at most about kMostUnits units.
+/// The cases of a unit of work: few enough for threads to end together. In a large campaign they
+/// are multiplied by a power of two, so that there are at most about kMostUnits units.
 inline constexpr int kUnitCases = 64;
 inline constexpr std::int64_t kMostUnits = 1 << 14;
 constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {

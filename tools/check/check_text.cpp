@@ -61,9 +61,8 @@ std::string quantities_table(const CandidateReport& candidate) {
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
     const bool measured = !tally.errors.empty();
     table.add({quantity == Quantity::kRefusal ? "no answer" : std::string(info(quantity).name),
-               std::to_string(tally.cases),
-               measured ? "" : class_error_text(tally), error_text(tally.median()),
-               error_text(tally.max()), error_text(tally.bound()),
+               std::to_string(tally.cases), measured ? "" : class_error_text(tally),
+               error_text(tally.median()), error_text(tally.max()), error_text(tally.bound()),
                std::string(unit_name(quantity, candidate.precision)), worst_text(tally, quantity)});
   }
   return table.text();
@@ -110,11 +109,11 @@ std::string failures_text(const properties::FailureSearch& search) {
   if (search.found == 0 && search.together == 0) {
     return text + "; no single question that fails was found\n";
   }
-  text += fmt::format(" and retried in halves: {} found to fail (at most {} are sought)",
+  text += fmt::format("; halving found {} that fail{} (at most {} are sought)",
                       count_text(static_cast<std::uint64_t>(search.found), "question"),
-                      properties::kMostFailuresSought);
+                      search.found == 1 ? "s" : "", properties::kMostFailuresSought);
   if (search.together > 0) {
-    text += fmt::format(", {} that fail only as a whole",
+    text += fmt::format(", {} whose halves are answered",
                         count_text(static_cast<std::uint64_t>(search.together), "part"));
   }
   if (search.not_sought > 0) {

@@ -299,7 +299,9 @@ ExplainReport explain(const ExplainOptions& options) {
   if (*report.sphere >= scene.spheres.size()) {
     throw scene::InvalidInput(
         "sphere", std::to_string(*report.sphere),
-        fmt::format("the scene's spheres are numbered 0 to {}", scene.spheres.size() - 1));
+        scene.spheres.size() == 1
+            ? "the scene has only sphere 0"
+            : fmt::format("the scene's spheres are numbered 0 to {}", scene.spheres.size() - 1));
   }
   const scene::Sphere& sphere = scene.spheres[*report.sphere];
   const SphereReport& exact = report.spheres[*report.sphere];

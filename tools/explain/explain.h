@@ -97,7 +97,8 @@ struct ExplainReport {
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
   std::shared_ptr<const Implementation> other;
-  std::optional<std::size_t> sphere;  ///< The sphere that is derived, and intersected by the methods.
+  std::optional<std::size_t>
+      sphere;  ///< The sphere that is derived, and intersected by the methods.
   std::vector<SphereReport> spheres;
   /// The exact answer for `sphere` if every root >= 0 counts, if the conventions differ: raycheck's
   /// methods are judged by it.

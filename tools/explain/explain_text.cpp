@@ -95,7 +95,8 @@ std::string numbers_text(const std::vector<double>& values) {
 
 std::string off_text(const MethodStep& step) {
   return (step.error ? fmt::format("off by {} {}", error_text(step.error), step.unit) : "") +
-         (step.error_alone ? fmt::format(" ({} by this step only)", error_text(step.error_alone)) : "");
+         (step.error_alone ? fmt::format(" ({} by this step only)", error_text(step.error_alone))
+                           : "");
 }
 
 std::string condition_text(const Step& step) {
@@ -163,15 +164,17 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     }
   }
   if (report.rounded_numbers > 0) text += rounded_numbers_text(report.rounded_numbers) + "\n";
-  text += "each step: its exact value in closed form, the same correctly rounded, and each method's value\n";
+  text +=
+      "each step: its exact value in closed form, the same correctly rounded, and each method's "
+      "value\n";
   if (report.sphere && report.pixel) {
     text += fmt::format("(v, d^2, s and Q are computed and judged on the ray that `{}` makes)\n",
                         report.rays_method);
     const MethodReport& last = report.methods.back();
     if (last.is_other && last.intersects) {
-      text += fmt::format("({}: on {})\n", last.name,
-                          last.makes_ray ? "the ray that it makes"
-                                         : "the exact ray, correctly rounded");
+      text += fmt::format(
+          "({}: on {})\n", last.name,
+          last.makes_ray ? "the ray that it makes" : "the exact ray, correctly rounded");
     }
   }
   if (report.sphere) {
@@ -197,8 +200,9 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     text += indented(isolation_text({*report.other}), "  ");
   }
   if (report.by_every_root) {
-    text += fmt::format("  raycheck's methods are judged as if every root >= 0 counts; exact then: {}\n",
-                        answer_of(*report.by_every_root));
+    text += fmt::format(
+        "  raycheck's methods are judged as if every root >= 0 counts; exact then: {}\n",
+        answer_of(*report.by_every_root));
   }
   for (const MethodReport& method : report.methods) {
     text +=

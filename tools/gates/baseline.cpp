@@ -95,8 +95,7 @@ void add_line(Baseline& baseline, std::string_view line) {
   }
   const auto fields = fields_of(line);
   if (fields.size() != 5) {
-    throw std::invalid_argument(
-        "it is not of the form 'LAW; SOURCE; KIND; PLACE; CANDIDATE'");
+    throw std::invalid_argument("it is not of the form 'LAW; SOURCE; KIND; PLACE; CANDIDATE'");
   }
   baseline.known.insert({fields[0], fields[1], fields[2], fields[3], fields[4]});
   baseline.headings.emplace(fields[0], fields[1]);

@@ -297,8 +297,8 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
 
 namespace {
 
-/// The end of a range about a value, with few digits: in the range, and at least 9/10 as far from the
-/// value.
+/// The end of a range about a value, with few digits: in the range, and at least 9/10 as far from
+/// the value.
 std::string end_text(double end, double value) {
   const double least = 0.9 * std::abs(end - value);
   for (int digits = 4; digits < 17; ++digits) {
@@ -322,7 +322,7 @@ std::string range_text(const properties::NumberRange& range) {
                      range.is_any ? "valid number" : "value",
                      (is_whole ? "" : " tried") + (range.is_any ? "" : " in " + span),
                      is_whole ? "certified" : fmt::format("{} tried", range.samples),
-                     certified.empty() || is_whole ? "" : "; all in " + certified + ", certified");
+                     certified.empty() || is_whole ? "" : "; certified for all in " + certified);
 }
 
 /// The last digits of a number matter if its range has at most 2^kNarrowBits ulps.
@@ -354,8 +354,8 @@ std::string failure_text(const CampaignReport& campaign, const properties::Failu
   const std::vector<properties::Discrepancy> worst = failure.verdict.worst(1);
   const std::string discrepancies =
       scene::joined(worst, "", [&](const auto& one) { return discrepancy_text(one, colours); });
-  std::string causes = explanations_text(
-      campaign.explanations, campaign.implementation.draws() ? "pixels" : "answers");
+  std::string causes = explanations_text(campaign.explanations,
+                                         campaign.implementation.draws() ? "pixels" : "answers");
   if (!worst.empty() && worst.front().wrong == properties::Wrong::kFailed) {
     causes = indented(causes, "on cases that it answers: ");
   }
@@ -386,16 +386,18 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
 
 std::string too_few_text(const CampaignResult& result) {
   const auto [quantity, question] = *result.too_few_right();
-  return fmt::format("{}: fewer than {} of the {} are answered right without an excuse; try more "
-                     "--cases",
-                     info(quantity).name, result.fewest_right, expected_text(question));
+  return fmt::format(
+      "{}: fewer than {} of the {} are answered right without an excuse; try more "
+      "--cases",
+      info(quantity).name, result.fewest_right, expected_text(question));
 }
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {
   std::string text = first_sentences(report) + corpus_text(report);
   for (const BorrowedBounds& bounds : report.borrowed) {
-    text += fmt::format("{} states no error bounds, so those of {} apply; --bounds chooses others\n",
-                        bounds.candidate, bounds.methods);
+    text +=
+        fmt::format("{} states no error bounds, so those of {} apply; --bounds chooses others\n",
+                    bounds.candidate, bounds.methods);
   }
   for (const CampaignReport& campaign : report.campaigns) {
     if (campaign.finding == Finding::kLeftOut) continue;

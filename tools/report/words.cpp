@@ -40,8 +40,8 @@ std::string witness_text(const Discrepancy& d) {
   for (std::size_t k = 0; k < std::min(changed.size(), kMostNamed); ++k) {
     const double share = change[changed[k]];
     text += fmt::format("{}{} * (1 {} {})", k == 0 ? "the answer is right for " : ", ",
-                        input_name(d, changed[k]),
-                        share < 0 ? '-' : '+', change_text(std::abs(share), d.precision));
+                        input_name(d, changed[k]), share < 0 ? '-' : '+',
+                        change_text(std::abs(share), d.precision));
   }
   if (changed.size() > kMostNamed) {
     text += fmt::format(" and {} changed", count_text(changed.size() - kMostNamed, "other input"));
@@ -276,8 +276,7 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
       // Related answers are compared with each other.
       const bool is_related =
           d.quantity == properties::Quantity::kInvariance && d.law != "focal-and-pixel";
-      text += fmt::format("  {} {}\n", is_related ? "expected" : "exact",
-                          exact_text(d));
+      text += fmt::format("  {} {}\n", is_related ? "expected" : "exact", exact_text(d));
     }
   }
   if (d.excluded_by) {
@@ -323,8 +322,8 @@ std::string decided_by_text(const reference::DecidedBy& decided_by) {
     stages +=
         fmt::format("{}{} by {}", stages.empty() ? "" : ", ", decided_by.stages[k], kStageNames[k]);
   }
-  return fmt::format("{} by the certified filter, {} by exact arithmetic{}", decided_by.filter, decided_by.fallback(),
-                     stages.empty() ? "" : " (" + stages + ")");
+  return fmt::format("{} by the certified filter, {} by exact arithmetic{}", decided_by.filter,
+                     decided_by.fallback(), stages.empty() ? "" : " (" + stages + ")");
 }
 
 std::string expected_text(properties::Expected expected) {

@@ -53,7 +53,7 @@ TEST(Candidate, without_rays_receives_them_and_the_report_says_so) {
   EXPECT_FALSE(judged(kCamera, "command:python3 tests/candidates/right.py")["given_rays"]);
   EXPECT_FALSE(judged(kRays, meets)["given_rays"]);
   expect_parts(run("check " + kCamera + " --candidate '" + meets + "'").out,
-               {"makes no rays from this origin: was given raycheck's rays"});
+               {"has no pixel_ray(): is given raycheck's rays"});
 }
 
 TEST(Candidate, that_is_wrong_on_given_rays_has_pixels_and_explanations_in_its_report) {

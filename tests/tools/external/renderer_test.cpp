@@ -41,7 +41,7 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
     expect_parts(report["worst"].dump(), {what});
   };
   expect_said("transposed", "26 x 40 pixels, the scene 40 x 26: width and height are exchanged");
-  expect_said("no-picture", "it made no picture");
+  expect_said("no-picture", "it succeeded, but wrote no picture");
   expect_said("huge", "its picture has 8192 x 8192 pixels, the scene 40 x 26");
   expect_said("half", "its PPM lacks a number, or ends too early");
   expect_said("crash", "exited with 1");

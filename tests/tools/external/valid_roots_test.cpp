@@ -51,7 +51,7 @@ TEST(ValidRoots, that_are_declared_are_judged_and_their_cost_is_reported) {
   ASSERT_EQ(excluded["worst"].size(), 1u);
   expect_values(excluded["worst"][0], {{"ray", 2}, {"s", "0x1p-2"}});
   expect_parts(run("check " + scene + " --candidate '" + candidate + "'").out,
-               {"t in (0.5, inf) excludes 1 of 3 exact hits and moves 1 to the other "
+               {"s in (0.5, inf) excludes 1 of 3 exact hits and moves 1 to the other "
                 "root",
                 "excluded: ray 2, sphere 0 at s = 0.25"});
 }

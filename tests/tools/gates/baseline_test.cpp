@@ -152,11 +152,11 @@ TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
 
   const Outcome swapped = gate(hits, "", 1);
   EXPECT_TRUE(has(swapped.out,
-                  ": 0 known, 1 new, 0 mended\n  new: class on rays, ordinary, class: "
-                  "false hit"));
+                  ": 0 known, 1 new, 0 fixed\n  new: class on rays, ordinary (class: "
+                  "false hit), mine"));
 
   const Outcome mended = gate(right, "", 0);
-  EXPECT_TRUE(has(mended.out, ": 0 known, 0 new, 1 mended (--update-baseline)"));
+  EXPECT_TRUE(has(mended.out, ": 0 known, 0 new, 1 fixed (--update-baseline)"));
   gate(right, "--strict-baseline", 1);
   gate(right, "--update-baseline --strict-baseline", 0);
   EXPECT_EQ(contents(known()),
