@@ -421,7 +421,7 @@ TEST(AnswerExplanation, OfNaNNamesAMistakeThatMakesNaN) {
   candidate.pixel_rays = candidate.focal_rays = [](const auto&, const auto&, auto pixels) {
     return std::vector<scene::Ray>(pixels.size(), {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}});
   };
-  EXPECT_EQ(sentences_for(candidate), Sentences{"not a number, or infinite"});
+  EXPECT_EQ(sentences_for(candidate), Sentences{"the answer is NaN or infinite"});
   candidate.pixel_rays = candidate_of(kLost).pixel_rays;
   candidate.focal_rays = candidate_of(kLost).focal_rays;
   EXPECT_EQ(sentences_for(candidate), Sentences{kLost});
@@ -444,7 +444,7 @@ TEST(AnswerExplanation, NamesOtherCausesBesideNaN) {
     return hits;
   };
   EXPECT_EQ(all, Sentences{kWrong});
-  EXPECT_EQ(sentences_for(candidate), (Sentences{kWrong, "not a number, or infinite"}));
+  EXPECT_EQ(sentences_for(candidate), (Sentences{kWrong, "the answer is NaN or infinite"}));
   const auto found = explanations(answer_causes(fixed_cases(), candidate));
   EXPECT_EQ(found[1].errors, found[0].errors + found[1].explained);
 }

@@ -89,7 +89,7 @@ TEST(Candidate, without_rays_is_judged_by_laws_on_cameras_too) {
 
 TEST(Candidate, keeps_every_law_on_ordinary_cases) {
   expect_parts(run("properties --cases 300 --candidate " + right_library(), 0).out,
-               {"documents no bounds: judged by those of direct/cross"});
+               {"states no error bounds, so those of direct/cross apply"});
 }
 
 /// The laws' report on right.cpp with `from` replaced by `to`.

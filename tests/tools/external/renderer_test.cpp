@@ -15,7 +15,7 @@ TEST(Renderer, with_one_colour_is_reported_as_not_judged_by_sphere) {
   const json report = judged(kProbeScene, renderer("grey"));
   EXPECT_EQ(report["discrepancies"], 0);
   expect_parts(report["left_out"].dump(),
-               {"pixels whose colour is not that of a sphere: judged only as hit or miss"});
+               {"pixels whose colour is not that of a sphere are judged only as hit or miss"});
 }
 
 TEST(Renderer, is_right_on_every_scene_that_driver_files_can_express) {
@@ -47,6 +47,11 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
   expect_said("crash", "exited with 1");
   expect_said("hang", "did not end, and used almost no CPU time for 1 s");
   expect_said("link", "its picture {image} is not a file");
+  const Outcome none =
+      run("check " + kProbeScene + " --candidate '" + renderer("no-picture") + "'", 1);
+  expect_parts(none.out, {"0 of 1040 rays judged\n", "; no single question that fails was found\n",
+                          "no answer: image: it succeeded, but wrote no picture to {image}\n",
+                          ": a renderer is judged only by its pictures\n"});
 }
 
 TEST(Renderer, whose_format_cannot_express_a_scene_is_not_judged_on_it) {

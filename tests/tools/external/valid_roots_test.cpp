@@ -124,7 +124,7 @@ TEST(ValidRoots, that_the_declared_interval_excludes_are_defects) {
   const std::string mutant = with_ends("at_end.py", "s >= 2", beyond("2"));
   const Outcome outcome = run("check " + scene + " --candidate '" + mutant + "'", 1);
   expect_parts(outcome.out, {"root, ray 0, sphere 0: wrong root\n",
-                             "answers s = 2, which the interval (2, inf) excludes"});
+                             "the answer s = 2 lies outside the interval (2, inf)"});
 
   // 0.1f, which is twice its half: the near root is the end itself.
   const std::string floats = temporary_file("floats.toml", ray_text("0, 0, 0", "1, 0, 0") +

@@ -137,6 +137,18 @@ RAYCHECK_CANDIDATE(.name = "mine", .intersect = mine, .precision = Precision::si
   const std::string folder_ = temporary_folder("baseline");
 };
 
+TEST_F(BaselineOfARun, CallsACandidateWithoutANameByItsFile) {
+  const std::string source = write("never.cpp", R"(#include <raycheck/candidate.hpp>
+using namespace raycheck;
+static std::optional<Hit> never(const Ray&, const Sphere&, const Conventions&) { return {}; }
+RAYCHECK_CANDIDATE(.intersect = never)
+)");
+  run("properties --filter class --cases 60 --source rays --candidate source:" + source +
+          " --baseline " + known() + " --update-baseline",
+      0);
+  EXPECT_TRUE(has(contents(known()), "\nclass; rays; class: missed; ordinary; never.cpp\n"));
+}
+
 TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
   const std::string misses = "return {};", right = "return hit;";
   const std::string hits = "return hit ? hit : Hit{1, {}};";

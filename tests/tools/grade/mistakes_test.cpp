@@ -69,7 +69,7 @@ const std::vector<Mistake> kOfPictures = {
     {"near_root_only", 108, "robustness",
      "only the near root counts, so that spheres around the origin are not seen", 1},
     {"centre_behind", 108, "robustness",
-     "v < 0 counts as a miss, so that spheres around the origin are not seen where their centres "
+     "v < 0 counts as a miss, so that spheres around the origin are not seen if their centres "
      "lie behind it",
      1},
     {"far_root", 95, "nearest sphere",
