@@ -188,6 +188,11 @@ std::string candidate_text(const CheckReport& report, const CandidateReport& can
   text += precision_text(candidate) + excluded_text(candidate) + quantities_table(candidate);
   const char* const answers = implementation.draws() ? "pixels" : "answers";
   text += indented(explanations_text(candidate.explanations, answers), "  ");
+  if (std::ranges::any_of(candidate.explanations, [](const properties::Explanation& one) {
+        return one.sentence == properties::kTooFewErrors;
+      })) {
+    text += "  `raycheck properties` tries more cases\n";
+  }
   return text + failures_text(candidate.search) + too_few_text(candidate);
 }
 

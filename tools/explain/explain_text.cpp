@@ -128,7 +128,10 @@ std::string answer_remarks(const MethodReport& method) {
     text += fmt::format(", which the interval {} excludes", interval_text(*wrong.excluded_by));
   }
   const properties::Standing standing = wrong.excuse.standing();
-  if (standing != properties::Standing::kDefect) text += fmt::format(" ({})", name(standing));
+  if (standing != properties::Standing::kDefect) {
+    text += fmt::format(" ({}{})", name(standing),
+                        standing == properties::Standing::kNotJudged ? ": outside its domain" : "");
+  }
   return text;
 }
 

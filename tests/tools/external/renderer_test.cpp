@@ -50,7 +50,7 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
   const Outcome none =
       run("check " + kProbeScene + " --candidate '" + renderer("no-picture") + "'", 1);
   expect_parts(none.out, {"0 of 1040 rays judged\n", "; no single question that fails was found\n",
-                          "no answer: image: it succeeded, but wrote no picture to {image}\n",
+                          "no answer: image: it succeeded, but wrote no picture to {image}",
                           ": a renderer is judged only by its pictures\n"});
 }
 
