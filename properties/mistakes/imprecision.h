@@ -1,6 +1,6 @@
 #pragma once
 
-// The answers that correct formulas may give where roundings decide: not one, but several.
+// The answers that a correct formula may give with its roundings: several, if roundings decide.
 
 #include <array>
 #include <cstdint>
@@ -69,13 +69,14 @@ inline constexpr double kFewestWrongInDoubt = 0.05;
 struct DoubtTally {
   std::uint64_t answers = 0, doubtful = 0, wrong = 0, not_allowed = 0;
   std::uint64_t dropped = 0;  ///< Wrong ones, about spheres that no answer hits.
-  double radii = 0;           ///< The least distance of an allowed wrong answer; 0 without one.
+  double radii = 0;           ///< The least distance of a wrong answer that is allowed; or 0.
   std::uint64_t hits = 0,
                 precise = 0;  ///< Right ones, and those with more digits than floats have.
 
   void add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful, double its_radii);
-  /// Whether nothing contradicts them; tells(): and whether they may be named, as above.
+  /// Whether there are wrong answers, and the roundings allow all of them.
   bool allows_all() const { return wrong > 0 && not_allowed == 0; }
+  /// Whether allows_all(), and the roundings may be named, as above.
   bool tells() const;
 };
 
