@@ -19,15 +19,15 @@ namespace raycheck::properties {
 namespace {
 
 struct Need {
-  Needs of;  ///< The needs to which it belongs.
+  Needs of;  ///< The needs for which this is checked.
   bool (*is_met)(const Trial&);
-  std::string_view reason;    ///< Why a law is left out if it is not met.
-  bool is_of_scenes = false;  ///< Else it is about candidates.
+  std::string_view reason;    ///< Why a law is left out if the need is not met.
+  bool is_of_scenes = false;  ///< Whether scenes meet the need; if not, candidates do.
 };
 
 bool has_camera(const Trial& trial) { return trial.scene().camera.has_value(); }
 
-/// Whether a candidate has one of its functions.
+/// Whether a candidate has this function.
 template <auto Functions::*function>
 bool has(const Trial& trial) {
   return static_cast<bool>(trial.candidate().*function);
@@ -200,8 +200,8 @@ bool asks_apart(const Law& law) {
 
 LawJudgement judge(const Law& law, Trial& trial);
 
-/// Judges the halves one by one. If the whole is known to fail and the first half does not, the
-/// second is to blame, and is halved at once.
+/// Judges the halves one by one. If the whole is known to fail and the first half does not fail,
+/// the second half is to blame, and is halved at once.
 LawJudgement judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
   LawJudgement all{Verdict(law.name)};
@@ -219,7 +219,7 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   return all;
 }
 
-/// After a failed batch, at this line if it is known: judges the question to blame, or the halves.
+/// Judges a batch that failed, at this line if it is known: the question to blame, or the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
                          const std::optional<CodeLine>& line = {}, bool timed_out = false) {
   FailureSearch* const search = trial.options().search;
@@ -248,7 +248,7 @@ LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
   return judged;
 }
 
-/// The candidate fails on every question: a search reports that once.
+/// The verdict on a candidate that fails on every question; a search reports that once.
 LawJudgement judge_unavailable(const Law& law, Trial& trial, const char* message) {
   FailureSearch* const search = trial.options().search;
   if (search != nullptr && !search->whatever_asked.insert(message).second) {

@@ -25,8 +25,8 @@ constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 /// A transformation of a case.
 struct Transformation {
   std::string what;
-  scene::Vector3 (*map)(const scene::Vector3&);  ///< Of directions.
-  double factor = 1;                             ///< Of parameters.
+  scene::Vector3 (*map)(const scene::Vector3&);  ///< Maps directions.
+  double factor = 1;                             ///< Multiplies parameters.
 };
 
 /// A candidate's answer about a ray and a sphere.
@@ -57,8 +57,8 @@ scene::Measured error_between(const PairAnswer& first, const PairAnswer& second,
       apart / first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
 }
 
-/// The exact answers, equal in hit class and root, show which of two contradicting answers is
-/// wrong, and give the condition number of a pair.
+/// Compares two hits. The exact answers have the same hit class and root: they show which of two
+/// contradicting answers is wrong, and give the condition number.
 void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& verdict,
                   const Transformation& by) {
   Trial& trial = first.trial;
@@ -151,7 +151,7 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
   }
 }
 
-/// The reason why neither directions nor hits can be compared; empty if one of them can.
+/// Why neither directions nor hits can be compared; empty if one of them can.
 std::string_view why_nothing_to_compare(const Trial& trial) {
   return trial.scene().camera ? std::string_view() : what_is_missing(kOfHits, trial);
 }
@@ -169,8 +169,8 @@ void compare(Trial& trial, Verdict& verdict, const Scene& scene, const Transform
   }
 }
 
-/// The scene with every length times 2^exponent; directions and `up` as they are. Empty where that
-/// would round in the format.
+/// The scene with every length times 2^exponent; directions and `up` stay. Empty if a number would
+/// be rounded in the format.
 std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precision) {
   bool exact = true;
   for_each_length(scene, [&](double& x) {
@@ -217,7 +217,7 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
 /// A permutation of the world axes with signs: coordinates are never rounded.
 struct AxesMap {
   const char* what;
-  bool is_mirror;  ///< It makes a right-handed frame left-handed, so it is not for cameras.
+  bool is_mirror;  ///< It makes right-handed frames left-handed, so it is not used for cameras.
   scene::Vector3 (*apply)(const scene::Vector3&);
 };
 constexpr AxesMap kAxesMaps[] = {
@@ -270,7 +270,7 @@ void judge_axes(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// a + b, if that is a number of the format.
+/// a + b, if the sum is a number of the format.
 std::optional<double> exact_sum(double a, double b, scene::Precision precision) {
   const double sum = a + b;
   const double b_part = sum - a;
@@ -289,7 +289,7 @@ std::optional<To> exact_sum_of(const A& a, const B& b, double k, scene::Precisio
   return x && y && z ? std::optional(To{*x, *y, *z}) : std::nullopt;
 }
 
-/// Two cameras with the same axes: the candidate's frames must agree.
+/// Compares the candidate's frames for two cameras with the same axes.
 void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_camera,
                     const std::string& what) {
   if (!scene::defects(other_camera).empty()) return;

@@ -16,7 +16,7 @@ using reference::NearestSphere;
 
 constexpr int kDistanceBits = 256;
 
-/// The pixels of the case, and some spread over the image.
+/// The pixels of the case, and others spread over the image.
 std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
   constexpr std::int64_t kMost = 4;
   std::vector<scene::Pixel> pixels = trial.pixels();

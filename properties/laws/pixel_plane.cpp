@@ -26,8 +26,8 @@ std::string name(const Pixel& pixel) {
   return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
 }
 
-/// The candidate's points and the exact camera that they are compared with: the trial's, or one
-/// with the same axes.
+/// The candidate's points, and the exact camera that they are compared with: the trial's camera, or
+/// one with the same axes.
 class PlaneAnswers {
  public:
   PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
@@ -59,7 +59,7 @@ class PlaneAnswers {
   Enclosure3 exact_position(std::size_t k) const {
     return camera_.plane_position(pixels_[k], kBits);
   }
-  /// A relation is conditioned no better than the points that it relates.
+  /// The largest condition number of the points: a relation has at least that of its points.
   double worst_condition() const {
     double worst = 0;
     for (std::size_t k = 0; k < size(); ++k) {
@@ -142,7 +142,8 @@ void judge_pixel_point(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// The axis k along which a vector points exactly, with its sign; 0 if along none.
+/// The world axis along which a vector points exactly, and the sign; sign 0 if there is no such
+/// axis.
 struct SignedAxis {
   int index = 0;
   int sign = 0;

@@ -30,7 +30,7 @@ constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
      }},
 };
 
-/// Defects that affect only pixels, not the frame.
+/// Defects of the image plane, which do not affect the frame.
 constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
     {"near is zero", [](scene::Camera& c) { c.near = 0; }},
     {"left is infinite", [](scene::Camera& c) { c.left = -kInfinite; }},

@@ -25,7 +25,7 @@ int share_of_all(int all, std::size_t shares, std::size_t k) {
   return all / among + (static_cast<int>(k) < all % among ? 1 : 0);
 }
 
-/// The severities that a source stands for.
+/// The severities of a source up to a level, at most one for each case.
 std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level, int cases) {
   if (chosen.severity || !chosen.source->severities) return {chosen};
   std::vector<ChosenSource> severities;
@@ -73,7 +73,7 @@ void share_out(const Law& law, const CampaignOptions& options, Level level, Case
   }
 }
 
-/// The cases of every level up to the chosen one: no level is easier than the one before it.
+/// The cases of every level up to the chosen one: a level includes the cases of easier ones.
 CasesOfLaw cases_of(const Law& law, const CampaignOptions& options) {
   CasesOfLaw given;
   for (int level = 0; level <= static_cast<int>(options.level); ++level) {

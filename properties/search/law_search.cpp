@@ -17,7 +17,7 @@ struct CaseVerdict {
   Verdict verdict;
 };
 
-/// `trials`: null where the case is not valid under the candidate's conventions.
+/// `trials` is null if the case is not valid under the candidate's conventions.
 CaseVerdict verdict_on(const Law& law, Trials* trials) {
   if (trials == nullptr) return {false, false, Verdict(law.name)};
   Trial& trial = trials->of(law);

@@ -273,9 +273,8 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
   if (is_answer || !d.exact.empty()) {
     text += fmt::format("  got   {}\n", got_text(d));
     if (!d.exact.empty() || d.wrong != properties::Wrong::kNot) {
-      // Related answers are compared with each other.
-      const bool is_related =
-          d.quantity == properties::Quantity::kInvariance && d.law != "focal-and-pixel";
+      // Related answers are compared with each other, unless `what` names two.
+      const bool is_related = d.quantity == properties::Quantity::kInvariance && !d.symbol.empty();
       text += fmt::format("  {} {}\n", is_related ? "expected" : "exact", exact_text(d));
     }
   }

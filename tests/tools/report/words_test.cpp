@@ -53,8 +53,8 @@ TEST(Words, OfRelatedAnswersNameTheLawAndTheExpectedAnswer) {
   EXPECT_TRUE(text.starts_with("scaling, ray 0, lengths scaled by 2^3: off by 7")) << text;
   EXPECT_TRUE(has(text, "  expected s = 2"));
   EXPECT_TRUE(has(text, "  condition number below 1e-09\n"));
-  related.law = "focal-and-pixel";
-  EXPECT_TRUE(has(discrepancy_text(related, false), "  exact s = 2"));
+  related.symbol.clear();  // the numbers are answers, beside the exact ones
+  EXPECT_TRUE(has(discrepancy_text(related, false), "  exact 2"));
 }
 
 TEST(Words, OfABrokenLawCallOnlyAShrunkCaseShrunk) {
