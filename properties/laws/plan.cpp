@@ -216,11 +216,10 @@ void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong, c
 
 std::string for_what(const PlanStatement& statement) {
   const auto wanted = scene::kWantedNames[static_cast<std::size_t>(statement.wanted)];
-  return ", where the " + std::string(wanted) + " is wanted";
+  return ", if the " + std::string(wanted) + " is wanted";
 }
 
-/// Whether every ray that meets `sphere` meets `by` first: nearer, or as near and earlier in the
-/// file.
+/// Whether a ray misses `sphere`, or meets `by` first: nearer, or as near and earlier in the file.
 bool is_hidden(const ExactRay& ray, const Trial& trial, std::size_t sphere, std::size_t by) {
   const auto& spheres = trial.scene().spheres;
   const scene::Conventions& conventions = trial.conventions();

@@ -40,8 +40,8 @@ Draft prepare(const Implementation& implementation, const ScenesOfFormats& scene
   return draft;
 }
 
-/// The mistakes that explain the errors of a candidate: in its picture, which is kept and asked for
-/// again, or in its answers about some rays.
+/// The mistakes that explain the errors of a candidate in its picture, which is kept, or in its
+/// answers about some rays.
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
   if (report.implementation.methods || report.verdict.holds()) return {};
@@ -76,8 +76,7 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
   return std::move(draft.report);
 }
 
-/// The scene, and the implementations as they are to be given it: renderers in the file's own
-/// dialect, where they do not keep their form.
+/// Loads the scene. Renderers are set to read the file's dialect, unless they keep their form.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
   const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
   scene::LoadedScene loaded =
@@ -89,8 +88,8 @@ scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>
   return loaded;
 }
 
-/// Without pairs of methods that do the same as an earlier one on this scene: those that differ
-/// only in the ray method if it has no camera, only in the intersection method if it has no
+/// Leaves out pairs of methods that answer as an earlier pair does on this scene: they differ only
+/// in the ray method if the scene has no camera, or only in the intersection method if it has no
 /// spheres.
 std::vector<Implementation> without_equals(const std::vector<Implementation>& implementations,
                                            const scene::Scene& scene) {

@@ -14,8 +14,8 @@ namespace {
 
 using properties::Quantity;
 
-/// Findings per candidate, one for each ray and sphere: its worst discrepancies or, without any,
-/// its largest errors.
+/// The most findings of a candidate, one for each ray and sphere: its worst discrepancies or, if it
+/// has none, its largest errors.
 constexpr std::size_t kMostFindings = 8;
 constexpr std::size_t kMostDiscrepancies = 64;
 
@@ -25,7 +25,7 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   return candidate.implementation.name_in(is_of_rays ? Stage::kRays : Stage::kIntersection);
 }
 
-/// The mistakes that explain a candidate's wrong answers, in a sentence; or empty.
+/// The mistakes that explain a candidate's wrong answers, in sentences; or empty.
 std::string looks_like(const std::vector<properties::Explanation>& explanations) {
   std::string text;
   for (const properties::Explanation& one : explanations) {

@@ -10,9 +10,9 @@ struct ViewOptions {
   bool colours = false;  ///< For a terminal.
 };
 
-/// Active content in a text.
+/// The active content that a text may have.
 enum class ViewKind {
-  kText,      ///< Nothing.
+  kText,      ///< None.
   kCommands,  ///< Lines that GitHub's workflow log interprets.
 };
 

@@ -26,7 +26,7 @@ std::string answer_text(properties::Quantity quantity, std::string_view symbol,
 std::string got_text(const properties::Discrepancy& discrepancy);
 std::string exact_text(const properties::Discrepancy& discrepancy);
 
-/// False for quantities of the scene as a whole.
+/// Whether a quantity belongs to a ray or pixel, not to the whole scene.
 bool has_place(properties::Quantity quantity);
 /// "pixel (3, 4), sphere 0" or "ray 2".
 std::string place_text(const properties::Place& place);
@@ -40,7 +40,7 @@ std::string not_needed_text(const std::vector<std::string>& not_needed);
 std::string interval_text(const scene::ValidRoots& valid);
 /// "s in [0.001, inf] radii, culling back-faces"
 std::string valid_roots_text(const scene::ValidRoots& valid);
-/// "rows bottom-first, samples edges, ..."; and which roots count, unless it is every one >= 0.
+/// "rows bottom-first, samples edges, ..."; and which roots count, unless every root >= 0 does.
 std::string conventions_text(const scene::Conventions& conventions);
 
 /// Appended for judgement in floats: ", in single precision"; empty for doubles.
@@ -52,7 +52,7 @@ std::string rounded_numbers_text(std::size_t count);
 /// A relative change in units of u, or as a plain number if large: "16 u", "1e-06".
 std::string change_text(double relative_change,
                         scene::Precision precision = scene::Precision::kDouble);
-/// Why a discrepancy is not held against the method, with the reason; empty if it is.
+/// Why a discrepancy does not count against the candidate; empty if it counts.
 std::string excuse_text(const properties::Discrepancy& discrepancy);
 /// The name of an input that a witness changes, by its index in reference::InputChange: "eye.x",
 /// "radius", "spheres[2].centre.y" if all spheres take part.
@@ -75,7 +75,7 @@ std::string wrongness_text(const properties::Discrepancy& discrepancy);
 /// A discrepancy in a line: "parameter, pixel (9, 8), sphere 0: off by 6.7e+07 ulp"; "no answer,
 /// ray 2: it threw an exception".
 std::string discrepancy_head(const properties::Discrepancy& discrepancy);
-/// A discrepancy in lines: the answer, the exact one, the error and the excuse.
+/// A discrepancy in lines: the answer, the exact answer, the error and the excuse.
 std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);
 
 /// How a law is broken, in lines: its sentence, the discrepancy and its causes (separate lines),
@@ -98,7 +98,7 @@ std::string indented(std::string_view lines, std::string_view indent);
 
 /// A word of a command in single quotes, whatever it contains.
 std::string single_quoted(std::string_view word);
-/// The same, quoted only if necessary.
+/// A word of a command, quoted only if necessary.
 std::string shell_word(const std::string& word);
 
 /// "1 sphere", "2 spheres"
