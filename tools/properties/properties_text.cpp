@@ -138,7 +138,7 @@ std::string left_out_text(const PropertiesReport& report) {
 }
 
 /// Why laws are broken: the causes, that of most answers first, and the laws without a known cause:
-/// "rows are upside down (20 of 20 wrong answers)" if that explains all.
+/// "rows are upside down (explains all 20 wrong answers)".
 std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   struct Cause {
     const properties::Explanation* best;
@@ -165,8 +165,9 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   const bool is_all = causes.size() == 1 && unexplained.empty();
   std::string text;
   for (const auto& [best, laws] : causes) {
-    text += fmt::format("{}{} ({}{} of {} wrong answers)", text.empty() ? "" : "; ", best->sentence,
-                        is_all ? "" : laws + ": ", best->explained, best->errors);
+    text += fmt::format("{}{} (explains {}{})", text.empty() ? "" : "; ", best->sentence,
+                        wrong_share_text(best->explained, best->errors, "answers"),
+                        is_all ? "" : " of " + laws);
   }
   return text + (unexplained.empty() ? "" : "; unexplained: " + unexplained);
 }
@@ -198,7 +199,8 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
     }
   }
   if (!held && !failure.empty()) return fmt::format("gives no answers: {}", failure);
-  if (!broken && !open.empty()) return fmt::format("nothing broken, but undecided: {}", open);
+  if (!broken && !open.empty())
+    return fmt::format("no law is broken, but these are undecided or too rarely judged: {}", open);
   if (!broken && !held) {
     return is_outside ? "nothing judged: no case lies within the lengths that it declares"
                       : "nothing judged: it has no function that these laws test";
@@ -376,7 +378,10 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   std::string text;
   if (result.parts.size() > 1 && !failure.is_undecided) {
     const std::string broken = broken_text(result);
-    if (!broken.empty()) text += fmt::format("broken on {}\n", broken);
+    if (!broken.empty()) {
+      text += fmt::format("broken on {}{}\n", broken,
+                          broken.find('@') == std::string::npos ? "" : " (source@severity)");
+    }
     const std::string holding = holding_text(result);
     if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
   }

@@ -109,13 +109,17 @@ std::string not_needed_text(const std::vector<std::string>& not_needed) {
   return fmt::format("not needed here: {}\n", fmt::join(not_needed, ", "));
 }
 
+std::string wrong_share_text(std::uint64_t explained, std::uint64_t errors,
+                             std::string_view answers) {
+  if (errors == 1) return fmt::format("the one wrong {}", answers.substr(0, answers.size() - 1));
+  return explained == errors ? fmt::format("all {} wrong {}", errors, answers)
+                             : fmt::format("{} of {} wrong {}", explained, errors, answers);
+}
+
 std::string explained_text(std::string_view sentence, std::uint64_t explained, std::uint64_t errors,
                            std::string_view answers) {
-  const std::string share = errors == 1           ? "the one"
-                            : explained == errors ? fmt::format("all {}", errors)
-                                                  : fmt::format("{} of {}", explained, errors);
-  return fmt::format("{}; this explains {} wrong {}", sentence, share,
-                     errors == 1 ? answers.substr(0, answers.size() - 1) : answers);
+  return fmt::format("{}; this explains {}", sentence,
+                     wrong_share_text(explained, errors, answers));
 }
 
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
