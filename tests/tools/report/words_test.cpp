@@ -7,7 +7,7 @@ namespace {
 
 using properties::Discrepancy, properties::Quantity, properties::Wrong;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kBeyondAnyBound = std::numeric_limits<double>::infinity();
 
 TEST(Words, OfAnExplanationCountTheAnswersThatItExplains) {
   EXPECT_EQ(explained_text("rows are upside down", 90, 90, "pixels"),
@@ -32,10 +32,10 @@ TEST(Words, OfAFailureSayThatThereIsNoAnswer) {
 TEST(Words, OfFiniteAnswersNameNoInfiniteError) {
   Discrepancy axes;
   axes.quantity = Quantity::kOrthonormality;
-  axes.error = kInfinite;
+  axes.error = kBeyondAnyBound;
   axes.got = {1, 0, 0, 0, 1, 0, 0, 0, -1};
   EXPECT_EQ(wrongness_text(axes), "not right-handed");
-  axes.got[0] = kInfinite;
+  axes.got[0] = kBeyondAnyBound;
   EXPECT_EQ(wrongness_text(axes), "NaN or infinite");
 }
 
