@@ -69,7 +69,11 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
   draft.report.explanations = explained(draft.report, draft.report.asked.value_or(given));
   for (const Law& law : properties::laws()) {
     const auto found = draft.left_out.find(law.name);
-    if (found != draft.left_out.end()) {
+    // Some rays without hits do not leave out a law of hits.
+    const bool is_judged = law.per == properties::Per::kPair &&
+                           law.quantity != properties::Quantity::kClass &&
+                           draft.report.verdict.tally(law.quantity).cases > 0;
+    if (found != draft.left_out.end() && !is_judged) {
       draft.report.left_out.push_back({std::string(law.name), found->second});
     }
   }
