@@ -56,8 +56,8 @@ std::string text_of(const Verdict& verdict, const properties::Law& law) {
 std::string reason_of(const CampaignResult& result) {
   const auto few = result.too_few_right();
   if (result.finding() != properties::Finding::kTooFewJudged || !few) return result.counts.reason;
-  return fmt::format("of {}, question \"{}\", fewer than {} answers are right without an excuse",
-                     info(few->first).name, name(few->second), result.fewest_right);
+  return fmt::format("{}: fewer than {} of the {} are answered right without an excuse",
+                     info(few->first).name, result.fewest_right, tools::expected_text(few->second));
 }
 
 properties::TellingCases telling_of(const CampaignResult& result) {

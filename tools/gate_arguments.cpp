@@ -51,7 +51,7 @@ void add_gate(CLI::App& command, GateArguments& arguments, std::vector<std::stri
       ->needs(baseline);
   command
       .add_flag("--strict-baseline", arguments.strict,
-                "also fail if discrepancies of the baseline are mended")
+                "also fail if a discrepancy of the baseline no longer occurs")
       ->needs(baseline);
 }
 

@@ -225,7 +225,7 @@ class Page:
         self.mistake = mistake_of(self.ordinary, refuted) or mistake_of(self.extreme, refuted)
         self.error = error_of(self.ordinary, "parameter") or error_of(self.ordinary, "hit point")
         self.cases = self.smallest(raycheck, build)
-        self.class_alone = any("hit or miss, and no more" in (one["reason_left_out"] or "") for one in self.ordinary)
+        self.class_alone = any("only hit or miss" in (one["reason_left_out"] or "") for one in self.ordinary)
         self.ratio = None
         self.title = self.name  # of its page
         self.others = []  # pages of its other readings, none milder

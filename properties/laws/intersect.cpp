@@ -94,8 +94,8 @@ struct Encounter {
   const Intersection* exact;  ///< Null: a miss.
 };
 
-/// Calls visit(encounter) for all that are judged, sphere by sphere; all other pairs are misses for
-/// both the candidate and the truth.
+/// Calls visit(encounter) for every encounter that is judged, sphere by sphere; all other pairs are
+/// misses for both the candidate and the truth.
 template <class Visit>
 void for_each_encounter(Trial& trial, Visit visit) {
   const scene::Tangent tangent = trial.conventions().tangent;
@@ -122,7 +122,7 @@ void for_each_encounter(Trial& trial, Visit visit) {
   }
 }
 
-/// Calls visit(encounter) where both the candidate and the truth have a hit, at one root.
+/// Calls visit(encounter) if both the candidate and the truth have a hit, at the same root.
 template <class Visit>
 void for_each_common_hit(Trial& trial, Visit visit) {
   for_each_encounter(trial, [&](const Encounter& at) {
@@ -130,7 +130,7 @@ void for_each_common_hit(Trial& trial, Visit visit) {
   });
 }
 
-/// The number of pairs that are not judged.
+/// The number of pairs that are not judged: exact tangents.
 std::size_t count_unjudged(Trial& trial) {
   std::size_t count = 0;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
@@ -157,12 +157,20 @@ void judge_class(Trial& trial, Verdict& verdict) {
     --misses;
   });
   verdict.judged_right(Quantity::kClass, Expected::kMiss, misses);
-  if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
+  if (unjudged > 0) verdict.leave_out("exact tangents are not judged under tangent = either");
 }
 
-void leave_out_without_hits(Verdict& verdict) {
-  if (verdict.compared() == 0)
-    verdict.leave_out("no hit that both the candidate and the reference find");
+/// If no hit was compared, leaves the law out with the reason.
+void leave_out_without_hits(Trial& trial, Verdict& verdict) {
+  if (verdict.compared() > 0) return;
+  bool has_exact = false, has_common = false;
+  for_each_encounter(trial, [&](const Encounter& at) {
+    has_exact = has_exact || at.exact != nullptr;
+    has_common = has_common || (at.exact != nullptr && at.answer != nullptr);
+  });
+  verdict.leave_out(!has_exact   ? "no ray hits a sphere"
+                    : has_common ? "the candidate finds no hit at the right root"
+                                 : "the candidate misses every hit");
 }
 
 void judge_root(Trial& trial, Verdict& verdict) {
@@ -174,7 +182,7 @@ void judge_root(Trial& trial, Verdict& verdict) {
          at.is_at_other_root() || at.is_excluded() ? Wrong::kWrongRoot : Wrong::kNot},
         [&] { return at.excuse(); }, [&](Discrepancy& d) { at.describe(d); });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
 void judge_parameter(Trial& trial, Verdict& verdict) {
@@ -188,7 +196,7 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
         [&](Discrepancy& d) { at.describe(d); }, [&] { return at.backward_error(); },
         [&] { return at.plain_condition(); });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
 void judge_backward_error(Trial& trial, Verdict& verdict) {
@@ -204,12 +212,12 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
           return at.plain_condition() / trial.condition_of_parameter(at.ray_at, at.sphere_at);
         });
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
-/// The distances of the candidate's point from its sphere and its ray, as shares of r and of s |D|.
-/// Both are differences of world coordinates, so their condition is the size of these over r and
-/// s |D|.
+/// Judges the distances of the candidate's point from its sphere and its ray, as shares of r and of
+/// s |D|. Both are differences of world coordinates, so their condition numbers are the size of the
+/// coordinates, divided by r and by s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
   const ExactRay& ray = at.ray;
   const scene::Sphere& sphere = at.sphere;
@@ -260,10 +268,10 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         });
     judge_residuals(trial, verdict, at);
   });
-  leave_out_without_hits(verdict);
+  leave_out_without_hits(trial, verdict);
 }
 
-/// The same pixel's answers from both origins.
+/// The answers for one pixel from both origins.
 struct BothOrigins {
   const ExactRay& eye_ray;
   const ExactRay& pixel_ray;
@@ -281,10 +289,10 @@ void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphe
              both.pixel_ray.rounded_parameter(sphere, at, both.precision)};
 }
 
-/// Judges whether an answer is at the other root than the exact one, which both rays share, and
-/// returns whether either is. The two parameters then differ by a chord, not by l, however accurate
-/// both are: a ray that starts within a rounding of the surface has its near root before or behind
-/// its origin, depending on that rounding. As in the laws `class` and `nearest-root` it is excused
+/// Judges whether one of two answers is at another root than the exact one, which both rays share,
+/// and returns that. Such parameters differ by a chord, not by l, however accurate both are: a ray
+/// that starts within a rounding of the surface has its near root before or behind its origin,
+/// depending on that rounding. As in the laws `class` and `nearest-root`, the answer is excused
 /// only if nearby inputs have that root.
 bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
                       const Intersection& at) {
@@ -308,7 +316,7 @@ bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const 
 /// The same point from both origins: s from the eye is s from the pixel point plus l.
 void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
   if (!trial.conventions().valid.is_usual()) {
-    return verdict.leave_out("t_min and t_max count from another origin");
+    return verdict.leave_out("t_min and t_max count from the origin of the ray, which differs");
   }
   const Candidate& candidate = trial.candidate();
   scene::Conventions from_pixel = trial.conventions();
@@ -419,7 +427,8 @@ constexpr Law kIntersectLawTable[] = {
      .stage = Stage::kIntersection,
      .judge = judge_hit_point},
     {.name = "focal-and-pixel",
-     .sentence = "focal and pixel origins find the same point, parameters l apart",
+     .sentence =
+         "rays from E and from P hit the same point, and their s differ by the length of P - E",
      .per = Per::kPair,
      .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
               Needs::kPoints,

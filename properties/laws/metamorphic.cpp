@@ -25,8 +25,8 @@ constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 /// A transformation of a case.
 struct Transformation {
   std::string what;
-  scene::Vector3 (*map)(const scene::Vector3&);  ///< Of directions.
-  double factor = 1;                             ///< Of parameters.
+  scene::Vector3 (*map)(const scene::Vector3&);  ///< Maps directions.
+  double factor = 1;                             ///< Multiplies parameters.
 };
 
 /// A candidate's answer about a ray and a sphere.
@@ -57,8 +57,8 @@ scene::Measured error_between(const PairAnswer& first, const PairAnswer& second,
       apart / first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
 }
 
-/// The exact answers, equal in hit class and root, show which of two contradicting answers is
-/// wrong, and give the condition number of a pair.
+/// Compares two hits. The exact answers have the same hit class and root: they show which of two
+/// contradicting answers is wrong, and give the condition number.
 void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& verdict,
                   const Transformation& by) {
   Trial& trial = first.trial;
@@ -83,7 +83,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   const auto describe_wrong = [&](bool is_first_wrong) {
     return [&, is_first_wrong](Discrepancy& d) {
       const HitAnswer* hit = (is_first_wrong ? first : second).hit;
-      d.what = (is_first_wrong ? "right only when " : "") + by.what;
+      d.what = (is_first_wrong ? "right only with " : "") + by.what;
       d.symbol = info(Quantity::kParameter).symbol;
       d.got_some_sphere = hit != nullptr && !gives_parameter(trial.candidate().returns);
       if (hit != nullptr && !d.got_some_sphere) d.got = {hit->parameter};
@@ -151,7 +151,7 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
   }
 }
 
-/// The reason why neither directions nor hits can be compared; empty if one of them can.
+/// Why neither directions nor hits can be compared; empty if one of them can.
 std::string_view why_nothing_to_compare(const Trial& trial) {
   return trial.scene().camera ? std::string_view() : what_is_missing(kOfHits, trial);
 }
@@ -169,8 +169,8 @@ void compare(Trial& trial, Verdict& verdict, const Scene& scene, const Transform
   }
 }
 
-/// The scene with every length times 2^exponent; directions and `up` as they are. Empty where that
-/// would round in the format.
+/// The scene with every length times 2^exponent; directions and `up` stay. Empty if a number would
+/// be rounded in the format.
 std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precision) {
   bool exact = true;
   for_each_length(scene, [&](double& x) {
@@ -208,36 +208,36 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
     is_tried = true;
     compare(trial, verdict, *scene,
-            {"scaled by 2^" + std::to_string(exponent), [](const scene::Vector3& v) { return v; },
-             std::ldexp(1.0, exponent)});
+            {"lengths scaled by 2^" + std::to_string(exponent),
+             [](const scene::Vector3& v) { return v; }, std::ldexp(1.0, exponent)});
   }
-  if (!is_tried) verdict.leave_out("every scaled scene leaves the candidate's stated domain");
+  if (!is_tried) verdict.leave_out("every scaled scene lies outside the candidate's domain");
 }
 
 /// A permutation of the world axes with signs: coordinates are never rounded.
 struct AxesMap {
   const char* what;
-  bool is_mirror;  ///< It makes a right-handed frame left-handed, so it is not for cameras.
+  bool is_mirror;  ///< It makes right-handed frames left-handed, so it is not used for cameras.
   scene::Vector3 (*apply)(const scene::Vector3&);
 };
 constexpr AxesMap kAxesMaps[] = {
-    {"axes permuted: (y, z, x)", false,
+    {"axes permuted to (y, z, x)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.y, v.z, v.x};
      }},
-    {"axes negated: (-x, -y, z)", false,
+    {"axes negated to (-x, -y, z)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {-v.x, -v.y, v.z};
      }},
-    {"axes negated: (x, -y, -z)", false,
+    {"axes negated to (x, -y, -z)", false,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.x, -v.y, -v.z};
      }},
-    {"axes swapped: (y, x, z)", true,
+    {"axes swapped to (y, x, z)", true,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.y, v.x, v.z};
      }},
-    {"axis negated: (x, y, -z)", true,
+    {"axes negated to (x, y, -z)", true,
      [](const scene::Vector3& v) -> scene::Vector3 {
        return {v.x, v.y, -v.z};
      }},
@@ -270,7 +270,7 @@ void judge_axes(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// a + b, if that is a number of the format.
+/// a + b, if the sum is a number of the format.
 std::optional<double> exact_sum(double a, double b, scene::Precision precision) {
   const double sum = a + b;
   const double b_part = sum - a;
@@ -289,7 +289,7 @@ std::optional<To> exact_sum_of(const A& a, const B& b, double k, scene::Precisio
   return x && y && z ? std::optional(To{*x, *y, *z}) : std::nullopt;
 }
 
-/// Two cameras with the same axes: the candidate's frames must agree.
+/// Compares the candidate's frames for two cameras with the same axes.
 void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_camera,
                     const std::string& what) {
   if (!scene::defects(other_camera).empty()) return;
@@ -339,18 +339,19 @@ void judge_look_at(Trial& trial, Verdict& verdict) {
   judge_moved(trial, verdict, &scene::Camera::look_at, {0.5, -1, -2, -8},
               "look-at moved along the view axis");
   if (verdict.compared() == 0)
-    verdict.leave_out("no point A + k (A - E) that was tried is representable");
+    verdict.leave_out("each point A + k (A - E) that was tried would be rounded");
 }
 
 void judge_up(Trial& trial, Verdict& verdict) {
   judge_moved(trial, verdict, &scene::Camera::up, {-1, 0.5, 1, 4}, "up + k (E - A)");
   if (verdict.compared() == 0)
-    verdict.leave_out("no vector up + k (E - A) that was tried is representable");
+    verdict.leave_out("each vector up + k (E - A) that was tried would be rounded");
 }
 
 void judge_growing_radius(Trial& trial, Verdict& verdict) {
   if (trial.conventions().root != scene::Root::kNearest) {
-    return verdict.leave_out("with root = smaller, a grown sphere may swallow the origin");
+    return verdict.leave_out(
+        "with root = smaller, a hit may become a miss: a grown sphere may contain the origin");
   }
   if (!trial.conventions().valid.is_usual()) {
     return verdict.leave_out(
@@ -395,7 +396,7 @@ constexpr Law kMetamorphicLawTable[] = {
      .quantity = Quantity::kInvariance,
      .judge = judge_scaling},
     {.name = "axes",
-     .sentence = "permuting or negating axes does the same to every answer",
+     .sentence = "permuting or negating the axes permutes or negates every answer",
      .per = Per::kRay,
      .needs = Needs::kRays,
      .quantity = Quantity::kInvariance,

@@ -98,7 +98,7 @@ void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
 /// Approximate pixels of a silhouette's least and largest column and row. In the plane (U, W) the
 /// tangents from the eye touch the disc of centre (u, z) and radius r at (u q -+ z r, z q +- u r)
 /// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2; along V, the sphere is touched level
-/// with its centre. Likewise in (V, W).
+/// with its centre. The same holds in the plane (V, W).
 std::vector<Pixel> touched(const PlanStatement& statement, const PixelRectangle& image) {
   const scene::EyeSphere& seen = statement.planned().seen;
   const scene::EyeSpace& eye = statement.plan->eye;
@@ -199,8 +199,8 @@ struct SaidOf {
   Pixel pixel;
 };
 
-/// Nothing excuses a plan: it promises to change no answer in any scene. `what` returns the text
-/// for one that does.
+/// Judges a statement of a plan. Nothing excuses a wrong one: a plan promises to change no answer
+/// in any scene. `what` returns the text for a wrong statement.
 template <class What>
 void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong, const What& what) {
   const auto width = static_cast<std::size_t>(it.trial.scene().camera->width);
@@ -216,10 +216,10 @@ void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong, c
 
 std::string for_what(const PlanStatement& statement) {
   const auto wanted = scene::kWantedNames[static_cast<std::size_t>(statement.wanted)];
-  return ", where the " + std::string(wanted) + " is wanted";
+  return ", if the " + std::string(wanted) + " is wanted";
 }
 
-/// Every ray that meets `sphere` meets `by` first: nearer, or as near and earlier in the file.
+/// Whether a ray misses `sphere`, or meets `by` first: nearer, or as near and earlier in the file.
 bool is_hidden(const ExactRay& ray, const Trial& trial, std::size_t sphere, std::size_t by) {
   const auto& spheres = trial.scene().spheres;
   const scene::Conventions& conventions = trial.conventions();

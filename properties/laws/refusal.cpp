@@ -30,7 +30,7 @@ constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
      }},
 };
 
-/// Defects that affect only pixels, not the frame.
+/// Defects of the image plane, which do not affect the frame.
 constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
     {"near is zero", [](scene::Camera& c) { c.near = 0; }},
     {"left is infinite", [](scene::Camera& c) { c.left = -kInfinite; }},
@@ -135,13 +135,13 @@ void judge_refusal(Trial& trial, Verdict& verdict) {
     spoil_intersections(trial, verdict);
   }
   if (verdict.compared() == 0) {
-    return verdict.leave_out("the candidate implements no function that takes the scene's input");
+    return verdict.leave_out("the candidate has no function that takes the scene's input");
   }
 }
 
 constexpr Law kRefusalLawTable[] = {
     {.name = "refusal",
-     .sentence = "non-finite and degenerate input is refused, not answered",
+     .sentence = "input that is not finite, or is degenerate, is refused, not answered",
      .per = Per::kScene,
      .needs = Needs::kRefusals,
      .quantity = Quantity::kRefusal,

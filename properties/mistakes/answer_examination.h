@@ -26,7 +26,7 @@ using StepAnswers = std::vector<Answer>;
 struct AskedCase {
   Case the_case;
   std::vector<scene::Ray> rays;
-  Returns returns = Returns::kHit;  ///< The values that hits have.
+  Returns returns = Returns::kHit;  ///< What the candidate returns for a hit.
 };
 
 /// A candidate's answers to a case at a step, the right ones, and those of other right formulas.
@@ -36,11 +36,11 @@ struct Comparison {
   std::vector<StepAnswers> also_right;
 };
 
-/// Whether a case is left out under the candidate's conventions: roots are so near to t_min or
-/// t_max that mistakes, which are computed in doubles, would not count the right ones.
+/// Whether a case is left out under the candidate's conventions: a root is so near to t_min or
+/// t_max that direct/cross in doubles, as which mistakes are computed, chooses another root.
 bool is_left_out(const Case& the_case, const Candidate& candidate);
 
-/// The treatment of answers that are NaN or infinite where the right ones are finite.
+/// How an answer is treated that is NaN or infinite if the right one is finite.
 enum class NotNumbers { kWrong, kLeftOut };
 
 /// A candidate's answers to cases; each step is computed on demand.
@@ -61,7 +61,7 @@ class Examination {
   bool is_of_input(const scene::Ray& ray, const scene::Sphere& sphere, double error) const;
 
   std::uint64_t errors(Step step, double tolerance);
-  /// The number of answers at a step that are NaN or infinite where the right ones are finite.
+  /// The number of answers at a step that are NaN or infinite, though the right ones are finite.
   std::uint64_t not_numbers(Step step);
 
   /// The number of wrong answers at a step that have numbers, not only a hit class or a choice, and

@@ -18,7 +18,7 @@ namespace raycheck::properties {
 /// is tried if nothing is explained with the first, for code that computes in `float`s.
 inline constexpr std::array<double, 2> kAnswerTolerances = {1e-6, 1e-4};
 
-/// Why the answers at one step are wrong: several mistakes are named if they explain the same.
+/// Why the answers at one step are wrong. There are several alternatives if they explain the same.
 struct AnswerCause {
   Step step = Step::kFrame;
   std::vector<Explanation> alternatives;
@@ -41,7 +41,7 @@ struct AnswerCause {
 /// scenes, pixels inside their images; otherwise throws std::invalid_argument.
 std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate);
 
-/// The sentence of one, or of several that explain the same.
+/// The sentence of one explanation, or of several that explain the same answers.
 std::string sentence_of(const std::vector<Explanation>& alternatives);
 /// A sentence for each cause: that of its alternatives.
 std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes);

@@ -131,7 +131,7 @@ Mistake unit_mistake(std::string sentence, MakeRoots roots, bool as_distance) {
     };
     return mistake;
   }
-  mistake.sentence += ", in the distance that is returned, too";
+  mistake.sentence += ", also in the distance that is returned";
   mistake.hits.roots = [roots](const Ray& ray, const Sphere& sphere) {
     const auto [v, half_chord_sq, smaller, larger] = roots(ray, sphere);
     return fast::Roots{v, half_chord_sq, smaller / norm(ray.direction),
@@ -146,9 +146,9 @@ Mistake unit_mistake(std::string sentence, MakeRoots roots, bool as_distance) {
 std::vector<Mistake> unit_mistakes() {
   std::vector<Mistake> all;
   for (const bool as_distance : {false, true}) {
-    all.push_back(unit_mistake("directions are taken for unit ones, whatever their length",
+    all.push_back(unit_mistake("directions are taken for unit vectors, whatever their length",
                                roots_of_unit, as_distance));
-    all.push_back(unit_mistake("directions are taken for unit ones in d^2 = r^2 - |T x D|^2",
+    all.push_back(unit_mistake("directions are taken for unit vectors in d^2 = r^2 - |T x D|^2",
                                stable_roots_of_unit, as_distance));
   }
   all.front().shows_in_pictures = true;

@@ -21,7 +21,7 @@ bool is_too_large(const scene::Scene& scene) {
   return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
 }
 
-/// Squares of distances overflow: a separate defect, which other causes need not explain.
+/// Whether squares of distances overflow: a separate defect, which other causes need not explain.
 bool overflows(const scene::Scene& scene, scene::Precision precision) {
   return std::any_of(scene.spheres.begin(), scene.spheres.end(), [&](const auto& sphere) {
     const scene::Vector3 T = sphere.centre - scene.camera->eye;
@@ -41,8 +41,8 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
   return pictures;
 }
 
-/// Adds to the wrong answers that were searched those of cases that are left out, and those where a
-/// law demands more than kAnswerTolerances. Causes of less than half of them are dropped.
+/// The causes found, with wrong answers to cases that is_left_out() counted as unexplained. A cause
+/// of less than half of the wrong answers is dropped.
 std::vector<Explanation> answer_explanations(const Law& law, const std::vector<Case>& cases,
                                              const Candidate& candidate) {
   std::vector<Explanation> found = explanations(answer_causes(cases, candidate));
@@ -75,8 +75,8 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
   }
   try {
     if (const auto under = right_under(law, asked, candidate)) {
-      return {{"right under " + under->conventions + ", which it does not declare", under->defects,
-               under->defects}};
+      return {{"right under " + under->conventions + ", which the candidate does not declare",
+               under->defects, under->defects}};
     }
     if (!candidate.image) return answer_explanations(law, asked, candidate);
     std::vector<Explanation> found = explanations(picture_causes(shown(asked, candidate)));

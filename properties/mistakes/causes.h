@@ -24,8 +24,8 @@ std::vector<Explanation> causes(const Law& law, const std::vector<Case>& cases,
 
 /// Cases of a law, in rounds that are searched until a cause is found; empty after the last.
 using TellingCases = std::function<std::vector<Case>(std::size_t round)>;
-/// The same for these cases. Rounds after the second are searched only if the first two find
-/// nothing but answers that are not numbers.
+/// Why a candidate breaks a law on these cases. Rounds after the second are searched only if the
+/// first two find nothing but answers that are not numbers.
 std::vector<Explanation> causes(const Law& law, const TellingCases& telling,
                                 const Candidate& candidate);
 

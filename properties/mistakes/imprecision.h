@@ -1,6 +1,6 @@
 #pragma once
 
-// The answers that correct formulas may give where roundings decide: not one, but several.
+// The answers that a correct formula may give with its roundings: several, if roundings decide.
 
 #include <array>
 #include <cstdint>
@@ -55,7 +55,7 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
                              const scene::Conventions& conventions,
                              const std::optional<std::size_t>& shown);
 
-/// "computed in single precision", if d^2 loses all digits at this distance in radii.
+/// "computed in single precision", or what d^2 loses; `radii` is the distance of a sphere there.
 std::string imprecision_sentence(Arithmetic arithmetic, double radii);
 
 /// Roundings are named if they allow every wrong answer, if at least this many answers are wrong
@@ -69,13 +69,14 @@ inline constexpr double kFewestWrongInDoubt = 0.05;
 struct DoubtTally {
   std::uint64_t answers = 0, doubtful = 0, wrong = 0, not_allowed = 0;
   std::uint64_t dropped = 0;  ///< Wrong ones, about spheres that no answer hits.
-  double radii = 0;           ///< The least distance of an allowed wrong answer; 0 without one.
+  double radii = 0;           ///< The least distance of a wrong answer that is allowed; or 0.
   std::uint64_t hits = 0,
                 precise = 0;  ///< Right ones, and those with more digits than floats have.
 
   void add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful, double its_radii);
-  /// Whether nothing contradicts them; tells(): and whether they may be named, as above.
+  /// Whether there are wrong answers, and the roundings allow all of them.
   bool allows_all() const { return wrong > 0 && not_allowed == 0; }
+  /// Whether allows_all(), and the roundings may be named, as above.
   bool tells() const;
 };
 

@@ -26,8 +26,8 @@ Mistake convention_mistake(std::string sentence, ChangeConventions change, Step 
 /// columns, of as many values as there are rows.
 Mistake lines_for_columns(const std::string& outside, bool from_last) {
   return pixel_mistake(
-      "the loops that write the picture are exchanged: as many lines as there are columns, of as "
-      "many values as there are rows" +
+      "the loops that write the picture are exchanged: it has a line for each column, with a value "
+      "for each row" +
           outside,
       [from_last](const Camera& its, const Conventions& conventions, const Pixel& p) {
         const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
@@ -83,7 +83,7 @@ std::vector<Mistake> pixel_mistakes() {
   };
   return {pixel_mistake("rows are upside down", up),
           pixel_mistake("columns are mirrored", across),
-          pixel_mistake("the image is turned by half a turn",
+          pixel_mistake("the image is turned by 180 degrees",
                         [=](const Camera& its, const Conventions& c, const Pixel& p) {
                           return across(its, c, up(its, c, p));
                         }),
@@ -104,7 +104,7 @@ std::vector<Mistake> pixel_mistakes() {
 /// Exchanged rows and columns, each divided by its own number of steps.
 Mistake exchanged_steps() {
   Mistake mistake = pixel_mistake(
-      "alpha follows from j, and beta from i: alpha = left + j/(h-1) (right - left), beta = bottom "
+      "j gives alpha, and i gives beta: alpha = left + j/(h-1) (right - left), beta = bottom "
       "+ i/(w-1) (top - bottom)",
       [](const Camera&, const Conventions&, const Pixel& p) {
         return Pixel{p.j, p.i};
@@ -132,7 +132,7 @@ std::vector<Mistake> convention_mistakes() {
       convention_mistake(
           "only the near root counts, so that spheres around the origin are not seen",
           of(&Conventions::root, Root::kSmaller), Step::kIntersect),
-      convention_mistake("the far root counts too, so that spheres around the origin are seen",
+      convention_mistake("the far root counts, too, so that spheres around the origin are seen",
                          of(&Conventions::root, Root::kNearest), Step::kIntersect),
       convention_mistake(
           "a tangent counts as a miss",

@@ -121,7 +121,7 @@ constexpr RootSlip kRootSlips[] = {
        const double v = right.axial_distance, square = right.half_chord_sq;
        return {v, square, (v - 2 * square) / size, (v + 2 * square) / size};
      }},
-    {"-2b stands for -b: s = (-2b - sqrt(b^2 - 4ac))/2a",
+    {"-2b is taken for -b: s = (-2b - sqrt(b^2 - 4ac))/2a",
      [](const Roots& right, double size, auto&, auto&) -> Roots {
        const double more = right.axial_distance / size;
        return {right.axial_distance, right.half_chord_sq, right.smaller + more,
@@ -147,7 +147,7 @@ constexpr RootSlip kRootSlips[] = {
        return right.half_chord_sq < 0 ? roots_of(right.axial_distance, -right.half_chord_sq, size)
                                       : right;
      }},
-    {"v is taken without its sign: s = |v| + d, where the centre of a sphere around the origin "
+    {"v is taken without its sign: s = |v| + d if the centre of a sphere around the origin "
      "lies behind it",
      [](const Roots& right, double size, auto&, auto&) -> Roots {
        return right.larger >= 0
@@ -175,7 +175,7 @@ std::vector<Mistake> root_slips() {
 /// Where the textbook's b^2 - 4ac is 0.
 Mistake at_one_root() {
   Mistake mistake =
-      of_hits("at b^2 - 4ac = 0 s is -b/2*a, whatever its sign",
+      of_hits("where b^2 - 4ac = 0, s is -b/2*a (not -b/(2a)), even if it is negative",
               {.roots =
                    [](const Ray& ray, const Sphere& sphere) {
                      Roots roots = fast::kCross.roots(ray, sphere);
@@ -257,14 +257,14 @@ std::vector<Mistake> intersect_mistakes() {
            of_answers(
                "v >= 0 is tested in place of s >= 0: spheres around the origin are hit behind it",
                ahead_or_behind),
-           of_answers("v + d counts though it is negative: spheres behind the origin are hit",
+           of_answers("v + d counts even if it is negative: spheres behind the origin are hit",
                       larger_wherever_behind, "negative far roots"),
            of_answers(
-               "spheres are solid: from inside s is 0, and v + d counts though it is negative",
+               "spheres are solid: from inside s is 0; and v + d counts even if it is negative",
                of_solid(true), "negative far roots"),
            of_answers(
-               "the near root is given though it is negative: from inside spheres are hit behind "
-               "the origin",
+               "the near root is given even if it is negative: spheres around the origin are hit "
+               "behind it",
                near_wherever_ahead),
            of_answers("spheres are solid: from inside s is 0", of_solid(false), "marched"),
            of_answers(
@@ -273,15 +273,15 @@ std::vector<Mistake> intersect_mistakes() {
                [](const Ray& ray, const Roots& roots, const Conventions& c) {
                  return roots.axial_distance == 0 ? Hit() : usual_choice(ray, roots, c);
                }),
-           of_answers("s is |v - d|, which is not a root from inside a sphere", without_sign),
-           of_answers(
-               "the root with the smaller |s| is taken, and where it is negative it is a miss",
-               [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
-                 if (!meets(roots, c)) return {};
-                 const bool is_first = std::abs(roots.smaller) <= std::abs(roots.larger);
-                 const double s = is_first ? roots.smaller : roots.larger;
-                 return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
-               }),
+           of_answers("s is |v - d|, which is not a root if the ray starts inside a sphere",
+                      without_sign),
+           of_answers("the root with the smaller |s| is taken; if it is negative, that is a miss",
+                      [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
+                        if (!meets(roots, c)) return {};
+                        const bool is_first = std::abs(roots.smaller) <= std::abs(roots.larger);
+                        const double s = is_first ? roots.smaller : roots.larger;
+                        return s >= 0 ? Hit(hit_at(ray, s)) : Hit();
+                      }),
            at_one_root(),
            of_answers("s is read as an integer: its fraction is dropped, and 0 is a miss",
                       [](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
@@ -298,7 +298,7 @@ std::vector<Mistake> intersect_mistakes() {
                                      : Hit();
                         }}),
            of_hits(
-               "v < 0 counts as a miss, so that spheres around the origin are not seen where their "
+               "v < 0 counts as a miss, so that spheres around the origin are not seen if their "
                "centres lie behind it",
                {.choose =
                     [](const Ray& ray, const Roots& roots, const Conventions& c) {
@@ -331,13 +331,13 @@ std::vector<Mistake> intersect_mistakes() {
                                     : Hit();
                        }),
            of_value(
-               "s is a length whatever the length of the direction",
+               "s is a length, not a multiple of the direction",
                [](const Ray& ray, const Sphere&, const HitAnswer& hit) {
                  return HitAnswer{hit.parameter * norm(ray.direction), hit.point};
                },
                returns_multiples),
            of_value(
-               "s is a length, and Q = L + s D though D is not a unit vector",
+               "s is a length, but Q = L + s D with a D that is not a unit vector",
                [](const Ray& ray, const Sphere&, const HitAnswer& hit) {
                  return hit_at(ray, hit.parameter * norm(ray.direction));
                },
@@ -349,9 +349,9 @@ std::vector<Mistake> intersect_mistakes() {
            of_hits("the sphere whose centre is nearest wins",
                    {.rank = [](auto, const Ray& ray, const Sphere& sphere, auto&,
                                double) { return norm(sphere.centre - ray.origin); }}),
-           of_hits("the smallest s wins, though it is negative",
+           of_hits("the smallest s wins, even if it is negative",
                    {.choose = wherever_behind, .rank = by_parameter(1)}),
-           of_hits("s >= 0 is not tested, and the least |s| wins, though s is negative",
+           of_hits("s >= 0 is not tested, and the least |s| wins, even if s is negative",
                    {.choose = wherever_behind,
                     .rank = [](auto, auto&, auto&, auto&, double s) { return std::abs(s); }}),
            of_hits("the farthest sphere wins", {.rank = by_parameter(-1)}),

@@ -161,8 +161,8 @@ std::optional<AnswerCause> lost_digits_of_rays(Examination& examination) {
   if (wrong < kFewestWrongByRoundings) return {};
   return AnswerCause{
       Step::kRay,
-      {{"E is added to P and subtracted again: far from the world's origin D loses its digits, "
-        "which nW + alpha U + beta V keeps",
+      {{"E is added to P and subtracted again: far from the world's origin D loses its digits; "
+        "nW + alpha U + beta V keeps them",
         wrong, wrong}},
       {},
       kAnswerTolerances.front()};

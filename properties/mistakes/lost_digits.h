@@ -11,9 +11,9 @@ namespace raycheck::properties {
 /// The roundings that explain the wrong answers at kIntersect or kNearest, if there are such.
 std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance);
 
-/// The cause of the errors of answers that are right up to kAnswerTolerances, if it is found.
+/// The cause of smaller errors of hits than kAnswerTolerances, if it is found.
 std::optional<AnswerCause> lost_digits(Examination& examination);
-/// The same for directions.
+/// The cause of smaller errors of directions than kAnswerTolerances, if it is found.
 std::optional<AnswerCause> lost_digits_of_rays(Examination& examination);
 
 }  // namespace raycheck::properties

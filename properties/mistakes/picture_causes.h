@@ -25,7 +25,8 @@ enum class CauseKind {
   kUnknown,     ///< Nothing explains everything, or too many things do.
 };
 
-/// Roundings that count: of which formula, and the least distance, in radii, at which they do.
+/// The formula whose roundings make pixels wrong, and the distance, in radii, of the nearest sphere
+/// of a wrong pixel.
 struct Imprecision {
   Arithmetic arithmetic = Arithmetic::kDifference;
   double radii = 0;
@@ -34,31 +35,31 @@ struct Imprecision {
 
 /// Why one renderer's pictures are wrong.
 struct Causes {
-  /// Of the pictures that have the right size.
+  /// The cause for pictures of the right size.
   CauseKind kind = CauseKind::kNothingWrong;
   /// Each explains all wrong pixels; several if they make the same pictures of these scenes. For
   /// scenes that show little, they may include pairs besides single mistakes.
   std::vector<Fault> alternatives = {};
-  bool show_too_little = false;             ///< So that too many mistakes explain it.
+  bool show_too_little = false;             ///< The pictures fit too many mistakes.
   std::uint64_t errors = 0, explained = 0;  ///< Pixels.
   /// Roundings of a formula that, with the first alternative, explain all wrong pixels.
   std::optional<Imprecision> imprecision = {};
-  /// Pixels of pictures with width and height exchanged, if every one that is not square has that.
+  /// The pixels of pictures with width and height exchanged, if all that are not square are so.
   std::uint64_t exchanged = 0;
 };
 
-/// In place of a mistake; `explained` is 0.
-inline constexpr std::string_view kTooLittleShown = "the picture shows too little to tell why";
+/// The sentence if no mistake is named; `explained` is 0.
+inline constexpr std::string_view kTooLittleShown = "the picture shows too little to name a cause";
 
 inline constexpr const char* kSidesExchanged = "width and height of the picture are exchanged";
 
-/// With fewer wrong pixels outside black pictures no mistake is named, and with fewer than the
-/// second no pair: there are 150 mistakes, and thousands of pairs.
+/// With fewer wrong pixels outside black pictures than kFewestWrongPixels no mistake is named, and
+/// with fewer than kFewestWrongPixelsOfTwo no pair: there are 150 mistakes and thousands of pairs.
 inline constexpr std::uint64_t kFewestWrongPixels = 3;
 inline constexpr std::uint64_t kFewestWrongPixelsOfTwo = 40;
 
-/// The share of the wrong pixels that a full explanation may leave, besides one pixel per picture:
-/// the effect of roundings, and of the renderer's own edges.
+/// The share of the wrong pixels that a full explanation may leave unexplained, besides one pixel
+/// per picture: roundings and the renderer's edges change these.
 inline constexpr double kMostLeftOfAll = 0.02;
 
 /// The cause that explains the wrong pixels of all pictures together and contradicts no picture,
@@ -75,7 +76,7 @@ Causes picture_causes(std::span<const ShownPicture> pictures);
 /// The number of pixels of a picture that neither a fault nor the roundings of a formula explain.
 std::uint64_t pixels_left(const ShownPicture& picture, const Fault& fault, Arithmetic arithmetic);
 
-/// The causes in words: the sentence of the alternatives, or the kind.
+/// The sentence of the alternatives, or of the kind.
 std::vector<Explanation> explanations(const Causes& causes);
 
 /// A scene with a camera, and whether a program failed to draw it.
@@ -87,14 +88,14 @@ struct TriedScene {
 /// The least number of scenes on which it must fail, and on which it must not.
 inline constexpr std::size_t kFewestOfEachOutcome = 2;
 
-/// A property that all scenes on which a program fails have, and no other.
+/// A property of all scenes on which a program fails, and of no other.
 struct ShapeCause {
   std::string sentence;
   bool (*is)(const scene::Scene&) = nullptr;
 };
 
-/// The property of all scenes on which a program fails, and of no others: "it fails only
-/// where the picture is not square". Empty unless there is exactly one such property.
+/// The property of all scenes on which a program fails, and of no others: "it fails only if the
+/// picture is not square". Empty unless there is exactly one such property.
 std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried);
 
 }  // namespace raycheck::properties

@@ -106,7 +106,7 @@ std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried) {
     if (!is_part) whole_tells = tells;
     if (!tells) continue;
     if (cause) return {};
-    cause = ShapeCause{"it fails only where " + std::string(where), is};
+    cause = ShapeCause{"it fails only if " + std::string(where), is};
   }
   return cause;
 }

@@ -101,8 +101,7 @@ const ThresholdFamily kFamilies[] = {
      " (perhaps less), in multiples of P - E, are dropped: the largest s that counts is too small",
      "far hits", kLargeSizes, up_to, nullptr, true, true},
     {"where d^2 is below about ",
-     " (perhaps more) both roots are taken to be v: the epsilon is too large", "merged roots",
-     kSizes,
+     " (perhaps more) v is taken for both roots: the epsilon is too large", "merged roots", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double v = roots.axial_distance;
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
@@ -110,7 +109,7 @@ const ThresholdFamily kFamilies[] = {
      },
      nullptr, false},
     {"where b^2 - 4ac is within about ",
-     " (perhaps more) of 0 both roots are taken to be -b/2a: the epsilon is too large",
+     " (perhaps more) of 0, -b/2a is taken for both roots: the epsilon is too large",
      "merged discriminants", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        const double size = norm(ray.direction);
@@ -118,12 +117,13 @@ const ThresholdFamily kFamilies[] = {
        return usual_choice(ray, is_merged ? both_at(roots.axial_distance, size) : roots, c);
      },
      nullptr, false},
-    {"spheres are marched to, and s stops where one is nearer than about ", "", "marched", kSizes,
+    {"hits are found by marching, which stops when a sphere is nearer than about ", "", "marched",
+     kSizes,
      [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
        return usual_choice(ray, roots, c);
      },
      marched_roots, false},
-    {"a d^2 below about ", " (perhaps more) is raised to that: the epsilon is too large",
+    {"a d^2 below about ", " (perhaps more) is replaced by that: the epsilon is too large",
      "least chords", kSizes,
      [](double least, const Ray& ray, const Roots& roots, const Conventions& c) {
        if (!meets(roots, c) || roots.half_chord_sq >= least) return usual_choice(ray, roots, c);
@@ -131,9 +131,9 @@ const ThresholdFamily kFamilies[] = {
        return usual_choice(ray, {v, least, (v - d) / size, (v + d) / size}, c);
      },
      nullptr, false},
-    {"lines that are less than about ",
-     " radii (perhaps more) inside a sphere miss it: the tolerance is too large", "shallow chords",
-     kSizes,
+    {"rays that pass less than about ",
+     " radii (perhaps more) inside a sphere's outline miss it: the tolerance is too large",
+     "shallow chords", kSizes,
      [](double, const Ray& ray, const Roots& roots, const Conventions& c) {
        return usual_choice(ray, roots, c);
      },
@@ -150,7 +150,7 @@ const ThresholdFamily kFamilies[] = {
 /// Shadow rays start there.
 Mistake point_outside(const char* distance) {
   return {.sentence = std::string("Q lies ") + distance +
-                      " outside of the sphere: it is moved along the normal",
+                      " outside the sphere: it is moved along the normal",
           .step = Step::kIntersect,
           .hit =
               [by = std::atof(distance)](const Ray&, const Sphere& sphere, HitAnswer hit) {

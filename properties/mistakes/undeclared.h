@@ -10,11 +10,11 @@
 
 namespace raycheck::properties {
 
-/// Conventions that a candidate follows without declaring them, and under which it keeps a law that
-/// it breaks; or under which roots count that its declared ones exclude.
+/// Conventions that a candidate follows without declaring them: under them it keeps a law that it
+/// otherwise breaks.
 struct RightUnder {
   std::string conventions;    ///< "root = nearest"
-  std::uint64_t defects = 0;  ///< Under the conventions that it declares.
+  std::uint64_t defects = 0;  ///< The defects under the conventions that it declares.
 };
 
 /// The fewest such conventions, one or two, under which no answer about these cases is a defect,
@@ -24,7 +24,7 @@ struct RightUnder {
 std::optional<RightUnder> right_under(const Law& law, const std::vector<Case>& cases,
                                       const Candidate& candidate);
 
-/// The defects that a law finds in some cases together; 0 where the candidate fails on one.
+/// The defects that a law finds in these cases together; 0 if the candidate fails on one of them.
 std::uint64_t count_defects(const Law& law, const std::vector<Case>& cases,
                             const Candidate& candidate);
 

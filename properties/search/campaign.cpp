@@ -24,7 +24,7 @@ int share_of_all(int all, std::size_t shares, std::size_t k) {
   return all / among + (static_cast<int>(k) < all % among ? 1 : 0);
 }
 
-/// The severities that a source stands for.
+/// The severities of a source up to a level, at most one for each case.
 std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level, int cases) {
   if (chosen.severity || !chosen.source->severities) return {chosen};
   std::vector<ChosenSource> severities;
@@ -72,7 +72,7 @@ void share_out(const Law& law, const CampaignOptions& options, Level level, Case
   }
 }
 
-/// The cases of every level up to the chosen one: no level is easier than the one before it.
+/// The cases of every level up to the chosen one: a level includes the cases of easier ones.
 CasesOfLaw cases_of(const Law& law, const CampaignOptions& options) {
   CasesOfLaw given;
   for (int level = 0; level <= static_cast<int>(options.level); ++level) {
@@ -194,16 +194,21 @@ Finding CampaignResult::finding() const {
 }
 
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most, std::size_t round) {
+  const auto has_wrong_answer = [](const CampaignPart& part) {
+    return part.is_broken() &&
+           std::any_of(part.breaks.front().defects.begin(), part.breaks.front().defects.end(),
+                       [](const DefectKind& kind) { return kind.wrong != Wrong::kFailed; });
+  };
   std::set<Level> levels;
   for (const CampaignPart& part : result.parts) {
-    if (part.is_broken()) levels.insert(part.source.level());
+    if (has_wrong_answer(part)) levels.insert(part.source.level());
   }
   if (round >= 2 * levels.size()) return {};
   const Level level = *std::next(levels.begin(), static_cast<std::ptrdiff_t>(round / 2));
   if (round % 2 == 1) most *= 4;
   std::vector<std::pair<ChosenSource, std::uint64_t>> broken;
   for (const CampaignPart& part : result.parts) {
-    if (!part.is_broken() || part.source.level() != level) continue;
+    if (!has_wrong_answer(part) || part.source.level() != level) continue;
     broken.emplace_back(part.source, parse_replay(part.breaks.front().replay).seed);
   }
   std::vector<Case> cases;
@@ -238,7 +243,8 @@ Campaigns::Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_
       CampaignResult& result = candidates_[candidate].results.emplace_back();
       result.level = options.level;
       const CasesOfLaw series = cases_of(*laws[law], options);
-      if (series.empty()) result.counts.reason = "no source of cases has a camera";
+      if (series.empty())
+        result.counts.reason = "the law needs cameras, and no source that was chosen has one";
       for (const auto& [key, its] : series) {
         all[key].source = its.source;
         all[key].tried.emplace_back(candidate, law, its.cases);
@@ -364,7 +370,10 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
       search.ask_first();
       return *std::move(search.failure);
     }
-    return Failure{part.source.make(seed), part.verdict, broken.replay};  // interrupted
+    return Failure{.shrunk = part.source.make(seed),
+                   .verdict = part.verdict,
+                   .replay = broken.replay,
+                   .is_shrunk = false};  // interrupted
   };
   std::vector<const CampaignPart*> broken;
   for (const CampaignPart& part : result.parts) {

@@ -20,8 +20,8 @@
 
 namespace raycheck::properties {
 
-/// Cases for each law and candidate: with 300, its laws catch every mutant, and also correct code
-/// perturbed by 2^-46 in s, Q or D, by an epsilon of 1e-12, or in a band of 2^-20 at tangency.
+/// Cases for each law and candidate. With 300, the laws catch every mutant, and also correct code
+/// perturbed by 2^-46 in s, Q or D, by an epsilon of 1e-12, or within 2^-20 of tangency.
 inline constexpr int kCampaignCases = 500;
 
 struct CampaignOptions {
@@ -43,12 +43,12 @@ struct CampaignOptions {
 
 /// Counts of cases by their treatment.
 struct CaseCounts {
-  std::int64_t cases = 0;       ///< Tried, before an end or a break.
-  std::int64_t left_out = 0;    ///< Of those, the ones to which the law does not apply, or which
-                                ///< the candidate's format cannot hold,
-  std::int64_t not_judged = 0;  ///< and those outside the candidate's stated domain.
-  std::int64_t given_rays = 0;  ///< Those judged on raycheck's rays (given_rays()).
-  std::string reason;           ///< Why the last of those left out was.
+  std::int64_t cases = 0;  ///< Tried, before an end or a break.
+  /// Those of `cases` to which the law does not apply, or which the candidate's format cannot hold.
+  std::int64_t left_out = 0;
+  std::int64_t not_judged = 0;  ///< Those of `cases` outside the candidate's stated domain.
+  std::int64_t given_rays = 0;  ///< Those of `cases` judged on raycheck's rays (given_rays()).
+  std::string reason;           ///< Why the last case that was left out was left out.
 
   void add(const CaseCounts& other);
   void serialize(auto& archive) { archive(cases, left_out, not_judged, given_rays, reason); }
@@ -71,8 +71,8 @@ struct CampaignPart {
   Verdict verdict;  ///< Counts only: there are thousands of parts.
   /// The first case that breaks the law, and later ones that show other kinds of defects.
   std::vector<Break> breaks;
-  std::vector<DefectKind> undecided;            ///< The undecided kinds of all its cases,
-  std::optional<std::uint64_t> undecided_seed;  ///< and the first such case.
+  std::vector<DefectKind> undecided;            ///< The undecided kinds of all its cases.
+  std::optional<std::uint64_t> undecided_seed;  ///< The seed of the first undecided case.
 
   bool failed_at_once = false;  ///< The candidate failed before it answered anything.
   bool timed_out = false;       ///< A case broke the law because the candidate timed out.
@@ -90,17 +90,20 @@ struct CampaignPart {
   }
 };
 
-/// A case that breaks a law, or leaves it undecided, shrunk as far as it still does.
+/// A case that breaks a law, or leaves it undecided, shrunk as long as it still does.
 struct Failure {
   Case shrunk;
   Verdict verdict;
   std::string replay;
   bool is_undecided = false;
-  /// A candidate that is started anew, and asked about the shrunk case first, is right: its answers
-  /// depend on earlier questions.
+  /// The candidate, restarted and asked about this case first, answers it right: it keeps state
+  /// between questions.
   bool is_of_earlier = false;
   /// The tries after which shrinking was given up; 0: it was completed.
   std::int64_t tries = 0;
+  /// False: the case as it was found, since the candidate fails on every question or depends on
+  /// earlier ones, or since the search was interrupted.
+  bool is_shrunk = true;
 };
 
 /// A law holds only if at least this many answers to each kind of question (hits, for example)
@@ -117,8 +120,8 @@ constexpr auto& names_of(Finding /*of*/) { return kFindingNames; }
 struct CampaignResult {
   Level level = Level::kDemanding;
   std::vector<CampaignPart> parts;  ///< In the order of sources and severities.
-  CaseCounts counts;                ///< Of all parts together, without shrinking,
-  Verdict verdict;                  ///< likewise.
+  CaseCounts counts;                ///< Of all parts together, without shrinking.
+  Verdict verdict;                  ///< Of all parts together, without shrinking.
   /// Of the first broken part of the lowest level; if no part is broken, of the first one with an
   /// undecided case.
   std::optional<Failure> failure;
@@ -136,17 +139,18 @@ struct CampaignResult {
   }
 };
 
-/// At most twice `most` cases from which the cause of a broken law may be found: at the lowest
-/// level at which it is broken, the first that broke it at each source and severity, then more from
-/// the same, right or wrong; then, unless all break it, as many from all sources, to rule out
-/// causes that would break those. The next round has four times as many; later rounds do the same
-/// at the next level at which the law is broken, and so on. Empty after the last.
+/// Cases from which the cause of a law that wrong answers break may be found (missing answers have
+/// no such cause). In a round there are at most `most` cases of the sources and severities that
+/// break the law at one level, the first failing cases first, and, unless all sources break it, as
+/// many of any source, which rule out causes that would break them. Rounds 0 and 1 are at the
+/// lowest level at which the law is broken, rounds 2 and 3 at the next such level, and so on; odd
+/// rounds have four times as many cases. Empty after the last round.
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most,
                                 std::size_t round = 0);
 
-/// The cases of a unit of work: few enough for threads to end together,
+/// The cases of a unit of work: few enough for threads to end together. In a large campaign they
+/// are multiplied by a power of two, so that there are at most about kMostUnits units.
 inline constexpr int kUnitCases = 64;
-/// times a power of two in a large campaign, so that there are at most about this many units.
 inline constexpr std::int64_t kMostUnits = 1 << 14;
 constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
   std::int64_t pieces = 1;
@@ -154,8 +158,8 @@ constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
   return pieces;
 }
 
-/// A candidate is dropped after this number of units without a success, after as many in which it
-/// times out, or if it times out in the first.
+/// A candidate is dropped after this number of units without an answer, after as many units with a
+/// time-out, or if it times out before it has answered anything.
 inline constexpr std::size_t kUnitsToFail = 3;
 
 /// The laws that a candidate is tested by, and how.
@@ -171,7 +175,7 @@ std::vector<ChosenSource> sources_of(const Law& law, const CampaignOptions& opti
 /// out once, and each candidate asked once, for all laws that are tried on it. The work falls into
 /// units, some cases of one source at one severity, which are independent: any thread,
 /// process or machine may run any of them.
-/// Domain: at least one candidate; `candidates` are those of the constructor, in its order.
+/// Domain: at least one candidate; candidates[k] is tested by of_candidates[k].
 class Campaigns {
  public:
   /// `units_are_kept`: a unit's result depends only on the unit; otherwise laws that an earlier
@@ -230,8 +234,8 @@ class Campaigns {
 };
 
 /// Runs a law on random cases (by RapidCheck's streams) of every source and severity, each with its
-/// own seed: a broken part does not end the others. The same options give the same result, and
-/// other parts affect only the number of cases of a part.
+/// own seed: a broken part does not end the others. The same options give the same result. Another
+/// source changes only the number of cases that each source gets.
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
                             const CampaignOptions& options, const RunControl& control = {});
 

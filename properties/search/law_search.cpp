@@ -17,7 +17,7 @@ struct CaseVerdict {
   Verdict verdict;
 };
 
-/// `trials`: null where the case is not valid under the candidate's conventions.
+/// `trials` is null if the case is not valid under the candidate's conventions.
 CaseVerdict verdict_on(const Law& law, Trials* trials) {
   if (trials == nullptr) return {false, false, Verdict(law.name)};
   Trial& trial = trials->of(law);
@@ -72,6 +72,7 @@ void LawSearch::replay(std::uint64_t seed, bool shrinks) {
     judge(seed);
     if (shrinks) shrink();
   });
+  if (failure) failure->is_shrunk = shrinks && !fails_always(failure->verdict);
 }
 
 void LawSearch::judge_restarted() {
@@ -90,6 +91,7 @@ void LawSearch::judge_restarted() {
     failure->is_of_earlier = true;
     if (!whole_ || is_right(*whole_, verdict)) return;
     failure->shrunk = *whole_;
+    failure->is_shrunk = false;
     failure->verdict = std::move(verdict);
   });
 }
@@ -118,6 +120,7 @@ void LawSearch::replay(Case the_case) {
     }
     shrink();
   });
+  if (failure) failure->is_shrunk = !fails_always(failure->verdict);
 }
 
 template <class Work>

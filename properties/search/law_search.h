@@ -28,9 +28,9 @@ class LawSearch {
   void judge(std::uint64_t seed, const RoundedCase& rounded, Trials* trials);
   /// Judges one case of the source, and shrinks the failure if `shrinks`.
   void replay(std::uint64_t seed, bool shrinks = true);
-  /// Restarts the candidate and judges the failure's case again, as its first question. If it is
-  /// then right, the failure depends on earlier questions; if it is still wrong on the case before
-  /// shrinking, that case replaces the shrunk one.
+  /// Restarts the candidate and judges the failure's case again, as its first question. If the
+  /// answer is then right, the failure depends on earlier questions; if it is still wrong on the
+  /// case before shrinking, that case replaces the shrunk one.
   void judge_restarted();
   /// Shrinks an undecided case of the source as long as it stays undecided.
   void replay_undecided(std::uint64_t seed);
@@ -43,16 +43,16 @@ class LawSearch {
   void judge(std::uint64_t seed);
   std::string replay_of(std::uint64_t seed) const;
   void leave_out(const std::string& reason);
-  /// Whether a case breaks the law; counts those before the first that does.
+  /// Whether a case breaks the law; counts the cases up to the first that does.
   bool breaks(const Case& the_case);
-  /// The same, of a verdict.
+  /// Whether a verdict breaks the law; counts it as breaks() does.
   bool take(const Case& the_case, bool judged, bool given, Verdict verdict);
   void count(bool judged, bool given, const Verdict& verdict);
   /// Replaces the case that breaks the law by the first simpler one that does so, as often as it
   /// can.
   void shrink();
-  /// `breaks` keeps a case for which it is true as the failure. A candidate that makes no rays
-  /// needs no camera: the rays that it was given take its place.
+  /// `breaks` keeps a case for which it is true as the failure. For a candidate that makes no rays,
+  /// the rays that it was given replace the camera.
   template <class Breaks>
   void shrink_while(const Breaks& breaks);
   /// If the candidate fails on the case, the question in it that fails: found by halving,

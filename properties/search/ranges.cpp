@@ -106,8 +106,8 @@ class RangeSearch {
  private:
   double number(Rank at) const { return number_at(candidate_.precision, at); }
 
-  /// Whether the case breaks the law as it did; nullopt where the law does not apply or is not
-  /// judged.
+  /// Whether the changed case breaks the law as the case does; nullopt if the law does not apply or
+  /// is not judged.
   std::optional<bool> breaks() {
     if (!scene::defects(case_.scene).empty() || !is_problem(case_, candidate_.declared) ||
         !is_of_format(case_.scene, candidate_.input_format())) {
@@ -127,7 +127,7 @@ class RangeSearch {
     return known->second;
   }
 
-  /// The last that breaks the law on the way from one that does to one that does not.
+  /// Between a number that breaks the law and one that does not: the last that breaks it.
   Rank bisected(Rank does, Rank does_not) {
     while (std::max(does, does_not) - 1 > std::min(does, does_not)) {
       const Rank middle = std::midpoint(does, does_not);
@@ -138,7 +138,8 @@ class RangeSearch {
     return does;
   }
 
-  /// Those strictly between two, without repetition, the nearest to the first first.
+  /// The numbers to try strictly between two, without repetition, in the order of their distance
+  /// from the first.
   static std::vector<Rank> between(Rank from, Rank to, std::vector<Rank> ranks) {
     std::erase_if(ranks,
                   [&](Rank at) { return at <= std::min(from, to) || at >= std::max(from, to); });
@@ -148,7 +149,7 @@ class RangeSearch {
     return ranks;
   }
 
-  /// From a number to one end of the format: steps that double, and 0.
+  /// The numbers to try from a number to one end of the format: by steps that double, and 0.
   static std::vector<Rank> steps(Rank from, Rank last) {
     std::vector<Rank> ranks = {0};
     const std::uint64_t room = static_cast<std::uint64_t>(std::max(from, last)) -
@@ -191,8 +192,8 @@ class RangeSearch {
     return settled(from, end);
   }
 
-  /// Cuts a range from a number to its end where one between, tried now or before, does not break
-  /// the law.
+  /// Ends a range before the first number that was tried, now or before, and does not break the
+  /// law.
   Rank settled(Rank from, Rank end) {
     for (;;) {
       for (const Rank at : some_between(from, end)) {
@@ -217,7 +218,7 @@ class RangeSearch {
     }
   }
 
-  /// Whether the law certainly breaks at all numbers of one sign between two at which it does.
+  /// Whether the law certainly breaks at all numbers between two of one sign at which it breaks.
   bool is_certain_between(Rank a, Rank b) {
     const auto with = [&](Rank at) {
       *number_ = number(at);

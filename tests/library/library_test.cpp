@@ -211,7 +211,7 @@ TEST(Judge, FindsRootsOutsideTheDeclaredIntervalBroken) {
   for (const Precision precision : {Precision::double_, Precision::single}) {
     const Verdict wrong = judged(2, precision);
     EXPECT_EQ(wrong.finding, Finding::broken) << wrong.text;
-    EXPECT_TRUE(has(wrong.text, "answers s = 2, which the interval (2, inf) excludes"));
+    EXPECT_TRUE(has(wrong.text, "the answer s = 2 lies outside the interval (2, inf)"));
     EXPECT_NE(judged(4, precision).finding, Finding::broken);
   }
 }

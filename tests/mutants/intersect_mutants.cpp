@@ -88,8 +88,8 @@ std::vector<Mutant> choice_mutants() {
                    "only the near root counts, so that spheres around the origin are not seen",
                    {"class", "growing-radius"}),
       from_mistake("near-from-inside",
-                   "the near root is given though it is negative: from inside spheres are hit "
-                   "behind the origin",
+                   "the near root is given even if it is negative: spheres around the origin are "
+                   "hit behind it",
                    {"nearest-root"}),
       from_mistake("solid", "spheres are solid: from inside s is 0", {"nearest-root"}),
       from_mistake("level-is-missed",
@@ -97,12 +97,12 @@ std::vector<Mutant> choice_mutants() {
                    "their origin",
                    {"class"}),
       from_mistake("merged-roots",
-                   "where d^2 is below about 1e-5 (perhaps more) both roots are taken to be v: the "
+                   "where d^2 is below about 1e-5 (perhaps more) v is taken for both roots: the "
                    "epsilon is too large",
                    {"parameter", "scaling"}),
       from_mistake("shallow-is-missed",
-                   "lines that are less than about 1e-7 radii (perhaps more) inside a sphere miss "
-                   "it: the tolerance is too large",
+                   "rays that pass less than about 1e-7 radii (perhaps more) inside a sphere's "
+                   "outline miss it: the tolerance is too large",
                    {"class"}),
       from_mistake("short-is-missed",
                    "directions with a |D|^2 below about 1e-9 (perhaps more) hit nothing: the "
@@ -178,7 +178,7 @@ std::vector<Mutant> value_mutants() {
                    {"class", "growing-radius", "scaling"}),
       from_mistake("half-of-s", "s is half of the right one", {"parameter"}),
       from_mistake("twice-s", "s is twice the right one", {"parameter"}),
-      from_mistake("s-is-a-length", "s is a length whatever the length of the direction",
+      from_mistake("s-is-a-length", "s is a length, not a multiple of the direction",
                    {"parameter"}),
   };
 }

@@ -163,7 +163,8 @@ TEST(Trial, ShowsWhichOfTwoRelatedAnswersIsWrong) {
     const bool is_first = least > 0x1p-10;
     EXPECT_EQ(shown.wrong, Wrong::kMissed);
     EXPECT_TRUE(shown.got.empty());
-    EXPECT_EQ(shown.what, is_first ? "right only when scaled by 2^120" : "scaled by 2^-120");
+    EXPECT_EQ(shown.what,
+              is_first ? "right only with lengths scaled by 2^120" : "lengths scaled by 2^-120");
     EXPECT_EQ(shown.exact, std::vector{is_first ? 0x1p-10 : 0x1p-130});
   }
 }

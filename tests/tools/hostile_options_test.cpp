@@ -268,7 +268,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --top 5000", "--top"},
     // Pixels and sizes: messages give the range.
     {"explain FAR --pixel 16,3", "has 16 x 16 pixels; give a column up to 15 and a row up to 15"},
-    {"explain FAR --pixel 0,0 --sphere 9", "the scene's spheres are numbered 0 to 0"},
+    {"explain FAR --pixel 0,0 --sphere 9", "the scene has only sphere 0"},
     {"view FAR --format json --pixel 16,0", "pixel"},
     {"view FAR --format json --pixel 1,0 --sphere 1", "sphere 1"},
     {"view FAR --format json --sphere 0", "--sphere: also give --pixel"},

@@ -40,8 +40,8 @@ Draft prepare(const Implementation& implementation, const ScenesOfFormats& scene
   return draft;
 }
 
-/// The mistakes that explain the errors of a candidate: in its picture, which is kept and asked for
-/// again, or in its answers about some rays.
+/// The mistakes that explain the errors of a candidate in its picture, which is kept, or in its
+/// answers about some rays.
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
   if (report.implementation.methods || report.verdict.holds()) return {};
@@ -69,15 +69,18 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
   draft.report.explanations = explained(draft.report, draft.report.asked.value_or(given));
   for (const Law& law : properties::laws()) {
     const auto found = draft.left_out.find(law.name);
-    if (found != draft.left_out.end()) {
+    // Some rays without hits do not leave out a law of hits.
+    const bool is_judged = law.per == properties::Per::kPair &&
+                           law.quantity != properties::Quantity::kClass &&
+                           draft.report.verdict.tally(law.quantity).cases > 0;
+    if (found != draft.left_out.end() && !is_judged) {
       draft.report.left_out.push_back({std::string(law.name), found->second});
     }
   }
   return std::move(draft.report);
 }
 
-/// The scene, and the implementations as they are to be given it: renderers in the file's own
-/// dialect, where they do not keep their form.
+/// Loads the scene. Renderers are set to read the file's dialect, unless they keep their form.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
   const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
   scene::LoadedScene loaded =
@@ -89,8 +92,8 @@ scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>
   return loaded;
 }
 
-/// Without pairs of methods that do the same as an earlier one on this scene: those that differ
-/// only in the ray method if it has no camera, only in the intersection method if it has no
+/// Leaves out pairs of methods that answer as an earlier pair does on this scene: they differ only
+/// in the ray method if the scene has no camera, or only in the intersection method if it has no
 /// spheres.
 std::vector<Implementation> without_equals(const std::vector<Implementation>& implementations,
                                            const scene::Scene& scene) {

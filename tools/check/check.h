@@ -24,8 +24,8 @@ namespace raycheck::tools {
 /// A hit that an interval of parameters, or culling, excludes.
 struct ExcludedHit {
   properties::Place place;
-  double s = 0;         ///< Of the root that counts if all >= 0 do; correctly rounded.
-  double in_radii = 0;  ///< s over the sphere's radius, roughly; infinite for radius 0.
+  double s = 0;         ///< Of the root that counts if every root >= 0 counts; rounded.
+  double in_radii = 0;  ///< About s divided by the radius; infinite for radius 0.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(place, s, in_radii);
@@ -35,18 +35,18 @@ struct ExcludedHit {
 /// What happens to the hits of a sphere.
 struct ExcludedOfSphere {
   std::uint64_t hits = 0;      ///< If every root >= 0 counts.
-  std::uint64_t excluded = 0;  ///< Those that become misses.
-  std::uint64_t moved = 0;     ///< Those that remain hits, but at the other root.
+  std::uint64_t excluded = 0;  ///< Hits that become misses.
+  std::uint64_t moved = 0;     ///< Hits that remain hits, but at the other root.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(hits, excluded, moved);
   }
 };
 
-/// The hits lost by an interval or culling: the exact hits of a scene without it, and with it.
+/// The exact hits of a scene that an interval or culling excludes or changes.
 struct ExcludedHits {
   std::vector<ExcludedOfSphere> spheres;
-  std::vector<ExcludedHit> worst;  ///< Those farthest along their rays, in radii.
+  std::vector<ExcludedHit> worst;  ///< The excluded hits farthest along their rays, in radii.
 
   ExcludedOfSphere all() const;
   void merge(const ExcludedHits& other);
@@ -62,11 +62,11 @@ struct CheckOptions {
   std::string path;
   /// The dialect of a driver file, if there are no renderers; empty: detected from the file.
   std::optional<scene::Dialect> dialect;
-  /// Renderers are given files in their own form; else in the scene's dialect.
+  /// Whether renderers are given files in their own form; if not, in the scene's dialect.
   bool keeps_forms = false;
   std::vector<Implementation> implementations;
-  std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
-  std::size_t top = 10;                ///< How many of the worst discrepancies to show.
+  std::optional<std::int64_t> pixels;  ///< The number of pixels, spread evenly; empty: all.
+  std::size_t top = 10;                ///< The number of worst discrepancies to show.
   std::optional<double> max_error;     ///< A bound that replaces the documented ones.
   bool strict = false;                 ///< Excused or undecided answers fail, too.
 };
@@ -85,21 +85,21 @@ struct CandidateReport {
   scene::Conventions conventions;  ///< Under which it was judged.
   /// The format that it was judged in.
   scene::Precision precision = scene::Precision::kDouble;
-  /// How many numbers of the scene had to be rounded to that format.
+  /// The number of numbers of the scene that had to be rounded to that format.
   std::size_t rounded_numbers = 0;
-  std::size_t made_unit = 0;          ///< Given directions, for one that demands unit ones.
+  std::size_t made_unit = 0;  ///< Directions normalised for a candidate that takes only unit ones.
   std::optional<scene::Scene> asked;  ///< The scene that it was asked about, if not the given one.
   std::string not_asked;  ///< Why it was not judged: the format cannot hold the scene; or empty.
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
-  bool given_rays = false;    ///< It makes no rays: its answers about raycheck's own are judged.
+  bool given_rays = false;    ///< It makes no rays: it is judged on rays that raycheck makes.
   properties::Verdict verdict;
-  ExcludedHits excluded;  ///< What its t_min, t_max and culling cost; empty if it has none.
+  ExcludedHits excluded;  ///< By its t_min, t_max and culling; empty if it has none.
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Only for external candidates.
-  properties::FailureSearch search;                   ///< For the questions that it fails on.
+  properties::FailureSearch search;  ///< The search for questions that it fails on.
 
-  /// For a candidate without defects or undecided answers, the first kind of question that was
-  /// asked but never answered right without an excuse.
+  /// If there are no defects or undecided answers: the first kind of question that was asked, but
+  /// never answered right without an excuse.
   std::optional<std::pair<properties::Quantity, properties::Expected>> too_few_judged() const {
     const bool is_asked = inside_domain && verdict.holds() && !is_undecided();
     return is_asked ? verdict.too_few_right(1, excludes_hits()) : std::nullopt;
@@ -109,9 +109,9 @@ struct CandidateReport {
   bool excludes_hits() const {
     return !conventions.valid.is_usual() && excluded.all().excluded > 0;
   }
-  /// Whether enough was judged to exclude defects, undecided answers aside,
+  /// Whether enough was judged to exclude defects, undecided answers aside.
   bool is_judged() const { return inside_domain && verdict.compared() > 0 && !too_few_judged(); }
-  /// and whether nothing is undecided.
+  /// Whether enough was judged, and nothing is undecided.
   bool is_enough_judged() const { return is_judged() && !is_undecided(); }
 };
 
@@ -120,7 +120,7 @@ struct CheckReport {
   scene::Scene scene;
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
-  std::vector<std::string> not_needed;    ///< Only for shading.
+  std::vector<std::string> not_needed;    ///< Entries of the file that are only for shading.
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;
@@ -153,10 +153,9 @@ struct CheckReport {
   bool is_enough_judged() const;
 };
 
-/// Judges the candidates on a scene file; the report does not depend on the number of threads. With
-/// `units`, only the missing units of the shard; if it is not the whole campaign, the report is
-/// empty.
-/// Throws as the reader.
+/// Judges the candidates on a scene file; the report does not depend on the number of threads. If
+/// `units` is given, judges only the shard's missing units, and returns an empty report unless all
+/// units are then present. Throws what load_scene() throws.
 CheckReport check(const CheckOptions& options, const properties::RunControl& control = {},
                   Units* units = nullptr);
 
@@ -171,9 +170,10 @@ inline constexpr View<CheckReport> kCheckViews[] = {
     {"json", check_json},
 };
 
-/// Why too little was judged to say anything; empty if enough was.
+/// Why too little was judged for a verdict; empty if enough was.
 std::string too_few_text(const CandidateReport& candidate);
-/// What was left out, a line for each reason, with the candidate's name unless it concerns all.
+/// A line for each reason why something was left out, with the candidate's name unless it concerns
+/// all.
 std::vector<std::string> left_out_lines(const CheckReport& report);
 
 /// Certificates of each candidate's worst discrepancies, as in check_json: one per line.
@@ -181,7 +181,7 @@ std::string check_certificates(const CheckReport& report);
 
 /// Options of a page besides the findings of a report.
 struct CheckPageOptions {
-  std::vector<Selection> wanted;  ///< Shown first.
+  std::vector<Selection> wanted;  ///< The selections that are shown first.
   bool is_of_methods = false;     ///< Methods were chosen: panels show only their steps.
 };
 

@@ -66,9 +66,9 @@ CommandRun add_check(CLI::App& command) {
       .add_option("SCENE", arguments.options.path, "a TOML scene, or a driver file of the course")
       ->required();
   command.add_option("--dialect", judged.dialect,
-                     "of a driver file: A, B or C; if a candidate is a renderer, of the files "
-                     "that it is given: also 2017 to 2020, auto (what it reads), or a form such as "
-                     "B:17:no-light (default: the scene's own, else B)");
+                     "the format of driver files: A, B or C; for renderers also 2017 to 2020, auto "
+                     "(what the renderer reads), or a form such as B:17:no-light (default: the "
+                     "scene's own, else B)");
   CLI::Option* const rays =
       command.add_option("--rays", judged.rays, "the method that makes rays (default: direct)");
   CLI::Option* const intersect =
@@ -83,7 +83,7 @@ CommandRun add_check(CLI::App& command) {
   add_number(command, "--top", arguments.options.top, 0, properties::kKeptDiscrepancies,
              "the number of worst discrepancies to show");
   add_max_ulp(command, arguments.options.max_error,
-              "errors above this are discrepancies (default: the method's documented bound)");
+              "errors above this are discrepancies (default: the documented bounds)");
   add_strict(command, arguments.options.strict);
   add_threads(command, arguments.threads, "the report");
   add_shards(command, arguments.shards);

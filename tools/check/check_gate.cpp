@@ -29,7 +29,8 @@ Identity identity_of(const Discrepancy& discrepancy, const CheckReport& report,
           candidate.lasting_name};
 }
 
-/// The discrepancies that count against a candidate, the worst first; or the undecided ones.
+/// If `is_held`, the discrepancies that count against a candidate, else the undecided ones; the
+/// worst first.
 std::vector<Discrepancy> found_of(const CheckReport& report, const CandidateReport& candidate,
                                   bool is_held) {
   std::vector<Discrepancy> found = candidate.verdict.worst(properties::kKeptDiscrepancies);
@@ -99,7 +100,8 @@ void add_checks(Gate& gate, const CheckReport& report, const CandidateReport& ca
     gate.checks.push_back({candidate.name, fmt::format("{}/{}", one.law, report.path),
                            GateOutcome::kLeftOut, one.reason});
   }
-  // If there are more discrepancies than are kept, missing ones may have been dropped.
+  // Of more discrepancies than kKeptDiscrepancies only the worst are kept: known ones may be
+  // absent.
   const bool has_all = candidate.verdict.discrepancies() < properties::kKeptDiscrepancies;
   if (report.interrupted || !has_all || !candidate.is_judged()) return;
   for (const properties::Law& law : properties::laws()) {

@@ -8,7 +8,7 @@ namespace raycheck::tools {
 
 namespace {
 
-/// Null where every root >= 0 counts.
+/// Null if every root >= 0 counts.
 Json excluded_json(const CandidateReport& candidate) {
   if (candidate.conventions.valid.is_usual()) return nullptr;
   const auto counts = [](const ExcludedOfSphere& one) {

@@ -23,11 +23,11 @@
 
 namespace raycheck::tools {
 
-/// Rays judged at a time: between chunks progress is shown and interrupts are handled. Mistakes are
-/// searched for on the first chunk.
+/// The rays judged at a time. Between chunks progress is shown and interrupts are handled. Mistakes
+/// are searched for on the first chunk.
 inline constexpr std::size_t kChunk = 512;
 
-/// Reasons by law.
+/// By law: why it was left out.
 using ReasonsLeftOut = std::map<std::string, std::string, std::less<>>;
 
 /// A candidate's report while it is being made.
@@ -41,7 +41,7 @@ class ScenesOfFormats {
  public:
   struct InFormat {
     properties::RoundedCase rounded;
-    /// Its rays; empty if the format cannot hold the scene.
+    /// The scene's rays; empty if the format cannot hold the scene.
     std::optional<properties::SceneCases> cases;
   };
   /// In the given format, and in those of these candidates.
@@ -75,8 +75,8 @@ class Judgement {
   Judgement(std::optional<double> max_error, const ScenesOfFormats& scenes,
             std::vector<Draft>& drafts);
 
-  /// Counts the rays judged, and reports progress after each chunk. `units`: null, or where the
-  /// results of chunks are kept.
+  /// Counts the rays judged, and reports progress after each chunk. `units` keeps the results of
+  /// chunks; it may be null.
   void run(const properties::RunControl& control, Units* units, std::uint64_t& rays_judged,
            const std::function<void()>& tell);
 

@@ -126,7 +126,7 @@ std::string scene_text(const SceneView& view) {
   const std::string rays =
       scene.camera ? fmt::format("{} x {} pixels", scene.camera->width, scene.camera->height)
                    : count_text(scene.rays.size(), "ray");
-  return fmt::format("{}: {}, {}, the steps of {}\n", view.name, rays,
+  return fmt::format("{}: {}, {}, the steps of {} of a ray and a sphere\n", view.name, rays,
                      count_text(scene.spheres.size(), "sphere"),
                      count_text(view.panels.size(), "pair"));
 }

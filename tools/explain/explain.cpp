@@ -150,7 +150,7 @@ void derive_sphere(const Subject& subject, const scene::Sphere& sphere, const Sp
       reference::condition_of_point(ray, sphere, at), alone.point);
 }
 
-/// The roots >= 0 that do not count, before the one that does, `taken`.
+/// The roots >= 0 that do not count and lie before `taken`, the root that counts.
 std::vector<RootLeftOut> roots_left_out(const ExactRay& ray, const scene::Sphere& sphere,
                                         const reference::Intersection& taken,
                                         const scene::Conventions& conventions) {
@@ -228,7 +228,7 @@ void report_all_rays(const Case& the_case, const std::optional<Candidate>& other
   if (other) add(*other, nullptr);
 }
 
-/// All methods' answers about the case's one sphere.
+/// All methods' answers about the case's only sphere.
 void report_all_intersections(const Case& the_case, const fast::PixelRayMethod& rays,
                               const std::optional<Candidate>& other, ExplainReport& report) {
   SharedTruths truths(the_case);
@@ -299,7 +299,9 @@ ExplainReport explain(const ExplainOptions& options) {
   if (*report.sphere >= scene.spheres.size()) {
     throw scene::InvalidInput(
         "sphere", std::to_string(*report.sphere),
-        fmt::format("the scene's spheres are numbered 0 to {}", scene.spheres.size() - 1));
+        scene.spheres.size() == 1
+            ? "the scene has only sphere 0"
+            : fmt::format("the scene's spheres are numbered 0 to {}", scene.spheres.size() - 1));
   }
   const scene::Sphere& sphere = scene.spheres[*report.sphere];
   const SphereReport& exact = report.spheres[*report.sphere];

@@ -20,7 +20,7 @@ namespace raycheck::tools {
 struct ExplainOptions {
   scene::Scene scene;
   std::optional<scene::Pixel> pixel;  ///< If the scene has a camera.
-  std::optional<std::size_t> sphere;  ///< Empty: the one met first, or else the first.
+  std::optional<std::size_t> sphere;  ///< Empty: the sphere met first; if none is met, sphere 0.
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Makes the rays to intersect.
   /// An external candidate, whose conventions all explanations use; or null.
   std::shared_ptr<const Implementation> other = nullptr;
@@ -40,8 +40,8 @@ struct Step {
 struct MethodStep {
   std::string symbol;
   std::vector<double> value;    ///< Empty if it has none (a miss).
-  std::optional<double> error;  ///< From the exact value; empty if either is a miss.
-  std::string_view unit;        ///< Of its errors.
+  std::optional<double> error;  ///< The error of the value; empty if it or the truth is a miss.
+  std::string_view unit;        ///< The unit of its errors.
   /// The error of only this step, whose operands are the method's values of earlier steps, taken as
   /// exact; empty if it has none.
   std::optional<double> error_alone = {};
@@ -50,9 +50,9 @@ struct MethodStep {
 struct MethodReport {
   std::string name;
   std::vector<MethodStep> steps;
-  bool is_other = false;            ///< Not one of raycheck's own.
-  bool intersects = false;          ///< An intersection method; only then are the next four valid.
-  bool makes_ray = false;           ///< It makes the pixel's ray; else it is given that.
+  bool is_other = false;            ///< It is not one of raycheck's methods.
+  bool intersects = false;          ///< It is an intersection method: the next four are valid.
+  bool makes_ray = false;           ///< It makes the pixel's ray; if not, it is given the ray.
   std::optional<double> parameter;  ///< Empty: a miss.
   std::optional<double> ulp_error;  ///< Empty unless both hit.
   scene::Precision precision = scene::Precision::kDouble;  ///< The format of that ulp.
@@ -60,7 +60,7 @@ struct MethodReport {
   std::optional<properties::Discrepancy> wrong = {};
   std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: all are right.
 
-  /// How it gave no answer, after these steps; empty: it did.
+  /// Why it gave no answer after these steps; empty if it gave one.
   std::string failure() const {
     const bool has_failed = wrong && (wrong->wrong == properties::Wrong::kFailed ||
                                       wrong->wrong == properties::Wrong::kRefused);
@@ -80,8 +80,8 @@ struct RootLeftOut {
 /// The exact answer about one sphere.
 struct SphereReport {
   reference::Intersection intersection;
-  bool is_hit = false;                ///< Under the conventions, which define which roots count.
-  std::vector<RootLeftOut> left_out;  ///< Those before the one that counts, if any.
+  bool is_hit = false;                ///< Under the conventions.
+  std::vector<RootLeftOut> left_out;  ///< The roots before the one that counts.
   std::optional<double> parameter;
   std::vector<double> point;
   std::optional<reference::ClosedForm> closed_form_parameter;
@@ -97,10 +97,11 @@ struct ExplainReport {
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
   std::shared_ptr<const Implementation> other;
-  std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
+  std::optional<std::size_t>
+      sphere;  ///< The sphere that is derived, and intersected by the methods.
   std::vector<SphereReport> spheres;
-  /// For that sphere with every root >= 0 counting, if the conventions differ: raycheck's methods
-  /// are judged by it.
+  /// The exact answer for `sphere` if every root >= 0 counts, if the conventions differ: raycheck's
+  /// methods are judged by it.
   std::optional<SphereReport> by_every_root;
   std::optional<std::size_t> nearest;
 
@@ -115,18 +116,18 @@ ExplainReport explain(const ExplainOptions& options);
 std::string explain_text(const ExplainReport& report, const ViewOptions& options);
 std::string explain_json(const ExplainReport& report, const ViewOptions& options);
 
-/// 17 significant digits; several numbers in parentheses.
+/// Numbers with 17 significant digits; several in parentheses.
 std::string digits_text(double value);
 std::string numbers_text(const std::vector<double>& values);
-/// "off by 3 ulp (0.5 in this step)"; empty without an error.
+/// "off by 3 ulp (0.5 by this step only)"; empty without an error.
 std::string off_text(const MethodStep& step);
-/// "condition number 4.2, of this step 1"; empty without one.
+/// "condition number 4.2 (of this step only: 1)"; empty without one.
 std::string condition_text(const Step& step);
 /// The text about one method: "s = 6 (0x1.8p+2), off by 0.2 ulp".
 std::string method_verdict(const MethodReport& method, const ExplainReport& report,
                            bool colours = false);
-/// The part of it after the answer, ", off by 0.2 ulp, a false hit (excused)"; all of it for a
-/// method that makes rays. Domain: it did not fail.
+/// The part of method_verdict() after the answer, ", off by 0.2 ulp, a false hit (excused)"; the
+/// whole text for a method that makes rays. Domain: it did not fail.
 std::string answer_remarks(const MethodReport& method);
 /// A remark for the step where a method goes wrong; usually empty.
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report);

@@ -141,7 +141,7 @@ std::optional<fast::Roots> add_own_steps(const fast::IntersectMethod& own, const
   return roots;
 }
 
-/// The error of only s, from the method's own v and d^2.
+/// The error of the last step: of s for the method's v and d^2.
 std::optional<double> error_alone(double s, const fast::Roots& roots, const ExactRay& exact,
                                   reference::WhichRoot root) {
   if (!std::isfinite(roots.axial_distance) || !std::isfinite(roots.half_chord_sq) ||
@@ -212,7 +212,8 @@ bool is_right_for_own_ray(Trial& trial) {
   return !found_wrong(trials, is_of_pairs);
 }
 
-/// The first step whose error exceeds that of one step, or else the one that the laws find wrong.
+/// The first step whose error is too large for one step; if there is none, the step that the laws
+/// find wrong.
 std::string wrong_step(const MethodReport& report) {
   for (const MethodStep& step : report.steps) {
     if (step.symbol == "s") break;

@@ -88,15 +88,14 @@ void add_line(Baseline& baseline, std::string_view line) {
   if (line.starts_with("# ")) {
     const auto heading = fields_of(line.substr(2));
     if (heading.size() != 2) {
-      throw std::invalid_argument("expected a heading # LAW; SOURCE");
+      throw std::invalid_argument("it is not a heading of the form '# LAW; SOURCE'");
     }
     baseline.headings.emplace(heading[0], heading[1]);
     return;
   }
   const auto fields = fields_of(line);
   if (fields.size() != 5) {
-    throw std::invalid_argument(
-        fmt::format("{} fields; expected LAW; SOURCE; KIND; PLACE; CANDIDATE", fields.size()));
+    throw std::invalid_argument("it is not of the form 'LAW; SOURCE; KIND; PLACE; CANDIDATE'");
   }
   baseline.known.insert({fields[0], fields[1], fields[2], fields[3], fields[4]});
   baseline.headings.emplace(fields[0], fields[1]);

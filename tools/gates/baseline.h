@@ -66,7 +66,7 @@ struct Ratchet {
   std::string file;
   std::vector<Identity> known;    ///< Found, and in the baseline.
   std::vector<Identity> added;    ///< Found, but not in the baseline.
-  std::vector<Identity> mended;   ///< In the baseline, and no longer wrong.
+  std::vector<Identity> mended;   ///< In the baseline, and no longer found.
   std::vector<Identity> unasked;  ///< In the baseline, but not judged by this run.
   bool strict = false;            ///< Mended ones fail, too.
   bool is_conclusive = true;      ///< All undecided discrepancies are known.

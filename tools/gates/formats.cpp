@@ -153,10 +153,10 @@ std::string table_of(const Gate& gate) {
 
 std::string ratchet_part(const Ratchet& ratchet) {
   std::string text =
-      fmt::format("\nCompared with {}: {} known, {} new, {} mended.\n", inline_text(ratchet.file),
+      fmt::format("\nCompared with {}: {} known, {} new, {} fixed.\n", inline_text(ratchet.file),
                   ratchet.known.size(), ratchet.added.size(), ratchet.mended.size());
   for (const Identity& one : ratchet.mended) {
-    text += fmt::format("- mended: {}/{}, {}, at {}, {}\n", inline_text(one.law),
+    text += fmt::format("- fixed: {}/{}, {}, at {}, {}\n", inline_text(one.law),
                         inline_text(one.source), inline_text(one.kind), inline_text(one.place),
                         inline_text(one.candidate));
   }
@@ -227,7 +227,7 @@ std::string github(const Gate& gate) {
                         shown.size() - count, gate.checks.size(), outcomes_text(gate));
   }
   if (gate.ratchet && !gate.ratchet->mended.empty()) {
-    text += fmt::format("::notice title=raycheck::{} of {} are mended: update the baseline\n",
+    text += fmt::format("::notice title=raycheck::{} of {} no longer occur: update the baseline\n",
                         gate.ratchet->mended.size(), spelled(gate.ratchet->file, false));
   }
   return text + fmt::format("{}\n", outcomes_text(gate));

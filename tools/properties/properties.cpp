@@ -37,7 +37,7 @@ std::vector<const Law*> filtered_laws(const std::string& filter) {
 }
 
 /// Whether a law can distinguish this pair from one already tried: laws of the camera do not depend
-/// on the intersection method, those of the intersection hardly on the ray method.
+/// on the intersection method, and laws of the intersection hardly on the ray method.
 bool is_worth_asking(const Law& law, const Implementation& implementation, bool chosen_by_user) {
   if (chosen_by_user || !implementation.methods) return true;
   const MethodPair& pair = *implementation.methods;
@@ -46,8 +46,8 @@ bool is_worth_asking(const Law& law, const Implementation& implementation, bool 
                                : pair.rays == kDefaultMethods.rays;
 }
 
-/// Renderers are not given the conventions of a random case: they are judged by the defaults,
-/// except for those that they declare, and not at tangents.
+/// Renderers are not given the conventions of a random case: they are judged by those that they
+/// declare, otherwise by the defaults, and not at tangents.
 Candidate campaigner(const Implementation& implementation) {
   Candidate candidate = implementation.make();
   if (candidate.image) {
@@ -86,8 +86,8 @@ CampaignReport report_of(const Law& law, const Implementation& implementation,
   return report;
 }
 
-/// Explanations are found by asking about cases again, which is misleading for a candidate that
-/// keeps state between questions.
+/// Explanations are found by asking again, which is misleading for a candidate that keeps state
+/// between questions.
 void leave_out_sentences_about_state(std::vector<CampaignReport>& reports) {
   std::set<std::string> keep_state;
   for (const CampaignReport& report : reports) {

@@ -55,11 +55,11 @@ struct CampaignReport {
   properties::Finding finding;
   /// The mistakes that explain the errors of an external implementation that breaks the law.
   std::vector<properties::Explanation> explanations = {};
-  /// Where the numbers of the failure's case may lie; empty where that is not sought (has_ranges).
+  /// The ranges of the numbers of the failure's case; empty if they are not sought (has_ranges).
   std::optional<properties::Ranges> ranges = {};
   Implementation implementation = {};
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in,
-  properties::Domain domain = {};                          ///< and where.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format it was judged in.
+  properties::Domain domain = {};                          ///< The scenes it was judged on.
   std::optional<properties::WorstCase> worst = {};         ///< The result of a target.
 
   /// Whether its failure depends on earlier questions to the candidate.
@@ -92,8 +92,9 @@ struct PropertiesReport {
   bool is_conclusive() const;
 };
 
-/// Runs the campaigns, or replays one failure. With `units`, only the shard's missing units; if
-/// that is not everything, the report is empty. Throws std::invalid_argument naming the field.
+/// Runs the campaigns, or replays one failure. If `units` is given, runs only the shard's missing
+/// units, and returns an empty report unless all units are then present. Throws
+/// std::invalid_argument naming the field.
 PropertiesReport run_properties(const PropertiesOptions& options,
                                 const properties::RunControl& control = {}, Units* units = nullptr);
 
@@ -115,18 +116,18 @@ inline constexpr View<PropertiesReport> kPropertiesViews[] = {
 /// The parts of each source, in the order of sources.
 std::vector<std::span<const properties::CampaignPart>> by_source(
     const properties::CampaignResult& result);
-/// Why too few cases were judged to conclude that a law holds.
+/// Which answers were too rarely right to conclude that a law holds.
 /// Domain: a campaign with that finding.
 std::string too_few_text(const properties::CampaignResult& result);
 std::string replay_text(const CampaignReport& campaign, const std::string& replay);
 /// Why a law is broken, in lines, with the shrunk case.
 /// Domain: a campaign with a failure.
 std::string failure_text(const CampaignReport& campaign, bool colours);
-/// Another failure of it.
+/// The same for another failure of the campaign.
 std::string failure_text(const CampaignReport& campaign, const properties::Failure& failure,
                          bool colours);
 
-/// The shrunk case of every broken law, as a page with a scene for each.
+/// A page with a scene for each broken law: its shrunk case.
 ViewDocument properties_document(const PropertiesReport& report,
                                  const properties::RunControl& control);
 

@@ -58,10 +58,10 @@ std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool
   return {found.begin(), found.end()};
 }
 
-/// "the far root is taken (root: wrong root; ordinary)"
+/// "the far root is taken (root: wrong root, ordinary cases)"
 std::string summary_of(const CampaignReport& campaign, const std::vector<Identity>& defects) {
-  const std::string shown =
-      scene::joined(defects, "; ", [](const Identity& one) { return one.kind + ", " + one.place; });
+  const std::string shown = scene::joined(
+      defects, "; ", [](const Identity& one) { return one.kind + ", " + one.place + " cases"; });
   const std::string_view why = campaign.explanations.empty()
                                    ? campaign.law->sentence
                                    : std::string_view(campaign.explanations.front().sentence);

@@ -13,12 +13,12 @@ namespace raycheck::tools {
 /// end with a file that cannot be written.
 class OutputFile {
  public:
-  /// `named_by` is its name in errors: "--out" where flags are read, "out" elsewhere. Throws
-  /// std::invalid_argument naming that, the path and what is wrong with it.
+  /// `named_by` is its name in errors: "--out" if an option names it, "out" if a field does. Throws
+  /// std::invalid_argument naming `named_by`, the path and what is wrong with it.
   OutputFile(std::string named_by, std::string path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
-  /// Removes the file unless it is in its place.
+  /// Removes the file unless place() was called.
   ~OutputFile();
 
   /// Writes the next part of the file. Throws std::runtime_error on failure.
@@ -27,7 +27,7 @@ class OutputFile {
   void place();
   /// Throws std::runtime_error that names `named_by`, the path and why it was not written.
   [[noreturn]] void fail(const std::string& why) const;
-  /// The whole file at once.
+  /// Writes the whole file, and moves it to its place.
   void write(std::string_view text) {
     append(text);
     place();
@@ -38,11 +38,11 @@ class OutputFile {
 
   std::string named_by_;
   std::string path_;
-  std::string beside_;  ///< Where it is written first; empty once moved.
+  std::string beside_;  ///< The path to which it is written first; empty once moved.
   std::ofstream file_;
 };
 
-/// Makes a folder, and its parents, if missing. Errors: std::invalid_argument as above.
+/// Makes a folder, and its parents, if missing. Errors: std::invalid_argument as for OutputFile.
 void make_folder(const std::string& named_by, const std::filesystem::path& folder);
 
 /// Throws std::invalid_argument if an output file is one of the inputs of the same command, also

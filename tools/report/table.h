@@ -11,7 +11,7 @@ enum class Markup { kPlain, kMarkdown };
 /// A table of a report, printed as aligned text or as Markdown.
 class Table {
  public:
-  /// Of columns with these headings; one that begins with ">" has its cells on the right.
+  /// A table with these headings. A heading that begins with ">" aligns its column to the right.
   explicit Table(const std::vector<std::string>& headings);
   /// One cell per column.
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
@@ -20,7 +20,7 @@ class Table {
   /// Lines indented by `indent`, columns two spaces apart.
   std::string text(std::string_view indent = "  ") const;
   std::string markdown() const;
-  /// Under a heading, with empty lines around it.
+  /// The table under a heading, with empty lines around it.
   std::string section(std::string_view heading, Markup markup) const;
 
  private:

@@ -40,8 +40,8 @@ struct SceneView {
   std::string name;
   std::string command;  ///< The command that makes a page of it, without pixels and spheres.
   scene::Scene scene;
-  Json figure;                    ///< As in the document,
-  Json pictures = Json::array();  ///< and its pictures.
+  Json figure;                    ///< As in the document.
+  Json pictures = Json::array();  ///< As in the document.
   std::vector<SeenRun> seen;
   std::vector<Panel> panels;
   Selection start;  ///< The first selection.

@@ -47,9 +47,9 @@ std::vector<std::array<std::string, 2>> words_of_pages() {
       {"within its bound", "the method's largest error here is within its documented bound"},
       {"defect", "wrong, and rounding of the inputs does not excuse it: counts against the method"},
       {"excused",
-       "wrong here, but right for inputs that differ by at most 16 u: as accurate as its "
-       "inputs"},
-      {"undecided", "wrong here, but it was not decided whether it is excused or a defect"},
+       "wrong for these inputs, but right for inputs that differ by at most 16 u: as accurate as "
+       "the inputs"},
+      {"undecided", "wrong, but it could not be decided whether it is excused or a defect"},
       {"not judged", "outside the domain in which the method's bounds apply"},
       {"condition number",
        "the ratio of a relative change of the result to the relative change of "

@@ -148,7 +148,8 @@ TEST(Conventions, ThatAreFollowedButNotDeclaredAreNamed) {
       ++broken;
       const auto found = causes(*judged[k], telling_cases(results[k], kCasesOfACause), candidate);
       ASSERT_EQ(found.size(), 1u) << judged[k]->name;
-      EXPECT_EQ(found[0].sentence, "right under " + text + ", which it does not declare");
+      EXPECT_EQ(found[0].sentence,
+                "right under " + text + ", which the candidate does not declare");
       EXPECT_EQ(found[0].explained, found[0].errors);
       EXPECT_GT(found[0].errors, 0u);
     }
@@ -253,7 +254,7 @@ TEST_P(EachMistake, IsExplainedOnlyByItsSentence) {
   const auto candidate = who_may_make(mistake());
   if (!candidate) return;
   const Sentences sentences = sentences_for(*candidate);
-  if ((says("numbers are r") && mistake().camera) || says("as many lines as there are columns")) {
+  if ((says("numbers are r") && mistake().camera) || says("it has a line for each column")) {
     return expect_among(sentences, mistake().sentence);
   }
   EXPECT_EQ(sentences, Sentences{as_named(mistake(), sentences).sentence});
@@ -420,7 +421,7 @@ TEST(AnswerExplanation, OfNaNNamesAMistakeThatMakesNaN) {
   candidate.pixel_rays = candidate.focal_rays = [](const auto&, const auto&, auto pixels) {
     return std::vector<scene::Ray>(pixels.size(), {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}});
   };
-  EXPECT_EQ(sentences_for(candidate), Sentences{"not a number, or infinite"});
+  EXPECT_EQ(sentences_for(candidate), Sentences{"the answer is NaN or infinite"});
   candidate.pixel_rays = candidate_of(kLost).pixel_rays;
   candidate.focal_rays = candidate_of(kLost).focal_rays;
   EXPECT_EQ(sentences_for(candidate), Sentences{kLost});
@@ -443,7 +444,7 @@ TEST(AnswerExplanation, NamesOtherCausesBesideNaN) {
     return hits;
   };
   EXPECT_EQ(all, Sentences{kWrong});
-  EXPECT_EQ(sentences_for(candidate), (Sentences{kWrong, "not a number, or infinite"}));
+  EXPECT_EQ(sentences_for(candidate), (Sentences{kWrong, "the answer is NaN or infinite"}));
   const auto found = explanations(answer_causes(fixed_cases(), candidate));
   EXPECT_EQ(found[1].errors, found[0].errors + found[1].explained);
 }
@@ -569,17 +570,17 @@ TEST(AnswerExplanation, OfLostDigitsNamesTheTermAndTheDistance) {
     EXPECT_TRUE(sentences.front().starts_with(said)) << sentences.front();
   };
   expect([](auto&, auto&, auto& T, double v, double r) { return r * r - (dot(T, T) - v * v); },
-         "d^2 loses its digits from 10^");
+         "d^2 loses its digits (here more than 10^");
   // (r + l)(r - l)
   expect(
       [](auto&, auto&, auto& T, double v, double r) {
         const double l = std::sqrt(dot(T, T) - v * v);
         return (r + l) * (r - l);
       },
-      "d^2 loses its digits from 10^");
+      "d^2 loses its digits (here more than 10^");
   expect([](auto& L, auto& C, auto&, double v,
             double r) { return r * r - (dot(C, C) - 2 * dot(L, C) + dot(L, L) - v * v); },
-         "|C - L|^2 loses its digits far from the world's origin");
+         "far from the world's origin |C - L|^2 loses its digits");
   Candidate in_floats = fast_candidate(fast::kDirectRays, fast::kCross);
   in_floats.precision = scene::Precision::kSingle;
   answer_by(in_floats, hits_by({.roots = roots_of([](auto& L, auto& C, auto&, double v, double r) {

@@ -146,7 +146,7 @@ TEST(PictureCauses, AreFoundUnderOtherConventions) {
   for (const char* sentence :
        {"pixels are sampled from edge to edge",
         "rays start on the image plane, so that spheres before it are not seen",
-        "the far root counts too, so that spheres around the origin are seen",
+        "the far root counts, too, so that spheres around the origin are seen",
         "rows are divided by the width", "beta = bottom + j/h (top - bottom)",
         "directions are not normalised: D = P - E", "rows and columns are exchanged",
         "the loops over rows and columns are exchanged: the pixels are written column by column, "
@@ -418,17 +418,15 @@ std::vector<ShownPicture> shown_by(const fast::PixelRayMethod& rays,
   return pictures;
 }
 
-constexpr const char* kDifference = "d^2 loses its digits from 10^";
+constexpr const char* kDifference = "d^2 loses its digits (here more than 10^";
 
 TEST(PictureCauses, NameTheFormulaWithTheFewestRoundings) {
   std::vector<Scene> scenes = rubric_scenes();
   for (const double radii : {2e5, 2e8}) scenes.push_back(far_scene(radii));
   for (const auto* intersect : {&fast::kLecture, &fast::kQuadratic}) {
-    EXPECT_EQ(
-        sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
-        Sentences{
-            kDifference +
-            std::string("8 radii away, where larger numbers cancel (r^2 - |T x D|^2 keeps them)")})
+    EXPECT_EQ(sentences_for(shown_by(fast::kDirectRays, *intersect, scenes)),
+              Sentences{kDifference + std::string("8 radii away), because larger numbers are "
+                                                  "subtracted; r^2 - |T x D|^2 keeps them")})
         << intersect->name;
   }
   for (const auto* intersect : {&fast::kSingleLecture, &fast::kSingleQuadratic}) {
@@ -461,9 +459,11 @@ TEST(PictureCauses, OfRoundingsBesideAMistakeNameBoth) {
   const Fault fault = {mistake("top is -bottom")};
   std::vector<ShownPicture> pictures = shown_with(fault, rubric_scenes());
   pictures.push_back(shown_by(fast::kDirectRays, fast::kLecture, {far_scene(2e8)}).front());
-  EXPECT_EQ(sentences_for(pictures),
-            Sentences{std::string("top is -bottom; and ") + kDifference +
-                      "8 radii away, where larger numbers cancel (r^2 - |T x D|^2 keeps them)"});
+  EXPECT_EQ(
+      sentences_for(pictures),
+      Sentences{
+          std::string("top is -bottom; and ") + kDifference +
+          "8 radii away), because larger numbers are subtracted; r^2 - |T x D|^2 keeps them"});
 }
 
 /// All pixels are in doubt.
@@ -630,13 +630,13 @@ TEST(ShapeCause, IsWhatAllFailuresHaveInCommonAndNothingElse) {
   const std::vector<Scene> scenes = rubric_scenes();
   // There are high pictures, so that "not square" is not "wide".
   EXPECT_EQ(cause_where(scenes, [](const Scene& s) { return s.camera->width != s.camera->height; }),
-            "it fails only where the picture is not square");
+            "it fails only if the picture is not square");
   EXPECT_EQ(cause_where(scenes,
                         [](const Scene& s) {
                           return s.camera->left != -s.camera->right ||
                                  s.camera->bottom != -s.camera->top;
                         }),
-            "it fails only where the bounds are not symmetric");
+            "it fails only if the bounds are not symmetric");
   // Bounds that are uneven in only one direction.
   std::vector<Scene> uneven = scenes;
   for (int k = 0; k < 4; ++k) {
@@ -644,15 +644,15 @@ TEST(ShapeCause, IsWhatAllFailuresHaveInCommonAndNothingElse) {
     (k % 2 == 0 ? uneven.back().camera->left : uneven.back().camera->top) *= 0.75;
   }
   EXPECT_EQ(cause_where(uneven, [](const Scene& s) { return s.camera->left != -s.camera->right; }),
-            "it fails only where left is not -right");
+            "it fails only if left is not -right");
   EXPECT_EQ(cause_where(scenes, [](const Scene& s) { return s.camera->eye.x != 0; }),
-            "it fails only where the eye is not at the origin");
+            "it fails only if the eye is not at the origin");
   // With spheres before the image plane, or behind the eye, on the lines of rays.
   const auto has_all_behind = [](const Scene& s) {
     return s == rubric_scene("before") || s == rubric_scene("behind") || s == probe();
   };
   EXPECT_EQ(cause_where(scenes, has_all_behind),
-            "it fails only where everything that a ray's line meets is behind the ray's origin");
+            "it fails only if everything that a ray's line meets is behind the ray's origin");
   EXPECT_EQ(cause_where(scenes, [](const Scene& s) { return s.spheres.size() % 2 == 1; }),
             std::nullopt);
 }

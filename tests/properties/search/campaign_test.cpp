@@ -179,6 +179,9 @@ TEST(Campaign, DropsACandidateThatAnswersNothing) {
     const CampaignResult its = campaigns.finished(0, 0, fails);
     EXPECT_EQ(its.finding(), Finding::kBroken);
     EXPECT_EQ(its.parts.size() == kUnitsToFail, answered_in == kUnitsToFail);
+    ASSERT_TRUE(its.failure);
+    EXPECT_EQ(its.failure->is_shrunk, answered_in < kUnitsToFail);
+    EXPECT_TRUE(telling_cases(its, 12).empty());  // no mistake in answers explains failures
   }
 }
 

@@ -53,7 +53,7 @@ TEST(Candidate, without_rays_receives_them_and_the_report_says_so) {
   EXPECT_FALSE(judged(kCamera, "command:python3 tests/candidates/right.py")["given_rays"]);
   EXPECT_FALSE(judged(kRays, meets)["given_rays"]);
   expect_parts(run("check " + kCamera + " --candidate '" + meets + "'").out,
-               {"makes no rays from this origin: was given raycheck's rays"});
+               {"has no pixel_ray(): is given raycheck's rays"});
 }
 
 TEST(Candidate, that_is_wrong_on_given_rays_has_pixels_and_explanations_in_its_report) {
@@ -89,7 +89,7 @@ TEST(Candidate, without_rays_is_judged_by_laws_on_cameras_too) {
 
 TEST(Candidate, keeps_every_law_on_ordinary_cases) {
   expect_parts(run("properties --cases 300 --candidate " + right_library(), 0).out,
-               {"documents no bounds: judged by those of direct/cross"});
+               {"states no error bounds, so those of direct/cross apply"});
 }
 
 /// The laws' report on right.cpp with `from` replaced by `to`.

@@ -61,7 +61,7 @@ TEST(Contracts, that_require_unit_directions_receive_no_others) {
   const json report = judged(scene, unit);
   expect_values(report, {{"made_unit", 1}, {"discrepancies", 0}});
   expect_parts(run("check " + scene + " --candidate '" + unit + "'").out,
-               {"demands unit directions: 1 direction normalised"});
+               {"takes only unit directions: 1 direction normalised"});
 }
 
 /// The commonest epsilon.
@@ -183,8 +183,8 @@ RAYCHECK_CANDIDATE(.root = Root::nearest, .tangent = Tangent::either, .intersect
   const Outcome outcome =
       run("properties --level demanding --cases 300 --candidate " + compiled(source));
   EXPECT_EQ(outcome.exit_code, 1);
-  expect_parts(outcome.out, {"loses its digits from 10^"});
-  EXPECT_FALSE(has(outcome.out, "directions are taken for unit ones"));
+  expect_parts(outcome.out, {"loses its digits (here more than 10^"});
+  EXPECT_FALSE(has(outcome.out, "directions are taken for unit vectors"));
 }
 
 /// It is undecided whether a missed root within a rounding of the declared end counts.

@@ -15,7 +15,7 @@ TEST(Renderer, with_one_colour_is_reported_as_not_judged_by_sphere) {
   const json report = judged(kProbeScene, renderer("grey"));
   EXPECT_EQ(report["discrepancies"], 0);
   expect_parts(report["left_out"].dump(),
-               {"pixels whose colour is not that of a sphere: judged only as hit or miss"});
+               {"pixels whose colour is not that of a sphere are judged only as hit or miss"});
 }
 
 TEST(Renderer, is_right_on_every_scene_that_driver_files_can_express) {
@@ -41,12 +41,17 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
     expect_parts(report["worst"].dump(), {what});
   };
   expect_said("transposed", "26 x 40 pixels, the scene 40 x 26: width and height are exchanged");
-  expect_said("no-picture", "it made no picture");
+  expect_said("no-picture", "it succeeded, but wrote no picture");
   expect_said("huge", "its picture has 8192 x 8192 pixels, the scene 40 x 26");
   expect_said("half", "its PPM lacks a number, or ends too early");
   expect_said("crash", "exited with 1");
   expect_said("hang", "did not end, and used almost no CPU time for 1 s");
   expect_said("link", "its picture {image} is not a file");
+  const Outcome none =
+      run("check " + kProbeScene + " --candidate '" + renderer("no-picture") + "'", 1);
+  expect_parts(none.out, {"0 of 1040 rays judged\n", "; no single question that fails was found\n",
+                          "no answer: image: it succeeded, but wrote no picture to {image}",
+                          ": a renderer is judged only by its pictures\n"});
 }
 
 TEST(Renderer, whose_format_cannot_express_a_scene_is_not_judged_on_it) {

@@ -51,7 +51,7 @@ TEST(ValidRoots, that_are_declared_are_judged_and_their_cost_is_reported) {
   ASSERT_EQ(excluded["worst"].size(), 1u);
   expect_values(excluded["worst"][0], {{"ray", 2}, {"s", "0x1p-2"}});
   expect_parts(run("check " + scene + " --candidate '" + candidate + "'").out,
-               {"t in (0.5, inf) excludes 1 of 3 exact hits and moves 1 to the other "
+               {"s in (0.5, inf) excludes 1 of 3 exact hits and moves 1 to the other "
                 "root",
                 "excluded: ray 2, sphere 0 at s = 0.25"});
 }
@@ -124,7 +124,7 @@ TEST(ValidRoots, that_the_declared_interval_excludes_are_defects) {
   const std::string mutant = with_ends("at_end.py", "s >= 2", beyond("2"));
   const Outcome outcome = run("check " + scene + " --candidate '" + mutant + "'", 1);
   expect_parts(outcome.out, {"root, ray 0, sphere 0: wrong root\n",
-                             "answers s = 2, which the interval (2, inf) excludes"});
+                             "the answer s = 2 lies outside the interval (2, inf)"});
 
   // 0.1f, which is twice its half: the near root is the end itself.
   const std::string floats = temporary_file("floats.toml", ray_text("0, 0, 0", "1, 0, 0") +

@@ -137,6 +137,18 @@ RAYCHECK_CANDIDATE(.name = "mine", .intersect = mine, .precision = Precision::si
   const std::string folder_ = temporary_folder("baseline");
 };
 
+TEST_F(BaselineOfARun, CallsACandidateWithoutANameByItsFile) {
+  const std::string source = write("never.cpp", R"(#include <raycheck/candidate.hpp>
+using namespace raycheck;
+static std::optional<Hit> never(const Ray&, const Sphere&, const Conventions&) { return {}; }
+RAYCHECK_CANDIDATE(.intersect = never)
+)");
+  run("properties --filter class --cases 60 --source rays --candidate source:" + source +
+          " --baseline " + known() + " --update-baseline",
+      0);
+  EXPECT_TRUE(has(contents(known()), "\nclass; rays; class: missed; ordinary; never.cpp\n"));
+}
+
 TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
   const std::string misses = "return {};", right = "return hit;";
   const std::string hits = "return hit ? hit : Hit{1, {}};";
@@ -152,11 +164,11 @@ TEST_F(BaselineOfARun, PassesOnlyKnownDiscrepancies) {
 
   const Outcome swapped = gate(hits, "", 1);
   EXPECT_TRUE(has(swapped.out,
-                  ": 0 known, 1 new, 0 mended\n  new: class on rays, ordinary, class: "
-                  "false hit"));
+                  ": 0 known, 1 new, 0 fixed\n  new: class on rays, ordinary (class: "
+                  "false hit), mine"));
 
   const Outcome mended = gate(right, "", 0);
-  EXPECT_TRUE(has(mended.out, ": 0 known, 0 new, 1 mended (--update-baseline)"));
+  EXPECT_TRUE(has(mended.out, ": 0 known, 0 new, 1 fixed (--update-baseline)"));
   gate(right, "--strict-baseline", 1);
   gate(right, "--update-baseline --strict-baseline", 0);
   EXPECT_EQ(contents(known()),

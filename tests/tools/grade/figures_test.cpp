@@ -197,7 +197,7 @@ TEST_F(Figures, draw_a_hit_on_the_ray_that_the_submission_computed) {
   const json yours = step_of(panel, "Q", "yours");
   EXPECT_EQ(numbers_of(yours["said"]), digits_of_record(failing["answer"]["got"]));
   expect_parts(panel["text"],
-               {"(yours: for the ray that it makes itself)", "goes wrong at D (its own ray)"});
+               {"(yours: on the ray that it makes)", "goes wrong at D (of the ray that it makes)"});
 }
 
 TEST_F(Figures, apply_the_tolerance_of_the_item) {

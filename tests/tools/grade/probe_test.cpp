@@ -114,7 +114,7 @@ TEST_F(Probe, reports_what_is_wrong_with_a_picture_and_the_programs_output) {
        grading_.hand_in("empty", "rt.sh", kEmptyPicture),
        grading_.hand_in("other", "rt.sh", kOtherSize), grading_.hand_in("sky", "rt.sh", kSky)},
       one_form());
-  EXPECT_EQ(all[0]["refused"]["why"], "it made no picture {image}");
+  EXPECT_EQ(all[0]["refused"]["why"], "it succeeded, but wrote no picture to {image}");
   EXPECT_EQ(all[0]["refused"]["said"], "first words\nlast words");
   ASSERT_FALSE(all[1]["refused"].is_null());
   expect_parts(all[1]["refused"].dump(), {"wrote it"});

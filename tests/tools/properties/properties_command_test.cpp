@@ -43,8 +43,10 @@ TEST(PropertiesCommand, reports_the_range_of_each_number_of_a_failure) {
   EXPECT_TRUE(has_false_hit(greatest));
   EXPECT_FALSE(has_false_hit(2 * greatest));
   const std::string text = run(asked, 1).out;
-  expect_parts(text, {"    its numbers, varied one at a time:\n      ray 0 origin x: any in [",
-                      "sphere 0 radius: any in [0, ", " samples; certified in [6.22302e-61, "});
+  expect_parts(text,
+               {"    the case's numbers, varied one at a time:\n      ray 0 origin x: every value ",
+                "sphere 0 radius: every value tried in [0, ",
+                " tried; certified for all in [6.22302e-61, "});
   const json right = printed_json("properties --filter class --source rays --intersect cross");
   EXPECT_FALSE(right["campaigns"][0].contains("ranges"));
 }
@@ -96,14 +98,14 @@ TEST(PropertiesCommand, keeps_a_corpus_of_broken_cases) {
   std::ofstream(folder + "/known.txt").close();
   expect_parts(broken.out, {" breaks class with direct/quadratic",
                             "corpus: " + std::to_string(files.size()) + " cases, " +
-                                std::to_string(files.size()) + " broken, 0 mended"});
-  EXPECT_TRUE(has(run(again + " --intersect cross", 0).out, " 0 broken, 0 mended"));
+                                std::to_string(files.size()) + " broken, 0 fixed"});
+  EXPECT_TRUE(has(run(again + " --intersect cross", 0).out, " 0 broken, 0 fixed"));
   const std::string text =
       replaced(contents(files[0]), "found with: direct/quadratic", "found with: direct/cross");
   std::ofstream(files[0]) << text;
   const Outcome mended = run(again + " --intersect cross", 0);
   expect_parts(mended.out,
-               {"no longer breaks class with direct/cross: mended", " 0 broken, 1 mended"});
+               {"no longer breaks class with direct/cross: fixed", " 0 broken, 1 fixed"});
   std::ofstream(files[0]) << replaced(text, "# law:", "# low:");
   expect_refused(again, files[0] + ": names no law");
   std::ofstream(files[0]) << "# law: direction\n# pixels: (0, 0) (3, 9)\n"
@@ -137,7 +139,7 @@ TEST(PropertiesCommand, retries_failures_in_a_fresh_process) {
       "properties --candidate source:" + temporary_file("remembers.cpp", text) + " --cases 60", 1);
   expect_parts(
       lines_of(kept.out).front(),
-      {"answers differently, and correctly, when it is asked first: it keeps state between "
+      {"a question that is asked first is answered right: the candidate keeps state between "
        "questions"});
   EXPECT_FALSE(has(kept.out, "no ray ever hits")) << kept.out;
 }

@@ -172,7 +172,8 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
         fmt::format("it {}{}", failure->why(), limit_text(process.error_output(), program.limits)),
         said);
   }
-  throw ProcessFailure(FailureKind::kBadReply, "it made no picture {image}", said);
+  throw ProcessFailure(FailureKind::kBadReply, "it succeeded, but wrote no picture to {image}",
+                       said);
 }
 
 }  // namespace

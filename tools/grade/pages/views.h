@@ -63,7 +63,7 @@ std::string exact_text(const WrongAnswer& answer);
 /// Empty without a reason.
 std::string reason_text(const ItemReason& reason);
 
-/// "the far root is taken for the near one: explains 12 of 12 wrong answers"
+/// "the far root is taken for the near one; this explains all 12 wrong answers"
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake);
 
 /// The mistake that explains most items; empty if no mistake is known.

@@ -87,7 +87,7 @@ Json condition_json(const ChartFacet& facet, std::size_t severity, std::size_t q
   return nullptr;
 }
 
-/// The same of each quantity, share and severity.
+/// The condition numbers of each quantity, share and severity.
 Json conditions_json(const ChartFacet& facet) {
   Json json = Json::array();
   for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {
@@ -117,9 +117,9 @@ Json facet_json(const ChartFacet& facet) {
           {"stage", facet.stage},
           {"severities", std::move(severities)},
           {"baseline", facet.baseline},
-          {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
+          {"under", is_timed ? fmt::format("run time, divided by that of {}", facet.baseline)
                              : fmt::format("severity: {}", facet.meaning)},
-          {"key", is_timed ? "Steps: no method without defects is as fast and as accurate"
+          {"key", is_timed ? "Steps: no faster method without defects has as small an error"
                            : "kappa: how much the problem magnifies errors of the inputs"},
           {"quantities", list_json(facet.quantities, quantity_json)},
           {"condition", conditions_json(facet)},

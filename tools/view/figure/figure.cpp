@@ -25,10 +25,10 @@ constexpr double kLeastDrawn = 0x1p-40;
 struct Figure {
   Json camera = nullptr, rays = nullptr, spheres;
   DrawnPlaces places;              ///< The camera's.
-  double size = 0;                 ///< The extent of the frustum, or of given rays and a sphere,
-  double reach = 0;                ///< and of a view of the whole.
-  std::vector<Drawn> whole;        ///< Its contents besides spheres,
-  std::vector<std::size_t> apart;  ///< and the spheres that it leaves out.
+  double size = 0;                 ///< The extent of the frustum, or of given rays and a sphere.
+  double reach = 0;                ///< The extent of a view of the whole.
+  std::vector<Drawn> whole;        ///< The contents of that view, besides spheres.
+  std::vector<std::size_t> apart;  ///< The spheres that it leaves out.
   bool is_out_of_scale = false;    ///< It shows little: start with the view from the eye.
   std::vector<std::string> notes;  ///< On what is not drawn exactly.
 };
@@ -157,17 +157,17 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
   const auto [across, down] = steps(given, kMostPixelsAcross);
   const auto [ray_across, ray_down] = steps(given, kMostRaysAcross);
   if (std::max(across, down) > 1) {
-    figure.notes.push_back(
-        fmt::format("Of {} columns of pixels one in {} is drawn, of {} rows one in {}; with all "
-                    "rays one in {} and one in {}.",
-                    given.width, across, given.height, down, ray_across, ray_down));
+    figure.notes.push_back(fmt::format(
+        "Of {} columns of pixels, one in {} is drawn; of {} rows, one in {}. If all rays "
+        "are shown, those of one column in {} and of one row in {} are drawn.",
+        given.width, across, given.height, down, ray_across, ray_down));
   }
 }
 
 void add_rays(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene) {
   const double met =
       static_cast<double>(scene.rays.size()) * static_cast<double>(scene.spheres.size());
-  if (met > kMostMet) figure.notes.push_back("Too many rays: drawn without their hit points.");
+  if (met > kMostMet) figure.notes.push_back("There are too many rays to draw their hit points.");
   for (const scene::Ray& ray : scene.rays) {
     const Drawn origin = frame.point(ray.origin);
     Json hit = nullptr;
