@@ -74,7 +74,7 @@ std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
     if (is_earlier(b->place, a->place)) return false;
     return std::tie(a->law, a->what) < std::tie(b->law, b->what);
   });
-  // (standing, rank within its quantity, quantity) of each.
+  // (standing, rank within its quantity, quantity) of each discrepancy.
   using Key = std::tuple<Standing, std::size_t, Quantity>;
   std::map<std::pair<Standing, Quantity>, std::size_t> ranks;
   std::vector<std::pair<Key, const Discrepancy*>> keyed;
@@ -142,7 +142,7 @@ void Verdict::judged_wrong(const Decision& decision, Standing standing) {
   ++tally.wrong_by_standing[static_cast<std::size_t>(standing)];
   ++tally.outcomes[static_cast<std::size_t>(kOutcomes[static_cast<std::size_t>(standing)])];
   if (standing != Standing::kNotJudged) ++tally.answers_to(decision.expected).asked;
-  // The first defect, else the first error.
+  // The first defect; if there is none, the first error.
   tally.note_worst(standing == Standing::kDefect ? 2 : 1, decision.place);
 }
 

@@ -19,10 +19,10 @@ namespace raycheck::properties {
 namespace {
 
 struct Need {
-  Needs of;  ///< The needs to which it belongs.
+  Needs of;  ///< Its bits in Needs.
   bool (*is_met)(const Trial&);
-  std::string_view reason;    ///< Why a law is left out if it is not met.
-  bool is_of_scenes = false;  ///< Else it is about candidates.
+  std::string_view reason;    ///< Why a law is left out if the need is not met.
+  bool is_of_scenes = false;  ///< Whether it is about scenes. If not, it is about candidates.
 };
 
 bool has_camera(const Trial& trial) { return trial.scene().camera.has_value(); }
@@ -33,7 +33,7 @@ bool has(const Trial& trial) {
   return static_cast<bool>(trial.candidate().*function);
 }
 
-/// In the order of checking: an image has a size only where there is a camera.
+/// In the order of checking: only a scene with a camera has an image size.
 constexpr Need kNeeds[] = {
     {Needs::kImage, has<&Functions::image>, "the candidate draws no images"},
     {Needs::kMadeRays, has_camera, "the rays are given, not made from a camera", true},
@@ -158,7 +158,7 @@ bool asks_by_sphere(const Law& law, const Trial& trial) {
   return law.per == Per::kPair && !trial.lacks_rays();
 }
 
-/// A law's verdict on a candidate that threw an exception with this message.
+/// The verdict of a law if the candidate threw an exception with this message.
 LawJudgement judged_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message,
                             const FailureSite& failed = {}) {
   Verdict verdict(law.name);
@@ -184,8 +184,8 @@ bool asks_apart(const Law& law) {
 
 LawJudgement judge(const Law& law, Trial& trial);
 
-/// Judges the halves one by one. If the whole is known to fail and the first half does not, the
-/// second is to blame, and is halved at once.
+/// Judges the halves one after the other. If the whole is known to fail and the first half does
+/// not, the second half is to blame, and is halved at once.
 LawJudgement judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
   LawJudgement all{Verdict(law.name)};
@@ -203,7 +203,8 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   return all;
 }
 
-/// After a failed batch, at this line if it is known: judges the question to blame, or the halves.
+/// Called after a batch failed, at this line if it is known. Judges the failure if the batch is one
+/// question, otherwise the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
                          const std::optional<CodeLine>& line = {}, bool timed_out = false) {
   FailureSearch* const search = trial.options().search;
@@ -232,7 +233,7 @@ LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
   return judged;
 }
 
-/// The candidate fails on every question: a search reports that once.
+/// The verdict if the candidate fails on every question; a search reports that once.
 LawJudgement judge_unavailable(const Law& law, Trial& trial, const char* message) {
   FailureSearch* const search = trial.options().search;
   if (search != nullptr && !search->whatever_asked.insert(message).second) {

@@ -21,7 +21,7 @@ bool is_too_large(const scene::Scene& scene) {
   return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
 }
 
-/// Squares of distances overflow: a separate defect, which other causes need not explain.
+/// Whether squares of distances overflow: a separate defect, which other causes need not explain.
 bool overflows(const scene::Scene& scene, scene::Precision precision) {
   return std::any_of(scene.spheres.begin(), scene.spheres.end(), [&](const auto& sphere) {
     const scene::Vector3 T = sphere.centre - scene.camera->eye;
@@ -29,7 +29,7 @@ bool overflows(const scene::Scene& scene, scene::Precision precision) {
   });
 }
 
-/// The candidate's pictures of the scenes that are not too large.
+/// The candidate's pictures of those scenes that are not too large.
 std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate& candidate) {
   std::vector<ShownPicture> pictures;
   for (const Case& one : cases) {
@@ -41,8 +41,9 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
   return pictures;
 }
 
-/// Adds to the wrong answers that were searched those of cases that are left out, and those where a
-/// law demands more than kAnswerTolerances. Causes of less than half of them are dropped.
+/// The causes of wrong answers. Wrong answers in cases that were left out count as unexplained, and
+/// so do, for kNotNumbers, all other defects of the law. Other causes of less than half of the
+/// wrong answers are dropped.
 std::vector<Explanation> answer_explanations(const Law& law, const std::vector<Case>& cases,
                                              const Candidate& candidate) {
   std::vector<Explanation> found = explanations(answer_causes(cases, candidate));

@@ -13,28 +13,30 @@ struct Mistake;
 struct Explanation {
   std::string sentence;  ///< "rows are upside down"
   std::uint64_t errors = 0, explained = 0;
-  std::vector<const Mistake*> mistakes = {};  ///< Of answers: those that are made together.
+  std::vector<const Mistake*> mistakes =
+      {};  ///< For answers, not pictures: the mistakes made together.
 };
 
-/// Of answers: a separate defect, which other causes need not explain.
+/// The sentence for answers that are NaN or infinite: a separate defect, which other causes need
+/// not explain.
 inline constexpr std::string_view kNotNumbers = "not a number, or infinite";
-/// In place of a mistake; `explained` is 0.
+/// The sentence if no mistake can be named; `explained` is 0.
 inline constexpr std::string_view kTooFewErrors = "too few wrong answers to tell why";
-/// Fewer wrong answers than this fit too many explanations. Even so a mistake is named if it is the
-/// only one, and gives the numbers of one of these answers.
+/// Fewer wrong answers than this fit too many explanations. With fewer, a mistake is named only if
+/// it is the only one that explains them and reproduces the numbers of at least one.
 inline constexpr std::uint64_t kFewestErrorsOfACause = 3;
-/// The most mistakes that are named if they explain the same; of more, none is named.
+/// If more mistakes than this explain the same answers, none of them is named.
 inline constexpr std::size_t kMostAlternatives = 3;
 
-/// The cause of wrong answers that are right if the same question comes first.
+/// The sentence for wrong answers that are right if the same question comes first.
 inline constexpr std::string_view kKeepsState =
     "answers differently, and correctly, when it is asked first: it keeps state between questions";
 
-/// The least share of the errors that an explanation must explain; a right answer that it
+/// An explanation must explain at least this share of the errors; a right answer that it
 /// contradicts counts as an unexplained error.
 inline constexpr double kExplainedShare = 0.9;
 
-/// The most of these errors that an explanation may leave unexplained.
+/// The most errors, of these, that an explanation may leave unexplained.
 constexpr std::uint64_t most_unexplained(std::uint64_t errors) {
   return static_cast<std::uint64_t>(static_cast<double>(errors) * (1 - kExplainedShare));
 }

@@ -24,7 +24,7 @@ std::vector<Case> cases_of(std::initializer_list<const char*> sources, std::uint
   return cases;
 }
 
-/// Cases with lengths of each size in the families of mistakes.
+/// Cases with lengths of each size in the groups of mistakes.
 const std::vector<Case>& fixed_cases() {
   static const std::vector<Case> kCases = [] {
     std::vector<Case> cases =
@@ -221,10 +221,10 @@ class EachMistake : public testing::TestWithParam<std::size_t> {
   const Mistake& mistake() const { return mistakes()[GetParam()]; }
 };
 
-/// The mistake, or the one of its family that was named, since cases may not distinguish sizes.
+/// The mistake, or the one of its group that was named, since cases may not distinguish sizes.
 const Mistake& as_named(const Mistake& mistake, const Sentences& sentences) {
   const auto is_alike = [&](const Mistake& other) {
-    return &other == &mistake || (!other.family.empty() && other.family == mistake.family);
+    return &other == &mistake || (!other.group.empty() && other.group == mistake.group);
   };
   const Mistake* const named = sentences.empty() ? nullptr : find_mistake(sentences.front());
   return named != nullptr && is_alike(*named) ? *named : mistake;

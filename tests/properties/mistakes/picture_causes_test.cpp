@@ -368,7 +368,7 @@ TEST(PictureCauses, OfABlackPictureAmongRightOnesMayBeAMistake) {
   ASSERT_EQ(causes.kind, CauseKind::kExplained);
   EXPECT_TRUE(
       std::any_of(causes.alternatives.begin(), causes.alternatives.end(),
-                  [&](const Fault& one) { return one.front()->family == fault.front()->family; }));
+                  [&](const Fault& one) { return one.front()->group == fault.front()->group; }));
 }
 
 TEST(PictureCauses, NameExchangedSidesUnlessARightPictureContradicts) {
