@@ -14,8 +14,9 @@
 namespace raycheck::properties {
 
 /// A candidate's answers to a case. Each function is called once, and its answer is kept for the
-/// next law. Exceptions of the candidate pass through. Domain: a valid scene, pixels inside its
-/// image. The case and the candidate must outlive this object.
+/// next law. Exceptions of the candidate pass through.
+/// Domain: a valid scene, pixels inside its image. The case and the candidate must outlive this
+/// object.
 class Answers {
  public:
   /// `share` is passed to Functions::allow: the part of the time limit for a reply.

@@ -20,9 +20,9 @@ inline constexpr double kSketchResolution = 1.0 / (1 << (kSketchBits - 1));
 /// Error:  quantile() returns the upper end of the exact quantile's bin, because the numbers are
 ///         upper bounds of errors: it is never too small, and too large by less than
 ///         kSketchResolution of the exact quantile. It is exact for 0, infinity, numbers of at most
-///         kSketchBits significant bits, and the largest number. Memory: one entry for each bin in
-///         use, at most 1024 in a binade, and one for each of at most 1024 numbers that are not yet
-///         counted.
+///         kSketchBits significant bits, and the largest number.
+/// Memory: one entry for each bin in use, at most 1024 in a binade, and one for each of at most
+///         1024 numbers that are not yet counted.
 class QuantileSketch {
  public:
   /// NaN counts as infinite; throws std::invalid_argument for negative numbers.

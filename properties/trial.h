@@ -46,7 +46,8 @@ std::uint64_t count_asked(const Trial& trial, bool by_sphere);
 class FailedParts {
  public:
   /// The two halves of its rays, or of one ray's spheres, as separate trials, which are made once
-  /// and kept. Domain: more than one ray or sphere.
+  /// and kept.
+  /// Domain: more than one ray or sphere.
   const std::vector<std::shared_ptr<TrialPart>>& halves(const Trial& whole);
   bool is_halved() const { return !halves_.empty(); }
   /// Whether no law has recorded a failure of the whole with this message yet; records it.
@@ -97,8 +98,8 @@ constexpr double plain_growth(double plain_change) {
 /// Whether the answer is a hit outside the interval by which it is judged. This compares doubles
 /// (reference::is_outside), so no change of inputs excuses it. It applies only if the candidate
 /// returned s itself, not a distance or a point. The exact root `at`, correctly rounded, is never
-/// excluded, even on an open end. Domain: `at` is the exact intersection of the answer's ray and
-/// sphere under the conventions.
+/// excluded, even on an open end.
+/// Domain: `at` is the exact intersection of the answer's ray and sphere under the conventions.
 bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
                  const scene::Conventions& conventions, const Promises& promises);
 
@@ -111,7 +112,8 @@ struct MeasuredError {
 };
 
 /// A case, the truth about it and a candidate's answers to it. Laws compare these. The truth does
-/// not depend on the candidate. Domain: a valid scene (scene/validate.h) with numbers of the
+/// not depend on the candidate.
+/// Domain: a valid scene (scene/validate.h) with numbers of the
 /// candidate's format
 ///         (rounded_case), pixels inside its image; otherwise the constructor throws
 ///         std::invalid_argument.

@@ -45,7 +45,8 @@ std::span<const CaseSource> case_sources();
 const CaseSource* find_case_source(std::string_view name);
 
 /// Severities first..last: all of them, or at most `most`, evenly spaced except for the last, which
-/// is always included. Domain: first <= last, most >= 1.
+/// is always included.
+/// Domain: first <= last, most >= 1.
 std::vector<int> some_severities(int first, int last, int most = kMostSeverities);
 
 /// A source, and optionally one severity of it.
@@ -68,7 +69,8 @@ struct ChosenSource {
 
 /// Chooses one of several sources, all equally likely, by a random number (rendezvous hashing of
 /// number and name; Thaler and Ravishankar 1998). An added source takes its share of the numbers;
-/// every other number keeps its source. Domain: at least one source.
+/// every other number keeps its source.
+/// Domain: at least one source.
 const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t number);
 
 /// Reads a ChosenSource's name. Throws std::invalid_argument, which says which part is wrong and

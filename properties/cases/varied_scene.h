@@ -42,7 +42,8 @@ inline constexpr int kMostVariedDraws = 64;
 /// its place in the file; a sphere behind the eye, before the image plane or in front of another
 /// stays there, and the same spheres are seen. kBorder leaves spheres in corners and in the middle
 /// of a side, and moves mirror images about the picture's middle alike; it assumes that pixels are
-/// sampled as "edges" says, and that rays start at them. Domain: a valid scene with a camera.
+/// sampled as "edges" says, and that rays start at them.
+/// Domain: a valid scene with a camera.
 scene::Scene varied_scene(const scene::Scene& scene, std::span<const Variation> what,
                           std::uint64_t seed);
 

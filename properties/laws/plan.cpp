@@ -40,8 +40,8 @@ struct PlanStatement {
 };
 
 /// The plans of a candidate for one scene, for every purpose (scene::Wanted). They determine for
-/// which pixels the truth is computed, but do not change it. Domain: a scene with a camera, a
-/// candidate that plans.
+/// which pixels the truth is computed, but do not change it.
+/// Domain: a scene with a camera, a candidate that plans.
 class PlanStatements {
  public:
   explicit PlanStatements(Trial& trial);

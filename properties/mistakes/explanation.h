@@ -13,8 +13,8 @@ struct Mistake;
 struct Explanation {
   std::string sentence;  ///< "rows are upside down"
   std::uint64_t errors = 0, explained = 0;
-  std::vector<const Mistake*> mistakes =
-      {};  ///< For answers, not pictures: the mistakes made together.
+  /// For answers, not pictures: the mistakes made together.
+  std::vector<const Mistake*> mistakes = {};
 };
 
 /// The sentence for answers that are NaN or infinite: a separate defect, which other causes need

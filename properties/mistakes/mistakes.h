@@ -58,8 +58,8 @@ struct Mistake {
   bool shows_in_pictures = true;  ///< Whether pictures may show the mistake.
   /// Whether a candidate can make the mistake; null: every candidate can.
   bool (*is_offered)(const Candidate&) = nullptr;
-  bool is_rounding =
-      false;  ///< Rounds numbers to floats, which changes few answers by more than 1e-6.
+  /// Rounds numbers to floats, which changes few answers by more than 1e-6.
+  bool is_rounding = false;
   /// The name of the mistake's group; empty if it has none. Mistakes of one group differ only in a
   /// size, and each changes at least the answers that the one before it changes. If several of a
   /// group explain the same answers, only the first is named.

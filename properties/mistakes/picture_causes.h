@@ -17,13 +17,13 @@ namespace raycheck::properties {
 
 enum class CauseKind {
   kNothingWrong,
-  kBlack,       ///< All pictures that should show a sphere show nothing, or all wrong ones do.
-  kUniform,     ///< All pictures that should show a sphere show the same sphere in every pixel.
-  kBackground,  ///< No picture that should show a sphere has a black pixel: the background is a
-                ///< colour.
-  kExplained,   ///< By `alternatives`, with or without roundings.
-  kImprecise,   ///< Only by roundings.
-  kUnknown,     ///< No explanation explains everything, or too many do.
+  kBlack,    ///< All pictures that should show a sphere show nothing, or all wrong ones do.
+  kUniform,  ///< All pictures that should show a sphere show the same sphere in every pixel.
+  /// No picture that should show a sphere has a black pixel: the background is a colour.
+  kBackground,
+  kExplained,  ///< By `alternatives`, with or without roundings.
+  kImprecise,  ///< Only by roundings.
+  kUnknown,    ///< No explanation explains everything, or too many do.
 };
 
 /// A formula whose roundings cause wrong pixels, and the least distance, in radii, of these.

@@ -36,8 +36,8 @@ struct ThresholdGroup {
   Hit (*choose)(double size, const Ray&, const Roots&, const Conventions&);
   Roots (*roots)(double size, const Ray&, const Sphere&) = nullptr;
   bool shows_in_pictures = true;
-  bool of_steps =
-      false;  ///< Whether s is in multiples of P - E, because directions are not normalised.
+  /// Whether s is in multiples of P - E, because directions are not normalised.
+  bool of_steps = false;
 };
 
 Hit up_to(double most, const Ray& ray, const Roots& roots, const Conventions& c) {

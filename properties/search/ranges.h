@@ -59,8 +59,9 @@ bool has_ranges(const Candidate& candidate, const Verdict& verdict);
 /// through the numbers of the candidate's format, then bisects to the last one that breaks the law
 /// as the case does: with the quantity and kind of its worst discrepancy. A number between that
 /// does not break it so cuts the range. Directions that must be unit are left out. The same case
-/// gives the same ranges. An interrupt (scene::poll) ends the search early. Domain: a valid case in
-/// the candidate's format. A case that does not break the law has no ranges.
+/// gives the same ranges. An interrupt (scene::poll) ends the search early.
+/// Domain: a valid case in the candidate's format. A case that does not break the law has no
+/// ranges.
 Ranges ranges_of(const Law& law, const Candidate& candidate, const Case& shrunk,
                  std::optional<double> max_error = {}, bool strict = false);
 

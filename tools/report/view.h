@@ -5,19 +5,19 @@
 
 namespace raycheck::tools {
 
-/// Where a view is shown.
+/// How a view is shown.
 struct ViewOptions {
-  bool colours = false;  ///< For a terminal.
+  bool colours = false;  ///< Whether to use colours, for a terminal.
 };
 
-/// Active content in a text.
+/// The active content of a text.
 enum class ViewKind {
-  kText,      ///< Nothing.
-  kCommands,  ///< Lines that GitHub's workflow log interprets.
+  kText,      ///< No active content.
+  kCommands,  ///< Lines that the log of a GitHub workflow executes.
 };
 
-/// A format of a command's report: its name for --format, and its writer. A room's views are in a
-/// table; the first is the default.
+/// A format of a command's report: its name for --format, and its writer. Each command has a table
+/// of views; the first is the default.
 template <class Report>
 struct View {
   std::string_view name;

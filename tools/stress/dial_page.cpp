@@ -45,7 +45,7 @@ struct ShownCase {
 /// worst. Empty if nothing was judged.
 ShownCase worst_of_first(const properties::CaseSource& family, int severity,
                          const StressCurve& curve, std::uint64_t seed) {
-  const std::vector<properties::Candidate> candidate = {curve.method.make()};
+  const std::vector<properties::Candidate> candidate = {curve.candidate.make()};
   const properties::Quantity quantity = properties::main_quantity(curve.stage);
   properties::Random seeds(seed + static_cast<std::uint64_t>(severity));
   ShownCase shown;
@@ -117,14 +117,14 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
   for (const StressCurve& curve : family.curves) {
     if (curve.stage != stage) continue;
     if (first == nullptr) first = &curve;
-    show(curve.method, view);
+    show(curve.candidate, view);
   }
   dial.sentence += fmt::format("; scenes: of the first {} cases the one on which {} is worst",
-                               kCasesTried, first->method.name);
+                               kCasesTried, first->candidate.name);
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =
       properties::some_severities(0, static_cast<int>(severities.size()) - 1, kMostScenes);
-  ChartFacet facet = stress_facet(family, stage, first->method.precision);
+  ChartFacet facet = stress_facet(family, stage, first->candidate.precision);
   document.chart = ChartView{{of_severities(std::move(facet), chosen)}, kChartShares.size() - 1};
   view.limits.panel_bytes = kPanelBytes / chosen.size();
   for (const int k : chosen) {
@@ -135,7 +135,7 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
     view.file = view.name + ".toml";
     view.wanted = selections_of(shown.the_case, shown.place);
     if (shown.wrong) {
-      document.findings.push_back(finding_of(shown, severity, first->method.name));
+      document.findings.push_back(finding_of(shown, severity, first->candidate.name));
       document.findings.back().scene = document.scenes.size();
     }
     dial.scenes.push_back(document.scenes.size());

@@ -83,7 +83,7 @@ struct Series {
 
   std::vector<properties::Candidate> candidates() const {
     std::vector<properties::Candidate> all;
-    for (const StressCurve& curve : curves) all.push_back(curve.method.make());
+    for (const StressCurve& curve : curves) all.push_back(curve.candidate.make());
     return all;
   }
 };

@@ -77,7 +77,7 @@ std::vector<MethodCost> costs_of(const std::vector<Implementation>& methods, Sta
     if (!method.offers(stage)) continue;
     MethodCost& cost = costs.emplace_back();
     cost.stage = stage;
-    cost.method = method;
+    cost.candidate = method;
     cost.promises = method.make();
   }
   return costs;
@@ -89,7 +89,7 @@ class StageJudge {
   StageJudge(Stage stage, const JudgedSource& source, std::vector<MethodCost>& costs)
       : stage_(stage), source_(source), costs_(costs), results_(costs.size()) {
     for (MethodCost& cost : costs) {
-      candidates_.push_back(cost.method.make());
+      candidates_.push_back(cost.candidate.make());
       cost.by_severity.emplace_back(source.severities.size());
     }
   }

@@ -81,11 +81,11 @@ struct Part {
 template <class Fill>
 void add_series(const Part& part, ChartFacet& facet, Fill fill) {
   const MethodCost* const base = baseline(part.costs);
-  if (base != nullptr) facet.baseline = base->method.name;
+  if (base != nullptr) facet.baseline = base->candidate.name;
   for (const MethodCost& cost : part.costs) {
     if (cost.promises.precision != part.precision) continue;
-    ChartSeries series{.name = cost.method.name,
-                       .number = cost.method.number,
+    ChartSeries series{.name = cost.candidate.name,
+                       .number = cost.candidate.number,
                        .time = chart_time(cost, base),
                        .note = cost.not_timed};
     fill(cost, series);

@@ -61,7 +61,7 @@ std::string stability_text(const MethodCost& cost) {
 }
 
 std::string name_text(const MethodCost& cost) {
-  return (cost.pareto ? "* " : "  ") + cost.method.name;
+  return (cost.pareto ? "* " : "  ") + cost.candidate.name;
 }
 
 std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) {
@@ -144,8 +144,8 @@ std::string others_text(const TradeoffReport& report, std::string_view item) {
   for (const auto* costs : {&report.rays, &report.intersections}) {
     std::vector<std::string> names;
     for (const MethodCost& cost : *costs) {
-      methods.push_back(cost.method);
-      if (cost.is_called_here) names.push_back(cost.method.name);
+      methods.push_back(cost.candidate);
+      if (cost.is_called_here) names.push_back(cost.candidate.name);
     }
     if (names.empty()) continue;
     called_here += fmt::format("{}{} of {}", called_here.empty() ? "" : "; ",
@@ -166,12 +166,13 @@ std::vector<std::string> left_out_of(const TradeoffReport& report) {
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
       if (cost.accuracy.left_out > 0) {
-        notes.push_back(fmt::format("{} ({}): {}, not representable in floats", cost.method.name,
+        notes.push_back(fmt::format("{} ({}): {}, not representable in floats", cost.candidate.name,
                                     name(cost.stage), count_text(cost.accuracy.left_out, "case")));
       }
       if (!cost.not_timed.empty()) {
-        const std::string stage = cost.method.methods ? "" : fmt::format(" ({})", name(cost.stage));
-        notes.push_back(fmt::format("{}{}: {}", cost.method.name, stage, cost.not_timed));
+        const std::string stage =
+            cost.candidate.methods ? "" : fmt::format(" ({})", name(cost.stage));
+        notes.push_back(fmt::format("{}{}: {}", cost.candidate.name, stage, cost.not_timed));
       }
     }
   }

@@ -218,13 +218,13 @@ template <class Find, class Calls, class Judged>
 Clocked clocked(MethodCost& cost, const Find& find, const Calls& singles, const Calls& batches,
                 const Judged& judged) {
   try {
-    const auto prepare = find(cost.method.in_process());
+    const auto prepare = find(cost.candidate.in_process());
     if (!prepare) throw std::invalid_argument("it makes no rays");
     Clocked found;
     // Batches first, which find most of what fails.
     found.batch = timed_calls(prepare, batches, judged);
     found.scalar = timed_calls(prepare, singles, judged);
-    cost.is_called_here = !cost.method.methods;
+    cost.is_called_here = !cost.candidate.methods;
     return found;
   } catch (const properties::NoAnswer& error) {
     cost.not_timed = fmt::format("not timed: {}", error.what());
@@ -259,7 +259,7 @@ void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>&
   std::array<std::array<std::vector<IntersectCall>, 2>, scene::kFormats.size()> by_format;
   std::vector<Clocked> all;
   for (MethodCost& cost : costs) {
-    const properties::Candidate candidate = cost.method.make();
+    const properties::Candidate candidate = cost.candidate.make();
     std::vector<IntersectCall>& pairs =
         by_format[static_cast<std::size_t>(candidate.precision)][candidate.unit_directions];
     if (pairs.empty()) pairs = pairs_of(in_format_of(candidate, cases));
@@ -284,7 +284,7 @@ void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>&
 void time_rays(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
   std::vector<Clocked> all;
   for (MethodCost& cost : costs) {
-    const properties::Candidate candidate = cost.method.make();
+    const properties::Candidate candidate = cost.candidate.make();
     std::vector<Case> inside;
     for (const Case& one : in_format_of(candidate, cases)) {
       if (properties::is_inside_domain(candidate, one.scene)) inside.push_back(one);

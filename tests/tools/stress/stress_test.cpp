@@ -151,7 +151,7 @@ void expect_what_the_report_tells(const json& all, const tools::TradeoffReport& 
   for (std::size_t k = 0; k < report.intersections.size(); ++k) {
     const tools::MethodCost& cost = report.intersections[k];
     const json& mine = all["series"][k];
-    EXPECT_EQ(mine["name"], cost.method.name);
+    EXPECT_EQ(mine["name"], cost.candidate.name);
     const double base = report.intersections[0].batch->median;
     EXPECT_EQ(mine["time"]["ratio"], cost.batch->median / base);
     const json& errors = mine["points"][0]["errors"][0];
