@@ -48,7 +48,7 @@ std::string copy_rubric(const std::string& name, const std::string& out) {
   const Rubric rubric = load_rubric(from);
   std::map<std::string, fs::path> files = rubric.scene_files;
   files[from.filename().string()] = from;
-  // A user's own changes are not overwritten.
+  // Existing files, which the user may have changed, are not overwritten.
   for (const auto& [file, source] : files) {
     if (fs::exists(fs::path(out) / file)) {
       throw scene::InvalidInput("out", out, file + " exists already");

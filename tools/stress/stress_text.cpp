@@ -16,7 +16,7 @@ using properties::StressResult;
 using properties::Tally;
 using properties::Verdict;
 
-/// With more curves than this the report omits single curves and severities.
+/// With more curves than this, the report omits single curves and severities.
 constexpr std::size_t kMostSummed = 40;
 constexpr std::size_t kMostDetailed = 4;
 
@@ -26,7 +26,7 @@ std::string failing_text(const StressCurve& curve) {
   return failing ? std::to_string(*failing) : "stable";
 }
 
-/// First failing severities of one stage's methods, a row per family.
+/// The first failing severities of one stage's candidates, a row for each source.
 Table first_failing_table(const StressReport& report, Stage stage) {
   std::vector<std::string> columns = {"source", "severities"};
   std::vector<std::vector<std::string>> rows;
@@ -50,7 +50,7 @@ Table first_failing_table(const StressReport& report, Stage stage) {
   return table;
 }
 
-/// The numbers of one method on one family at one severity.
+/// The numbers of one candidate on one source at one severity.
 std::vector<std::string> detail_row(const FamilyReport& family, const StressCurve& curve,
                                     std::size_t k) {
   const StressResult& result = curve.results[k];
@@ -101,7 +101,7 @@ Table detail_table(const StressReport& report) {
   return table;
 }
 
-/// A summary of a method on a family, in one row.
+/// A table with a row for each candidate on each source.
 Table summary_table(const StressReport& report) {
   Table table({"source", "method", ">first failing", ">slope", ">max rho", ">missed", ">false",
                ">other defects", ">max error", "unit"});

@@ -19,7 +19,7 @@ using properties::Quantity;
 using properties::Random;
 using properties::Stage;
 
-/// The quantities that a stage measures, by their names with hyphens for spaces.
+/// The quantities that a stage measures, with their names (hyphens for spaces).
 std::vector<std::pair<std::string, Quantity>> quantities_of(Stage stage) {
   std::vector<std::pair<std::string, Quantity>> quantities;
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
@@ -31,7 +31,7 @@ std::vector<std::pair<std::string, Quantity>> quantities_of(Stage stage) {
   return quantities;
 }
 
-/// The last stage of the method, unless an earlier one measures the quantity.
+/// The last stage of the candidate, unless an earlier one measures the quantity.
 Stage chosen_stage(const WorstOptions& options) {
   for (const Stage stage : options.candidate.stages) {
     for (const auto& [name, quantity] : quantities_of(stage)) {
