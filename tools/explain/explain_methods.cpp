@@ -213,8 +213,8 @@ bool is_right_for_own_ray(Trial& trial) {
   return !found_wrong(trials, is_of_pairs);
 }
 
-/// The first step whose own error is too large; if there is none, the step that the laws find
-/// wrong.
+/// The first step before s whose error exceeds kDefaultMaxError; if there is none, the step that
+/// the laws find wrong.
 std::string wrong_step(const MethodReport& report) {
   for (const MethodStep& step : report.steps) {
     if (step.symbol == "s") break;

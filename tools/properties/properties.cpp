@@ -278,7 +278,7 @@ class Study {
   }
 
   /// Sets a target for every law that measures a quantity. A search has at most as many cases as
-  /// `raycheck worst` has by default, and the same number of steps per case.
+  /// SearchOptions has by default, and the same number of steps per case.
   void set_targets(const std::vector<properties::LawsOfCandidate>& asked) {
     for (std::size_t k = 0; k < order_.size(); ++k) {
       const auto& [law, candidate, number] = order_[k];

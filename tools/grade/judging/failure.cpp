@@ -114,8 +114,8 @@ RayAnswers ray_answers(Trial& trial, std::size_t ray, const Law& broken) {
   return answers;
 }
 
-/// The answers about the ray of a place. If that is not in the case (a law may use other pixels),
-/// about the first ray.
+/// The answers about the ray of a place, which need not be in the case (a law may use other
+/// pixels); if the place has no pixel, about the first ray.
 RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& broken) {
   if (!trial.scene().camera) return ray_answers(trial, place.ray, broken);
   if (!place.pixel) return ray_answers(trial, std::size_t{0}, broken);

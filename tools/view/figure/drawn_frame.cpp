@@ -13,8 +13,7 @@ using reference::Enclosure3;
 double scaled_difference(double a, double b, int exponent) {
   const double difference = a - b;
   if (std::isfinite(difference)) return std::ldexp(difference, exponent);
-  return std::ldexp(a / 2 - b / 2,
-                    exponent + 1);  // the numbers are so large that their halves are exact
+  return std::ldexp(a / 2 - b / 2, exponent + 1);  // halves of such large numbers are exact
 }
 
 /// The middle of enclosures; empty if they are wider than the tolerance of a drawing.

@@ -84,8 +84,7 @@ Json camera_json(const scene::Scene& scene, const DrawnCamera& shown, const Draw
   const double across = (shown.right - shown.left) / columns,
                up = (shown.top - shown.bottom) / rows;
   const bool from_top = conventions.rows == scene::Rows::kTopFirst;
-  const double beside =
-      at_edges ? 0.5 : 0;  // half a cell, so that the cell of each sample is whole
+  const double beside = at_edges ? 0.5 : 0;  // of a cell: the cell of each sample is then whole
   std::array<double, 4> window = {shown.left - beside * across, shown.right + beside * across,
                                   shown.bottom - beside * up, shown.top + beside * up};
   for (double& side : window) side /= std::abs(shown.near);

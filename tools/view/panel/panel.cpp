@@ -24,8 +24,7 @@ scene::Scene pair_scene(const scene::Scene& scene, const Selection& selection) {
 void keep_methods(const SceneViewOptions& options, ExplainReport& report) {
   std::vector<MethodPair> pairs;
   if (options.is_of_methods) pairs = options.methods;
-  if (options.renderer)
-    pairs = {kDefaultMethods};  // pictures have no steps, so correct ones are shown
+  if (options.renderer) pairs = {kDefaultMethods};  // pictures have no steps: show correct ones
   if (pairs.empty()) return;
   std::erase_if(report.methods, [&](const MethodReport& method) {
     return !method.is_other && std::ranges::none_of(pairs, [&](const MethodPair& pair) {
