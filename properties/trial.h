@@ -61,7 +61,8 @@ class FailedParts {
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound that replaces the candidate's own.
   bool conditioning = false;             ///< Whether to weigh every error by its condition number.
-  /// The truth about the case under the candidate's conventions, if it is shared; null: computed.
+  /// The truth about the case under the candidate's conventions, if it is shared; if null, it is
+  /// computed.
   std::shared_ptr<Truth> truth = nullptr;
   /// If not null, batches that fail are asked in halves, to find the questions to blame and to
   /// judge the other answers.
@@ -155,8 +156,8 @@ class Trial : public Answers {
                                     conventions().tangent);
   }
 
-  /// The bound on a quantity: the one in the options, else the candidate's, else the default. It is
-  /// always 0 for the origin of a ray from the eye.
+  /// The bound on a quantity: the one in the options; if there is none, the candidate's; otherwise
+  /// the default. It is always 0 for the origin of a ray from the eye.
   double bound(Quantity quantity) const;
 
   /// Counts an error, and adds a discrepancy if it is above its bound. Only then are `condition`

@@ -56,7 +56,7 @@ struct Mistake {
   HitFormulas hits = {};
   ChangeHit hit = {};             ///< Pictures do not show it.
   bool shows_in_pictures = true;  ///< Whether pictures may show the mistake.
-  /// Whether a candidate can make the mistake; null: every candidate can.
+  /// Whether a candidate can make the mistake. If null, every candidate can.
   bool (*is_offered)(const Candidate&) = nullptr;
   /// Rounds numbers to floats, which changes few answers by more than 1e-6.
   bool is_rounding = false;

@@ -13,8 +13,8 @@ namespace raycheck::tools {
 /// its sources.
 std::filesystem::path include_folder();
 
-/// The folder of a source to compile: the source itself if it is a folder, else the folder that
-/// contains it.
+/// The folder of a source to compile: the source itself if it is a folder, otherwise the folder
+/// that contains it.
 std::filesystem::path source_folder(const std::filesystem::path& source);
 
 struct Compiled {

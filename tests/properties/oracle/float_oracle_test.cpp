@@ -96,7 +96,7 @@ struct FloatTruth {
   bool is_tangent = false;    ///< Whether it meets the sphere in a double root.
   bool is_hit = false;        ///< Whether it is a hit under the `root` convention; tangents count.
   double s = 0;               ///< Correctly rounded to float, for a hit.
-  std::array<double, 3> Q{};  ///< Likewise.
+  std::array<double, 3> Q{};  ///< Correctly rounded to float, for a hit.
 };
 
 /// An answer's errors, to a relative 2^-40 and an absolute 2^-30.
@@ -104,7 +104,7 @@ struct FloatErrors {
   bool is_at_other_root = false;
   /// In ulp of float of the exact s; infinite where that is 0 and the answer is not.
   double s = 0;
-  double Q = 0;  ///< In u = 2^-24 of |Q|; likewise.
+  double Q = 0;  ///< In u = 2^-24 of |Q|; infinite if that is 0 and the answer is not.
 };
 
 /// Domain: floats between 2^-126 and 2^126 in size, or 0; a direction that is not 0; radius >= 0.

@@ -53,7 +53,7 @@ function listen(figure) {
   for (const [happening, isPrinting] of [["beforeprint", true], ["afterprint", false]]) {
     addEventListener(happening, () => {
       stage.classList.toggle("printed", isPrinting); // light colours on paper
-      stage.style.aspectRatio = isPrinting ? `${stage.clientWidth} / ${stage.clientHeight}` : ""; // it keeps its shape on paper
+      stage.style.aspectRatio = isPrinting ? `${stage.clientWidth} / ${stage.clientHeight}` : ""; // with the same shape
       rebuildFigure(figure);
       drawFigure(figure);
     });
