@@ -1,6 +1,6 @@
 #pragma once
 
-// Archives (as in cereal) of verdicts and cases: each type lists its fields once, plain data of
+// Archives (as in cereal) of verdicts and cases. Each type lists its fields once: the types of
 // scenes here, other types in a member function.
 
 #include "properties/case.h"

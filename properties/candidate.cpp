@@ -85,7 +85,7 @@ Conventions put_over(const DeclaredConventions& declared, Conventions convention
   return conventions;
 }
 
-/// With 11 bits more than doubles have, and exponents so wide that nothing here overflows.
+/// Numbers with 11 bits more than doubles, and with exponents so wide that nothing here overflows.
 struct Wide {
   template <class Triple>
   explicit Wide(const Triple& v) : x(v.x), y(v.y), z(v.z) {}

@@ -13,8 +13,8 @@
 
 namespace raycheck::properties {
 
-/// The input of a law: a scene and, if it has a camera, the pixels to judge (given rays are all
-/// judged). A law does not depend on where its cases come from.
+/// The input of a law: a scene and, if it has a camera, the pixels to judge. Given rays are all
+/// judged.
 struct Case {
   scene::Scene scene;
   std::vector<scene::Pixel> pixels;
@@ -26,7 +26,7 @@ std::size_t count_rays(const Case& the_case);
 /// All pixels of a camera, row by row.
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
 
-/// How good code must be to be right on a case, as measured for the severities of
+/// The quality of code that is right on a case, as measured for the severities of
 /// properties/cases/. A level includes all levels before it.
 enum class Level {
   kOrdinary,   ///< Any plain, careful code in doubles.
@@ -51,26 +51,26 @@ inline constexpr std::array<InputFormat, 4> kInputFormats = {{{scene::Precision:
                                                               {scene::Precision::kDouble, true},
                                                               {scene::Precision::kSingle, false},
                                                               {scene::Precision::kSingle, true}}};
-/// Its index among them.
+/// The index of a format in kInputFormats.
 constexpr std::size_t index_of(InputFormat format) {
   return 2 * static_cast<std::size_t>(format.precision) + (format.unit_directions ? 1 : 0);
 }
 
-/// A case in the numbers that a candidate accepts. It replaces the case for truth, law and
-/// candidate alike, so that all three use the same numbers.
+/// A case with all numbers rounded to those that a candidate accepts. Truth, law and candidate all
+/// get this case instead of the original.
 struct RoundedCase {
-  std::optional<Case> the_case;  ///< Empty where it is left out.
-  std::string reason;            ///< Why it is left out.
-  std::size_t changed = 0;       ///< The count of numbers that had to be rounded,
-  std::size_t made_unit = 0;     ///< and of given directions that had to be normalised.
+  std::optional<Case> the_case;  ///< Empty if the case is left out.
+  std::string reason;            ///< Why the case is left out.
+  std::size_t changed = 0;       ///< The count of numbers that were rounded.
+  std::size_t made_unit = 0;     ///< The count of given directions that were normalised.
 };
 
-/// Normalises given directions if the format needs that, then rounds every number of the scene to
-/// the format, to nearest, ties to even. The case is left out if a number leaves the format's range
-/// (becomes infinite, or 0), or if the rounded scene is invalid.
+/// Normalises given directions if the format requires unit directions, then rounds every number of
+/// the scene to the format, to nearest, ties to even. The case is left out if a number becomes
+/// infinite or 0, or if the rounded scene is invalid.
 RoundedCase rounded_case(Case the_case, InputFormat format);
 
-/// The ray, rounded to the format.
+/// The ray with its direction normalised if the format requires it, and all numbers rounded.
 scene::Ray rounded_ray(scene::Ray ray, InputFormat format);
 
 /// Whether rounded_case() leaves the scene as it is.

@@ -5,8 +5,8 @@
 
 namespace raycheck::properties {
 
-/// The values that a candidate returns for a hit: s and Q; s; Q; the distance of Q along the ray,
-/// or its square; or only that it is one.
+/// The values that a candidate returns for a hit: s and Q; s; Q; the distance of Q along the ray;
+/// the square of that distance; or nothing.
 enum class Returns { kHit, kParameter, kPoint, kDistance, kSquaredDistance, kClass };
 inline constexpr std::array<std::string_view, 6> kReturnsNames = {
     "hit", "parameter", "point", "distance", "squared-distance", "class"};

@@ -59,7 +59,7 @@ void Verdict::judged_wrong(const Decision& decision, Standing standing) {
   ++tally.wrong_by_standing[static_cast<std::size_t>(standing)];
   ++tally.outcomes[static_cast<std::size_t>(kOutcomes[static_cast<std::size_t>(standing)])];
   if (standing != Standing::kNotJudged) ++tally.answers_to(decision.expected).asked;
-  // The first defect, else the first error.
+  // The first defect; if there is none, the first error.
   tally.note_worst(standing == Standing::kDefect ? 2 : 1, decision.place);
 }
 

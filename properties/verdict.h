@@ -24,23 +24,24 @@ namespace raycheck::properties {
 /// The most discrepancies that a verdict keeps; a bad candidate has one in every pixel.
 inline constexpr std::size_t kKeptDiscrepancies = 1000;
 
-/// A law's verdict on a case, or on several, merged: left out with a reason, or the comparisons
-/// and the discrepancies found; it holds when none is a defect.
+/// A law's verdict on a case, or on several cases, merged. Either the case was left out, with a
+/// reason; or the verdict has the comparisons and the discrepancies found. The law holds if none of
+/// these is a defect.
 class Verdict {
  public:
-  /// Without a law: verdicts of several are merged into it.
+  /// A verdict without a law, into which verdicts of several laws are merged.
   Verdict() = default;
-  /// Belongs to the law of this name, which its discrepancies then carry.
+  /// A verdict of the law with this name, which its discrepancies get.
   explicit Verdict(std::string_view law) : law_(law) {}
 
   /// Records that the case, or a part of it, was left out.
   void leave_out(std::string reason) { left_out_ = std::move(reason); }
 
-  /// Counts a measured error, and the bound it is compared with.
+  /// Counts a measured error, and the bound with which it is compared.
   void measured(Quantity quantity, const Place& place, double error, double bound);
-  /// Counts the stability of an error just measured.
+  /// Counts the stability of the error that was just measured.
   void weighed(Quantity quantity, const Place& place, double error, const Stability& stability);
-  /// Counts an error, already measured, that is allowed only by its condition number.
+  /// Counts an error, already measured, that only its condition number allows.
   void count_ill_conditioned(Quantity quantity) {
     ++tallies_[quantity].ill_conditioned;
     ++tallies_[quantity].answers_to(Expected::kValue).right;
@@ -56,19 +57,20 @@ class Verdict {
   /// Adds a discrepancy under this verdict's law.
   void add(Discrepancy discrepancy);
   void merge(const Verdict& other);
-  /// Drops the discrepancies, and keeps their counts;
+  /// Drops the discrepancies, but keeps their counts.
   void drop_discrepancies() { kept_ = {}; }
-  /// and the errors and the condition numbers, too.
+  /// Drops the discrepancies, the errors and the condition numbers, but keeps their counts.
   void keep_counts();
-  /// Adds to every ray index: this verdict's case was a part of a larger one, starting at that ray.
+  /// Adds `first` to every ray index, because this verdict's case was the part of a larger case
+  /// that begins at this ray.
   void shift_rays(std::size_t first);
-  /// Changes every place: from rays to the pixels that they stood for, for example.
+  /// Changes every place, for example from a ray to its pixel.
   void relocate(const std::function<Place(const Place&)>& new_place);
 
   const std::map<Quantity, Tally>& tallies() const { return tallies_; }
-  /// The tally of a quantity; empty where nothing was compared.
+  /// The tally of a quantity; empty if nothing was compared.
   const Tally& tally(Quantity quantity) const;
-  /// The worst ones kept, in the order of worst_first().
+  /// The worst discrepancies kept, in the order of worst_first().
   std::vector<Discrepancy> worst(std::size_t count) const;
   std::uint64_t discrepancies() const;
   std::uint64_t count(Standing standing) const {
@@ -77,16 +79,16 @@ class Verdict {
   std::uint64_t compared() const;
   /// Whether there is no defect; if `strictly`, no judged answer that differs from the truth.
   bool holds(bool strictly = false) const;
-  /// The first kind of question that was asked, but answered right without an excuse fewer than
+  /// The first kind of question that was asked but answered right, without an excuse, fewer than
   /// `fewest` times: too few for the law to hold. Values of all quantities are one kind.
-  /// `wants_hits`: if hit classes were judged, hits must be among them.
+  /// `wants_hits`: whether hits must be among the hit classes judged, if there are any.
   std::optional<std::pair<Quantity, Expected>> too_few_right(std::uint64_t fewest,
                                                              bool wants_hits = false) const;
   /// The distinct kinds of the kept discrepancies that break the law, in order.
   std::vector<DefectKind> defects(bool strictly = false) const;
   /// The kinds of the kept discrepancies that are undecided.
   std::vector<DefectKind> undecided() const;
-  /// The first known line at which the candidate failed, of kept discrepancies that break the law.
+  /// The first known line at which the candidate failed, in kept discrepancies that break the law.
   std::optional<CodeLine> failed_at(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
   /// Without the law that it belongs to.

@@ -35,7 +35,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Options whose value is a file to write; for --report it follows the kind.
+/// Options whose value is a file to write. (For --report, the file follows the format.)
 constexpr const char* kWriting[] = {"--certificates", "--out",  "--package",
                                     "--report",       "--save", "--view"};
 
@@ -70,7 +70,8 @@ bool is_same(const std::string& a, const std::string& b) {
   return !a.empty() && !error && one == other;
 }
 
-/// Throws std::invalid_argument if a file to write lies in a folder of units: it could replace one.
+/// Throws std::invalid_argument if a file to write lies in a folder of units, where it could
+/// replace a unit.
 void require_no_unit(const CLI::App& command, const Written& file) {
   for (const char* name : {"--merged", "--out"}) {
     const CLI::Option* const option = command.get_option_no_throw(name);
@@ -89,8 +90,8 @@ void require_no_unit(const CLI::App& command, const Written& file) {
   }
 }
 
-/// Throws std::invalid_argument if a file that one option writes is also named by another argument
-/// of the command, also through links: to be read (also as a word of a candidate), or written.
+/// Throws std::invalid_argument if another argument of the command also names, directly or through
+/// links, a file that an option writes: to read it (also as a word of a candidate), or to write it.
 /// Domain: a command whose arguments are parsed.
 void require_written_apart(const CLI::App& command) {
   const std::vector<Written> all = written_by(command);
@@ -113,7 +114,8 @@ void require_written_apart(const CLI::App& command) {
   }
 }
 
-/// Ends a command that was interrupted before it had anything to report, or had written all of it.
+/// Ends a command that was interrupted before it had results, or before all of its report was
+/// written.
 int end_without_report(const CLI::App& command) {
   if (has_written_out()) {
     print_error("raycheck: interrupted before everything was written\n");
@@ -127,7 +129,8 @@ int end_without_report(const CLI::App& command) {
   return exit_code(true, false, false);
 }
 
-/// The text of an error. Libraries name fields; if an option sets the field, names the option.
+/// The message of an error. Libraries name a field; if an option sets that field, the message names
+/// the option.
 std::string error_message(const std::exception& error, const CLI::App& command) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     return command.get_name() + ": not enough memory";
@@ -154,7 +157,7 @@ std::string internal_error_message(const std::exception& error, std::span<char* 
   return text + "\nand this case:\n" + properties::scene_text(*ours->the_case, "internal error");
 }
 
-/// The exit code of a command, whatever it throws.
+/// Runs a command and returns its exit code, whatever the command throws.
 int outcome_of(const Command& command, std::span<char* const> words) {
   const std::function<bool()> is_interrupted = interrupted;
   try {
@@ -241,7 +244,7 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
     return kExitBadInput;
   } catch (const ClosedPipe&) {
     return kExitOfSignal + SIGPIPE;
-  } catch (const scene::Interrupted&) {  // the reader of the report went away
+  } catch (const scene::Interrupted&) {  // the reader of the report is gone
     return exit_code(true, false, false);
   } catch (const std::exception& error) {  // help, or a partial report, was not written
     print_error(fmt::format("raycheck: {}\n", error.what()));

@@ -1,7 +1,7 @@
 #pragma once
 
-// The commands, and the programs that have them: raycheck starts these, as git does. CMake and run
-// read the rows.
+// The commands, and the programs that contain them; `raycheck` starts these programs, as git does.
+// CMake and ./run read the rows.
 
 #include <functional>
 #include <span>
@@ -17,7 +17,7 @@ namespace raycheck::tools {
 /// Runs a command whose options are given; returns its exit code.
 using CommandRun = std::function<int()>;
 
-/// A command that is linked into a program.
+/// A command that is linked into this program.
 struct LinkedCommand {
   std::string_view name;
   CommandRun (*add)(CLI::App& command);
@@ -27,9 +27,9 @@ struct Command {
   CLI::App* app;
   CommandRun run;
 };
-/// Describes raycheck, and adds all commands to it; linked ones get their options.
+/// Adds raycheck's description and all commands to `program`. Linked commands get their options.
 std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked);
-/// Reads the arguments of a program, prints its report, returns its exit code.
+/// Parses a program's arguments, runs the command, prints its report and returns the exit code.
 int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linked);
 
 // clang-format off
@@ -84,7 +84,8 @@ inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitNothingChecked = 4;
 /// A bug in raycheck: EX_SOFTWARE of sysexits.h.
 inline constexpr int kExitInternal = 70;
-/// Plus the signal: the one that interrupted it, or SIGPIPE if the output pipe is closed.
+/// Plus the number of the signal that interrupted the command, or of SIGPIPE if the output pipe is
+/// closed.
 inline constexpr int kExitOfSignal = 128;
 /// `found`: a defect or another failure; `checked`: enough was judged to exclude one.
 int exit_code(bool was_interrupted, bool found, bool checked);

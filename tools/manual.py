@@ -24,7 +24,7 @@ def printed(*command):
 
 
 def help_of(program, *command):
-    """A sentence, and by section pairs of an option with its value and its description."""
+    """The sentence of a command; by section, pairs of an option (and value) and its text."""
     lines = printed(program, *command, "--help").splitlines()
     sections = {"Positionals": [], "Options": []}
     for line, following in zip(lines, lines[1:] + [""]):
@@ -46,7 +46,7 @@ def names(rows):
 
 
 def roff(text):
-    """Text without lines that are requests, with hyphens that can be searched for."""
+    """Text in which no line is a request of man(7), and whose hyphens can be searched for."""
     text = text.replace("\\", "\\e").replace("-", "\\-").replace("'", "\\(aq")
     return re.sub(r"^\.", r"\\&.", text, flags=re.M)
 

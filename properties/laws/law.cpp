@@ -19,10 +19,10 @@ namespace raycheck::properties {
 namespace {
 
 struct Need {
-  Needs of;  ///< The needs for which this is checked.
+  Needs of;  ///< Its bits in Needs.
   bool (*is_met)(const Trial&);
   std::string_view reason;    ///< Why a law is left out if the need is not met.
-  bool is_of_scenes = false;  ///< Whether scenes meet the need; if not, candidates do.
+  bool is_of_scenes = false;  ///< Whether it is about scenes. If not, it is about candidates.
 };
 
 bool has_camera(const Trial& trial) { return trial.scene().camera.has_value(); }
@@ -174,7 +174,7 @@ bool asks_by_sphere(const Law& law, const Trial& trial) {
   return law.per == Per::kPair && !trial.lacks_rays();
 }
 
-/// A law's verdict on a candidate that threw an exception with this message.
+/// The verdict of a law if the candidate threw an exception with this message.
 LawJudgement judged_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message,
                             const FailureSite& failed = {}) {
   Verdict verdict(law.name);
@@ -200,8 +200,8 @@ bool asks_apart(const Law& law) {
 
 LawJudgement judge(const Law& law, Trial& trial);
 
-/// Judges the halves one by one. If the whole is known to fail and the first half does not fail,
-/// the second half is to blame, and is halved at once.
+/// Judges the halves one after the other. If the whole is known to fail and the first half does
+/// not, the second half is to blame, and is halved at once.
 LawJudgement judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
   LawJudgement all{Verdict(law.name)};
@@ -219,7 +219,8 @@ LawJudgement judge_halves(const Law& law, Trial& trial) {
   return all;
 }
 
-/// Judges a batch that failed, at this line if it is known: the question to blame, or the halves.
+/// Called after a batch failed, at this line if it is known. Judges the failure if the batch is one
+/// question, otherwise the halves.
 LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
                          const std::optional<CodeLine>& line = {}, bool timed_out = false) {
   FailureSearch* const search = trial.options().search;
@@ -248,7 +249,7 @@ LawJudgement judge_apart(const Law& law, Trial& trial, const char* message,
   return judged;
 }
 
-/// The verdict on a candidate that fails on every question; a search reports that once.
+/// The verdict if the candidate fails on every question; a search reports that once.
 LawJudgement judge_unavailable(const Law& law, Trial& trial, const char* message) {
   FailureSearch* const search = trial.options().search;
   if (search != nullptr && !search->whatever_asked.insert(message).second) {

@@ -48,16 +48,16 @@ scene::Measured error_between(const PairAnswer& first, const PairAnswer& second,
                               bool is_hit) {
   const scene::Precision precision = first.trial.precision();
   const double s = first.hit->parameter, other = second.hit->parameter;
-  // In ulp: gradual underflow is not held against a method.
+  // In ulp, so that gradual underflow is not a defect.
   const scene::Measured error = reference::ulp_error(other, Enclosure(s * factor, 128), precision);
   if (!std::isinf(error.value) || !is_hit || !std::isfinite(other)) return error;
-  // One of them is 0: the error is relative to the exact one.
+  // If one parameter is 0, the error is relative to the exact one.
   const Enclosure apart = Enclosure(other, 128) / Enclosure(factor, 128) - Enclosure(s, 128);
   return reference::in_units_of_u(
       apart / first.trial.exact_ray(first.ray).parameter(first.sphere(), first.exact()));
 }
 
-/// Compares two hits. The exact answers have the same hit class and root: they show which of two
+/// The exact answers have the same hit class and root for both cases. They show which of two
 /// contradicting answers is wrong, and give the condition number.
 void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& verdict,
                   const Transformation& by) {
@@ -69,7 +69,7 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   if (differ && unjudged) return;
   const Place place = trial.place(first.ray, first.sphere_index);
   const Expected expected = is_hit ? Expected::kHit : Expected::kMiss;
-  // Two answers that are equally wrong agree, but are not right.
+  // Two answers that are wrong in the same way agree, but are not right.
   if (!differ && !unjudged && (first.hit != nullptr) != is_hit) {
     return verdict.not_right(Quantity::kClass, expected);
   }
@@ -79,7 +79,8 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
     if (second.hit != nullptr) d.got = {second.hit->parameter};
     if (first.hit != nullptr) d.exact = {first.hit->parameter * by.factor};
   };
-  // If two contradict each other in hit class or root, the wrong one is shown beside the truth.
+  // If the answers contradict each other in hit class or root, the discrepancy shows the wrong
+  // answer and the truth.
   const auto describe_wrong = [&](bool is_first_wrong) {
     return [&, is_first_wrong](Discrepancy& d) {
       const HitAnswer* hit = (is_first_wrong ? first : second).hit;
@@ -102,8 +103,8 @@ void compare_hits(const PairAnswer& first, const PairAnswer& second, Verdict& ve
   const scene::Measured error = error_between(first, second, by.factor, is_hit);
   const double bound = 2 * trial.bound(Quantity::kParameter);
   if (is_hit) {
-    // Parameters at different roots differ by a chord, however accurate both are; two at the other
-    // root agree, but are not right, and the condition number belongs to the right one.
+    // Parameters at different roots differ by a chord, even if both are accurate. Two at the wrong
+    // root agree, but are not right; the condition number is that of the right root.
     const bool is_above = error.in(trial.precision()).value > bound;
     const bool is_at_other = is_above && first.is_at_other_root();
     const bool is_other_root = is_above && is_at_other != second.is_at_other_root();
@@ -151,7 +152,7 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict,
   }
 }
 
-/// Why neither directions nor hits can be compared; empty if one of them can.
+/// The reason why neither directions nor hits can be compared; empty if directions or hits can.
 std::string_view why_nothing_to_compare(const Trial& trial) {
   return trial.scene().camera ? std::string_view() : what_is_missing(kOfHits, trial);
 }
@@ -169,8 +170,8 @@ void compare(Trial& trial, Verdict& verdict, const Scene& scene, const Transform
   }
 }
 
-/// The scene with every length times 2^exponent; directions and `up` stay. Empty if a number would
-/// be rounded in the format.
+/// The scene with every length multiplied by 2^exponent; directions and `up` stay. Empty if a
+/// number would be rounded in the format.
 std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precision) {
   bool exact = true;
   for_each_length(scene, [&](double& x) {
@@ -178,7 +179,8 @@ std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precisio
     exact = exact && std::isfinite(result) && std::ldexp(result, -exponent) == x;
     x = result;
   });
-  // s is a length, or counts directions, which are not scaled: both scale with lengths.
+  // Ends are lengths or multiples of directions. Directions are not scaled, so both scale with
+  // lengths.
   scene::ValidRoots& valid = scene.conventions.valid;
   if (valid.unit != scene::TUnit::kRadius) {
     for (double* t : {&valid.t_min, &valid.t_max}) {
@@ -289,7 +291,7 @@ std::optional<To> exact_sum_of(const A& a, const B& b, double k, scene::Precisio
   return x && y && z ? std::optional(To{*x, *y, *z}) : std::nullopt;
 }
 
-/// Compares the candidate's frames for two cameras with the same axes.
+/// Compares the candidate's frames of two cameras with the same axes.
 void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_camera,
                     const std::string& what) {
   if (!scene::defects(other_camera).empty()) return;
@@ -318,7 +320,7 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
   compare("W", other.W, frame.W);
 }
 
-/// Adds multiples of E - A to look-at or `up`, if no step rounds: the axes do not change.
+/// Adds multiples of E - A to look-at or `up`, if that needs no rounding. The axes do not change.
 template <class Moved>
 void judge_moved(Trial& trial, Verdict& verdict, Moved scene::Camera::*member,
                  std::initializer_list<double> multiples, const char* what) {

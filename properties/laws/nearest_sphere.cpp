@@ -42,7 +42,7 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     const auto& exact = trial.exact_nearest()[k];
     const Index last_first = backwards.at(k);
     const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
-    // One question per ray: the answer is right if it is right in both orders.
+    // One decision per ray: the answer is right if it is right in both orders of the spheres.
     Choice choice{k, trial.nearest()[k], exact};
     if (is_right(choice)) {
       choice.got = reversed_got;

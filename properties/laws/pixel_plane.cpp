@@ -26,7 +26,7 @@ std::string name(const Pixel& pixel) {
   return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
 }
 
-/// The candidate's points, and the exact camera that they are compared with: the trial's camera, or
+/// The candidate's points and the exact camera with which they are compared: the trial's camera, or
 /// one with the same axes.
 class PlaneAnswers {
  public:
@@ -59,7 +59,7 @@ class PlaneAnswers {
   Enclosure3 exact_position(std::size_t k) const {
     return camera_.plane_position(pixels_[k], kBits);
   }
-  /// The largest condition number of the points: a relation has at least that of its points.
+  /// The condition number of a relation is that of the worst of the points that it relates.
   double worst_condition() const {
     double worst = 0;
     for (std::size_t k = 0; k < size(); ++k) {
@@ -86,8 +86,8 @@ scene::Measured relative(const Enclosure& error, const Enclosure& size) {
   return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
 }
 
-/// Whether positions at these distances stay apart even with the largest allowed errors, by a
-/// margin that keeps errors of their ratios linear.
+/// Whether positions at these distances differ by much more than the largest allowed errors, so
+/// that errors of their ratios are linear.
 bool are_separated(const Trial& trial, const PlaneAnswers& answers, const Enclosure& across,
                    const Enclosure& down) {
   const double allowed = trial.bound(Quantity::kPixelPoint) *
@@ -142,8 +142,7 @@ void judge_pixel_point(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// The world axis along which a vector points exactly, and the sign; sign 0 if there is no such
-/// axis.
+/// The world axis k along which a vector points exactly, and the sign; 0 if there is no such axis.
 struct SignedAxis {
   int index = 0;
   int sign = 0;
@@ -160,8 +159,9 @@ SignedAxis signed_axis(const Enclosure3& v) {
   return result;
 }
 
-/// A corner's coordinate is exact to the last bit for an eye at the world's origin, an axis along a
-/// world axis, samples on the edges, and first + (last - first) not rounded.
+/// Judges the coordinates of corners that are promised to the last bit: for an eye at the world's
+/// origin, a camera axis along a world axis, samples on the edges, and first + (last - first)
+/// without rounding.
 void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& answers,
                          std::size_t k) {
   const scene::Camera& camera = answers.camera().camera();
@@ -301,7 +301,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   if (!are_separated(trial, answers, across, down)) {
     return verdict.leave_out("a pixel is too small for the rounding of its points");
   }
-  // got ratio / exact ratio - 1; squares are the scenes whose exact ratio is 1.
+  // The error is got ratio / exact ratio - 1. Pixels are square if the exact ratio is 1.
   const Enclosure got_down = step(2);
   const scene::Measured error =
       got_down.contains_zero()
@@ -312,7 +312,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   trial.measure(
       verdict, {Quantity::kPixelPoint, place, error, 2 * trial.bound(Quantity::kPixelPoint)},
       [&] {
-        // A step is a difference of two points, so its condition is |P| / step.
+        // A step is a difference of two points, so its condition number is |P| / step.
         const Enclosure size = answers.size_of_point(0);
         const double worst = std::max(kModerateCondition, answers.worst_condition());
         return worst * (size / across + size / down + Enclosure(1)).upper();

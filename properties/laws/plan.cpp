@@ -25,12 +25,12 @@ using scene::PixelRectangle;
 using scene::SpherePlan;
 using scene::Wanted;
 
-/// The most pixels that are tried along each border of a rectangle.
+/// At most this many pixels are tried along each border of a rectangle.
 constexpr std::int64_t kMostOfBorder = 64;
-/// The most rows, and the most columns, inside a rectangle.
+/// At most this many rows, and columns, are tried inside a rectangle.
 constexpr std::int64_t kMostInside = 5;
 
-/// The part of a plan about one sphere, and the purpose of the plan.
+/// What a plan states about one sphere, and the purpose of the plan.
 struct PlanStatement {
   scene::Wanted wanted;
   const scene::ScenePlan* plan;
@@ -39,8 +39,8 @@ struct PlanStatement {
   const scene::SpherePlan& planned() const { return plan->spheres[sphere]; }
 };
 
-/// The plans of a candidate for one scene, for every purpose (scene::Wanted). They choose where the
-/// truth is computed, and do not influence it.
+/// The plans of a candidate for one scene, for every purpose (scene::Wanted). They determine for
+/// which pixels the truth is computed, but do not change it.
 /// Domain: a scene with a camera, a candidate that plans.
 class PlanStatements {
  public:
@@ -51,12 +51,12 @@ class PlanStatements {
   /// The distinct statements about each sphere.
   std::vector<PlanStatement> distinct() const;
 
-  /// Pixels in a sphere's rectangle according to any plan that has one, otherwise in the image.
-  /// Plus all pixels of the case.
+  /// Pixels in a sphere's rectangle if a plan has one, otherwise in the image; and all pixels of
+  /// the case.
   std::vector<scene::Pixel> inside(const PlanStatement& statement) const;
 
-  /// Pixels of the image just outside a sphere's rectangle, including those next to where its
-  /// silhouette touches it. Plus those of the case that are outside.
+  /// Pixels of the image just outside a sphere's rectangle, also next to the points where the
+  /// silhouette touches it; and the pixels of the case that are outside the rectangle.
   std::vector<scene::Pixel> outside(const PlanStatement& statement) const;
 
  private:
@@ -65,7 +65,7 @@ class PlanStatements {
   const std::vector<scene::ScenePlan>& plans_;
 };
 
-/// Whole numbers of [begin, end), evenly spread, including the first and the last.
+/// Whole numbers in [begin, end), spread evenly, including the first and the last.
 std::vector<std::int64_t> spread(std::int64_t begin, std::int64_t end, std::int64_t most) {
   std::vector<std::int64_t> result;
   const std::int64_t count = std::min(end - begin, most);
@@ -82,7 +82,7 @@ void add_if_inside(const PixelRectangle& where, const Pixel& pixel, std::vector<
 
 double middle(const Bounds& x) { return x.low + (x.high - x.low) / 2; }
 
-/// The pixel in or next to the image that a direction through the eye points at.
+/// Adds the pixel, in or next to the image, at which a direction through the eye points.
 void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
                     const scene::Vector3& along, std::vector<Pixel>& pixels) {
   if (!(along.z > 0)) return;
@@ -95,10 +95,10 @@ void add_pointed_at(const scene::EyeSpace& eye, const PixelRectangle& image,
       {static_cast<std::int64_t>(std::round(i)), static_cast<std::int64_t>(std::round(j))});
 }
 
-/// Approximate pixels of a silhouette's least and largest column and row. In the plane (U, W) the
+/// Approximate pixels of a silhouette's first and last column and row. In the plane (U, W) the
 /// tangents from the eye touch the disc of centre (u, z) and radius r at (u q -+ z r, z q +- u r)
-/// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2; along V, the sphere is touched level
-/// with its centre. The same holds in the plane (V, W).
+/// q/rho^2, where rho^2 = u^2 + z^2 and q^2 = rho^2 - r^2. The V coordinate there is that of the
+/// centre. For the rows, U and V are exchanged.
 std::vector<Pixel> touched(const PlanStatement& statement, const PixelRectangle& image) {
   const scene::EyeSphere& seen = statement.planned().seen;
   const scene::EyeSpace& eye = statement.plan->eye;
@@ -199,8 +199,8 @@ struct SaidOf {
   Pixel pixel;
 };
 
-/// Judges a statement of a plan. Nothing excuses a wrong one: a plan promises to change no answer
-/// in any scene. `what` returns the text for a wrong statement.
+/// Judges a plan's statement. A wrong one has no excuse, because a plan promises to change no
+/// answer in any scene. `what` returns the text of the discrepancy.
 template <class What>
 void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong, const What& what) {
   const auto width = static_cast<std::size_t>(it.trial.scene().camera->width);
@@ -219,7 +219,8 @@ std::string for_what(const PlanStatement& statement) {
   return ", if the " + std::string(wanted) + " is wanted";
 }
 
-/// Whether a ray misses `sphere`, or meets `by` first: nearer, or as near and earlier in the file.
+/// Whether the ray misses `sphere`, or meets `by` first: nearer, or at the same distance and
+/// earlier in the file.
 bool is_hidden(const ExactRay& ray, const Trial& trial, std::size_t sphere, std::size_t by) {
   const auto& spheres = trial.scene().spheres;
   const scene::Conventions& conventions = trial.conventions();
@@ -284,7 +285,8 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
   if (verdict.compared() == 0) return verdict.leave_out("every rectangle is the whole image");
 }
 
-/// The rays from the eye through a pixel and away from it: together they are the whole line.
+/// The ray from the eye through a pixel and the ray in the opposite direction; together they are
+/// the whole line.
 class BothWays {
  public:
   BothWays(const scene::Camera& camera, const scene::Conventions& conventions)

@@ -29,7 +29,7 @@ bool overflows(const scene::Scene& scene, scene::Precision precision) {
   });
 }
 
-/// The candidate's pictures of the scenes that are not too large.
+/// The candidate's pictures of those scenes that are not too large.
 std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate& candidate) {
   std::vector<ShownPicture> pictures;
   for (const Case& one : cases) {
@@ -41,8 +41,9 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
   return pictures;
 }
 
-/// The causes found, with wrong answers to cases that is_left_out() counted as unexplained. A cause
-/// of less than half of the wrong answers is dropped.
+/// The causes of wrong answers. Wrong answers in cases that were left out count as unexplained, and
+/// so do, for kNotNumbers, all other defects of the law. Other causes of less than half of the
+/// wrong answers are dropped.
 std::vector<Explanation> answer_explanations(const Law& law, const std::vector<Case>& cases,
                                              const Candidate& candidate) {
   std::vector<Explanation> found = explanations(answer_causes(cases, candidate));

@@ -13,7 +13,8 @@ struct Mistake;
 struct Explanation {
   std::string sentence;  ///< "rows are upside down"
   std::uint64_t errors = 0, explained = 0;
-  std::vector<const Mistake*> mistakes = {};  ///< Of answers: those that are made together.
+  /// For answers, not pictures: the mistakes made together.
+  std::vector<const Mistake*> mistakes = {};
 };
 
 /// A cause of wrong answers that other causes need not explain.
@@ -30,11 +31,11 @@ inline constexpr std::size_t kMostAlternatives = 3;
 inline constexpr std::string_view kKeepsState =
     "a question that is asked first is answered right: the candidate keeps state between questions";
 
-/// The least share of the errors that an explanation must explain; a right answer that it
+/// An explanation must explain at least this share of the errors; a right answer that it
 /// contradicts counts as an unexplained error.
 inline constexpr double kExplainedShare = 0.9;
 
-/// The most of these errors that an explanation may leave unexplained.
+/// The most errors, of these, that an explanation may leave unexplained.
 constexpr std::uint64_t most_unexplained(std::uint64_t errors) {
   return static_cast<std::uint64_t>(static_cast<double>(errors) * (1 - kExplainedShare));
 }

@@ -13,7 +13,7 @@ namespace {
 using scene::Root;
 using scene::Vector3;
 
-/// The exponent of the largest power of ten up to `radii`.
+/// The exponent of the largest power of ten that is at most `radii`.
 int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(radii))); }
 
 }  // namespace

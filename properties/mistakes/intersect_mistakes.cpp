@@ -21,15 +21,15 @@ Mistake of_hits(std::string sentence, HitFormulas formulas) {
           .hits = std::move(formulas)};
 }
 
-/// The same for mistakes that s and Q distinguish from others, and pictures do not.
-Mistake of_answers(std::string sentence, ChooseHit choose, std::string_view family = {}) {
+/// A mistake that s and Q show, and pictures do not.
+Mistake of_answers(std::string sentence, ChooseHit choose, std::string_view group = {}) {
   Mistake mistake = of_hits(std::move(sentence), {.choose = std::move(choose)});
-  mistake.family = family;
+  mistake.group = group;
   mistake.shows_in_pictures = false;
   return mistake;
 }
 
-/// Right hits, changed afterwards.
+/// A mistake that changes right hits.
 Mistake of_value(std::string sentence, ChangeHit change,
                  bool (*is_offered)(const Candidate&) = nullptr) {
   return {.sentence = std::move(sentence),
@@ -48,7 +48,7 @@ Hit wherever_behind(const Ray& ray, const Roots& roots, Conventions conventions)
   return usual_choice(ray, roots, conventions);
 }
 
-/// v < 0 is a miss; otherwise the smaller root is taken, whatever its sign.
+/// A miss if v < 0; otherwise the smaller root, even if it is negative.
 Hit ahead_or_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
   return roots.axial_distance < 0 ? Hit() : wherever_behind(ray, roots, conventions);
 }
@@ -62,7 +62,7 @@ Hit near_wherever_ahead(const Ray& ray, const Roots& roots, const Conventions& c
   return larger_counts(roots, conventions.valid) ? wherever_behind(ray, roots, conventions) : Hit();
 }
 
-/// 0 from inside; where both roots are negative a miss, or the larger.
+/// From inside, s = 0. If both roots are negative: a miss, or with `counts_behind` the larger root.
 ChooseHit of_solid(bool counts_behind) {
   return [counts_behind](const Ray& ray, const Roots& roots, const Conventions& conventions) {
     const double least = conventions.valid.t_min;
@@ -79,10 +79,10 @@ Hit without_sign(const Ray& ray, const Roots& roots, const Conventions& conventi
   return hit_at(ray, std::abs(roots.smaller));
 }
 
-/// The result of a slip in the formula, from v and d^2 (as lengths), the right roots and |D|.
+/// The roots after a slip in the formula, given the right roots and |D|.
 using Slip = Roots (*)(const Roots& right, double size, const Ray& ray, const Sphere& sphere);
 
-/// v - d and v + d, in multiples of the direction.
+/// The roots v - d and v + d, in multiples of the direction.
 Roots roots_of(double v, double half_chord_sq, double size) {
   const double d = std::sqrt(half_chord_sq);
   return {v, half_chord_sq, (v - d) / size, (v + d) / size};
@@ -172,7 +172,7 @@ std::vector<Mistake> root_slips() {
   return all;
 }
 
-/// Where the textbook's b^2 - 4ac is 0.
+/// A mistake in the branch for b^2 - 4ac = 0.
 Mistake at_one_root() {
   Mistake mistake =
       of_hits("where b^2 - 4ac = 0, s is -b/2*a (not -b/(2a)), even if it is negative",
@@ -200,7 +200,8 @@ Mistake of_segments(std::string sentence, ChooseHit choose) {
   return mistake;
 }
 
-/// NaN in place of the roots of a negative d^2, or those of d^2 = 0.
+/// Code that does not test the sign of d^2: if it is negative, the roots are NaN, or those of d^2 =
+/// 0.
 ChooseHit untested(bool is_number) {
   return [is_number](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
     if (!(roots.half_chord_sq < 0)) return usual_choice(ray, roots, conventions);
@@ -210,19 +211,19 @@ ChooseHit untested(bool is_number) {
   };
 }
 
-/// s is this many times the right one, and Q follows from it.
+/// Multiplies s by a factor; Q follows from s.
 ChangeHit times(double factor) {
   return [factor](const Ray& ray, const Sphere&, const HitAnswer& hit) {
     return hit_at(ray, factor * hit.parameter);
   };
 }
 
-/// A hit at one s, whatever is asked.
+/// A hit at this s for every ray.
 Mistake always_at(double s, std::string sentence) {
   Mistake mistake =
       of_hits(std::move(sentence),
               {.choose = [s](const Ray& ray, auto&&...) { return Hit(hit_at(ray, s)); }});
-  mistake.family = "always";  // hit classes do not show s
+  mistake.group = "always";  // hit classes do not show s
   mistake.shows_in_pictures = false;
   return mistake;
 }

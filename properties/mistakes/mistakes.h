@@ -15,19 +15,19 @@ namespace raycheck::properties {
 enum class Step { kFrame, kPixelPoint, kRay, kIntersect, kNearest };
 inline constexpr std::size_t kStepCount = 5;
 
-/// Changes a camera under its conventions; the result may be invalid.
+/// Changes the camera, under its conventions; the result may be invalid.
 using ChangeCamera = std::function<void(scene::Camera&, const scene::Conventions&)>;
-/// Changes conventions.
+/// Changes the conventions.
 using ChangeConventions = std::function<void(scene::Conventions&)>;
-/// Another pixel than the given one; it may lie outside the image.
+/// Returns another pixel than the one asked about; it may lie outside the image.
 using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene::Conventions&,
                                                const scene::Pixel&)>;
-/// Changes a sphere.
+/// Changes the sphere.
 using ChangeSphere = std::function<void(scene::Sphere&)>;
-/// Another hit than the given right one.
+/// Returns another hit than the right one.
 using ChangeHit = std::function<HitAnswer(const scene::Ray&, const scene::Sphere&, HitAnswer)>;
 
-/// The formulas from a camera to its rays; for an empty one the right formula is used.
+/// The formulas from a camera to its rays; an empty one stands for the right formula.
 struct CameraFormulas {
   std::function<FrameAnswer(const scene::Camera&)> frame = {};
   /// P from g = nW + alpha U + beta V
@@ -35,7 +35,7 @@ struct CameraFormulas {
   /// D from P and g
   std::function<scene::Vector3(const scene::Camera&, const scene::Point3&, const scene::Vector3&)>
       direction = {};
-  bool starts_at_eye = false;  ///< Rays start at the eye under every origin convention.
+  bool starts_at_eye = false;  ///< Even if the origin convention says otherwise.
 };
 
 /// For Mistake::is_offered: the mistake explains only pictures.
@@ -49,21 +49,24 @@ struct Mistake {
   ChangeConventions conventions = {};
   ChangePixel pixel = {};
   ChangeSphere sphere = {};
-  /// Whether pixels that `pixel` moves outside the image are black; if not, they have rays.
+  /// Whether pixels that `pixel` moves outside the image are black. If not, they have rays like the
+  /// others.
   bool black_outside = false;
   CameraFormulas rays = {};
   HitFormulas hits = {};
-  ChangeHit hit = {};             ///< Pictures do not show this change.
-  bool shows_in_pictures = true;  ///< Whether pictures distinguish it.
-  /// Whether a candidate can make the mistake; null: every candidate can.
+  ChangeHit hit = {};             ///< Pictures do not show it.
+  bool shows_in_pictures = true;  ///< Whether pictures may show the mistake.
+  /// Whether a candidate can make the mistake. If null, every candidate can.
   bool (*is_offered)(const Candidate&) = nullptr;
-  bool is_rounding = false;  ///< Rounds numbers to floats, which changes few answers by 1e-6.
-  /// Mistakes of one family differ only in a size, and each changes all answers that the one before
-  /// it changes. Of those that explain the same answers, the first is named. Empty: no family.
-  std::string_view family = {};
-  /// A candidate that makes the mistake and is otherwise direct/cross, in doubles. It has the
-  /// functions `frame` to `nearest`, which throw std::invalid_argument for a camera that the change
-  /// makes invalid.
+  /// Rounds numbers to floats, which changes few answers by more than 1e-6.
+  bool is_rounding = false;
+  /// The name of the mistake's group; empty if it has none. Mistakes of one group differ only in a
+  /// size, and each changes at least the answers that the one before it changes. If several of a
+  /// group explain the same answers, only the first is named.
+  std::string_view group = {};
+  /// Makes the mistake; its other answers are those of direct/cross, in doubles. It has the
+  /// functions `frame` to `nearest`. It throws std::invalid_argument if the change makes the camera
+  /// invalid.
   Candidate candidate = {};
 
   /// Whether the mistake is in the formulas of rays.
@@ -72,14 +75,14 @@ struct Mistake {
 
 /// Every mistake; their sentences differ.
 std::span<const Mistake> mistakes();
-/// Sorts mistakes as mistakes() does: they change their input in this order.
+/// Sorts mistakes as in mistakes(), the order in which they are applied.
 std::vector<const Mistake*> in_order(std::span<const Mistake* const> some);
-/// A candidate that makes all these mistakes. Domain: can_be_together() (fault.h).
+/// A candidate that makes all these mistakes. Domain: mistakes that can be together (fault.h).
 Candidate candidate_with(std::span<const Mistake* const> mistakes);
 /// The mistake with this sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);
 
-/// The scene as code with this mistake reads it; may be invalid.
+/// The scene as code with this mistake reads it; it may be invalid.
 scene::Scene mistaken(const Mistake& mistake, scene::Scene scene);
 
 }  // namespace raycheck::properties

@@ -8,8 +8,8 @@
 namespace raycheck::properties {
 namespace {
 
-/// A convention that a candidate may follow whatever the scene says, or another declaration of the
-/// valid roots.
+/// A convention that a candidate may follow even if the scene says otherwise, or another
+/// declaration of the valid roots.
 struct Followed {
   std::string text;
   DeclaredConventions declared;
@@ -19,7 +19,7 @@ template <class Value>
 void add(std::string_view name, std::optional<Value> DeclaredConventions::*member,
          const DeclaredConventions& declared, std::vector<Followed>& all) {
   if (declared.*member) return;
-  // Not `either`, under which tangents are not judged.
+  // `either` is not tried, because under it tangents are not judged.
   for (const Value value : {Value{0}, Value{1}}) {
     Followed one{std::string(name) + " = " + std::string(scene::name(value)), {}};
     one.declared.*member = value;
@@ -91,7 +91,7 @@ bool is_right(const Law& law, const std::vector<Case>& cases, const Candidate& c
     const Verdict verdict = followed.apply(law);
     if (verdict.count(Standing::kDefect) > 0) return false;
     if (!same_answers(declared.of(law), followed.of(law))) return false;
-    // No other law may be broken: the hit class may be right where the root is wrong.
+    // All other laws must hold, too: the hit class may be right although the root is wrong.
     for (const Law& other : laws()) {
       if (other.judges_values && followed.apply(other).count(Standing::kDefect) > 0) return false;
     }

@@ -35,7 +35,8 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
   return severities;
 }
 
-/// A source and severity (0 if it has none) on which a law is tried, and its index among all.
+/// A source and severity (0 if it has none) on which a law is tried, and the source's index among
+/// all.
 struct SeriesKey {
   std::size_t place;
   int severity;
@@ -48,7 +49,7 @@ struct SeriesCases {
 using CasesOfLaw = std::map<SeriesKey, SeriesCases>;
 
 /// Divides cases evenly among the sources of a level that suit a law, and a source's cases among
-/// its severities; a series never gets fewer than it has.
+/// its severities. A series never gets fewer cases than it has.
 void share_out(const Law& law, const CampaignOptions& options, Level level, CasesOfLaw& given) {
   std::vector<std::pair<std::size_t, ChosenSource>> sources;
   const auto add = [&](std::size_t place, const ChosenSource& chosen) {
@@ -72,7 +73,8 @@ void share_out(const Law& law, const CampaignOptions& options, Level level, Case
   }
 }
 
-/// The cases of every level up to the chosen one: a level includes the cases of easier ones.
+/// The cases of every level up to the chosen one, so that no level is easier than the one before
+/// it.
 CasesOfLaw cases_of(const Law& law, const CampaignOptions& options) {
   CasesOfLaw given;
   for (int level = 0; level <= static_cast<int>(options.level); ++level) {
@@ -94,14 +96,14 @@ std::uint64_t stream_of(std::uint64_t seed, int before) {
   return before == 0 ? first : Random(first + static_cast<std::uint64_t>(before)).bits();
 }
 
-/// A case of a source: made once, rounded once for each format, with one truth for each set of
-/// conventions, and one set of answers of a candidate for all laws.
+/// A case of a source. It is made once and rounded once for each format; it has one truth for each
+/// set of conventions, and one set of answers of a candidate for all laws.
 class AskedCase {
  public:
   AskedCase(const ChosenSource& source, std::uint64_t seed)
       : seed_(seed), made_(source.make(seed)) {}
 
-  /// To be called for all searches of a candidate in succession: they share its trials.
+  /// To be called for all searches of a candidate in succession, because they share its trials.
   void judge(LawSearch& search, const Candidate& candidate, std::optional<double> max_error) {
     Rounded& rounded = in(candidate.input_format());
     if (&candidate != candidate_) {
@@ -301,7 +303,7 @@ std::vector<CampaignPart> Campaigns::run(std::size_t number, std::span<const Can
       }
     }
   } catch (const scene::Interrupted&) {
-    // The cases judged before that count.
+    // The cases judged before the interrupt count.
   }
   std::vector<CampaignPart> parts;
   for (std::size_t k = 0; k < searches.size(); ++k) {

@@ -20,21 +20,23 @@
 
 namespace raycheck::properties {
 
-/// Cases for each law and candidate. With 300, the laws catch every mutant, and also correct code
-/// perturbed by 2^-46 in s, Q or D, by an epsilon of 1e-12, or within 2^-20 of tangency.
+/// The default number of cases for each law and candidate. 300 cases are enough for the laws to
+/// catch every mutant, and correct code perturbed by 2^-46 in s, Q or D, by an epsilon of 1e-12, or
+/// within 2^-20 radii of tangency; 500 leave a margin.
 inline constexpr int kCampaignCases = 500;
 
 struct CampaignOptions {
-  /// Divided evenly among the sources of each level up to `level`, and within a source among its
-  /// severities; a severity gets the largest number that one of these levels gives it. Every source
-  /// has at least one case, at its highest severity. So a level includes all cases of lower ones.
+  /// For each level up to `level`, this number is divided evenly among the sources of that level,
+  /// and within a source among its severities. A severity gets the largest of the numbers from
+  /// these levels, so a level includes all cases of lower levels. Every source has at least one
+  /// case, at its highest severity.
   int cases = kCampaignCases;
   std::uint64_t seed = 1;
   std::optional<double> max_error;
-  bool strict = false;  ///< Excused or undecided answers break a law, too.
+  bool strict = false;  ///< Whether excused or undecided answers break a law, too.
   /// Severities up to this level are tried.
   Level level = Level::kDemanding;
-  /// The sources of the cases; empty: every source of the level that suits the law. A source
+  /// The sources of the cases; if empty, every source of the level that suits the law. A source
   /// without a severity stands for all its severities of the level.
   std::vector<ChosenSource> sources = {};
   /// The number of distinct failures to shrink: above one, a law's cases go on after a break.
@@ -43,11 +45,11 @@ struct CampaignOptions {
 
 /// Counts of cases by their treatment.
 struct CaseCounts {
-  std::int64_t cases = 0;  ///< Tried, before an end or a break.
-  /// Those of `cases` to which the law does not apply, or which the candidate's format cannot hold.
+  std::int64_t cases = 0;  ///< The number of cases tried, until the end or the first break.
+  /// Cases to which the law does not apply, or which the candidate's format cannot hold.
   std::int64_t left_out = 0;
-  std::int64_t not_judged = 0;  ///< Those of `cases` outside the candidate's stated domain.
-  std::int64_t given_rays = 0;  ///< Those of `cases` judged on raycheck's rays (given_rays()).
+  std::int64_t not_judged = 0;  ///< Cases outside the candidate's stated domain.
+  std::int64_t given_rays = 0;  ///< Cases judged on raycheck's rays (given_rays()).
   std::string reason;           ///< Why the last case that was left out was left out.
 
   void add(const CaseCounts& other);
@@ -56,29 +58,29 @@ struct CaseCounts {
 
 /// A case that breaks a law.
 struct Break {
-  /// Reproduces it: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be SOURCE@SEVERITY.
+  /// The replay string, "LAW:CANDIDATE:SOURCE:SEED"; SOURCE may be SOURCE@SEVERITY.
   std::string replay;
   std::vector<DefectKind> defects;
   std::optional<CodeLine> failed_at = {};  ///< Where the candidate died or threw.
   void serialize(auto& archive) { archive(replay, defects, failed_at); }
 };
 
-/// A law's verdict on the cases of one source, at one severity if it has any. Ends at the first
-/// case that breaks the law, unless CampaignOptions says to go on.
+/// A law's verdict on the cases of one source and, if the source has severities, of one severity.
+/// It ends at the first case that breaks the law, unless CampaignOptions::keep_going is above one.
 struct CampaignPart {
   ChosenSource source;
   CaseCounts counts;
-  Verdict verdict;  ///< Counts only: there are thousands of parts.
+  Verdict verdict;  ///< Only counts, since there are thousands of parts.
   /// The first case that breaks the law, and later ones that show other kinds of defects.
   std::vector<Break> breaks;
   std::vector<DefectKind> undecided;            ///< The undecided kinds of all its cases.
   std::optional<std::uint64_t> undecided_seed;  ///< The seed of the first undecided case.
 
-  bool failed_at_once = false;  ///< The candidate failed before it answered anything.
-  bool timed_out = false;       ///< A case broke the law because the candidate timed out.
+  bool failed_at_once = false;  ///< Whether the candidate failed before it answered anything.
+  bool timed_out = false;       ///< Whether a case broke the law because the candidate timed out.
 
   bool is_broken() const { return !breaks.empty(); }
-  /// Whether a break shows a kind of defect that the known ones do not.
+  /// Whether one of these kinds of defects is not among those of the known breaks.
   bool is_new(const std::vector<DefectKind>& defects) const;
   /// Adds later cases of the same source and severity.
   void merge(CampaignPart later);
@@ -90,25 +92,25 @@ struct CampaignPart {
   }
 };
 
-/// A case that breaks a law, or leaves it undecided, shrunk as long as it still does.
+/// A case that breaks a law, or leaves it undecided, shrunk as long as it does so.
 struct Failure {
   Case shrunk;
   Verdict verdict;
   std::string replay;
   bool is_undecided = false;
-  /// The candidate, restarted and asked about this case first, answers it right: it keeps state
-  /// between questions.
+  /// Whether the candidate is right on the shrunk case after a restart: it keeps state between
+  /// questions.
   bool is_of_earlier = false;
-  /// The tries after which shrinking was given up; 0: it was completed.
+  /// The number of tries after which shrinking was given up; 0 if it was completed.
   std::int64_t tries = 0;
   /// False: the case as it was found, since the candidate fails on every question or depends on
   /// earlier ones, or since the search was interrupted.
   bool is_shrunk = true;
 };
 
-/// A law holds only if at least this many answers to each kind of question (hits, for example)
-/// were right without an excuse: ten expose code that is right at random, half of the time, with a
-/// probability of 999 in 1000.
+/// A law holds only if at least this many answers to each kind of question (hits, for example) were
+/// right without an excuse. Ten questions expose code that is right half of the time, at random,
+/// with a probability of 999 in 1000.
 inline constexpr std::uint64_t kFewestRight = 10;
 
 /// The outcome of a law for a candidate.
@@ -122,35 +124,37 @@ struct CampaignResult {
   std::vector<CampaignPart> parts;  ///< In the order of sources and severities.
   CaseCounts counts;                ///< Of all parts together, without shrinking.
   Verdict verdict;                  ///< Of all parts together, without shrinking.
-  /// Of the first broken part of the lowest level; if no part is broken, of the first one with an
-  /// undecided case.
+  /// The failure of the first broken part of the lowest level; if no part is broken, of the first
+  /// part with an undecided case.
   std::optional<Failure> failure;
-  /// If more than one failure is to be shrunk, further ones, each of another source or kind.
+  /// Further failures, each of another source or kind, if keep_going is above one.
   std::vector<Failure> others = {};
 
-  std::uint64_t fewest_right = kFewestRight;  ///< 0 for a replay: its one case is enough.
-  /// A candidate that declares which roots count may exclude all: hits must be among the questions.
+  std::uint64_t fewest_right = kFewestRight;  ///< 0 for a replay, whose one case is enough.
+  /// Whether hits must be among the questions, because the candidate declares which roots count,
+  /// and may exclude all.
   bool wants_hits = false;
 
   Finding finding() const;
-  /// The first kind of question with fewer right answers than needed.
+  /// The first kind of question with too few right answers; empty if there is none.
   std::optional<std::pair<Quantity, Expected>> too_few_right() const {
     return verdict.too_few_right(fewest_right, wants_hits);
   }
 };
 
-/// Cases from which the cause of a law that wrong answers break may be found (missing answers have
-/// no such cause). In a round there are at most `most` cases of the sources and severities that
-/// break the law at one level, the first failing cases first, and, unless all sources break it, as
-/// many of any source, which rule out causes that would break them. Rounds 0 and 1 are at the
-/// lowest level at which the law is broken, rounds 2 and 3 at the next such level, and so on; odd
-/// rounds have four times as many cases. Empty after the last round.
+/// Cases from which the cause of a broken law may be found. Round 0 has `most` cases at the lowest
+/// level at which the law is broken: the first case that broke it at each source and severity, and
+/// further cases of these, right or wrong. Unless all sources break the law, `most` cases of all
+/// sources follow, to rule out causes that would break these. Round 1 has four times as many cases
+/// of each kind. Rounds 2 and 3 do the same at the next level at which the law is broken, and so
+/// on. Empty after the last round.
 std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most,
                                 std::size_t round = 0);
 
-/// The cases of a unit of work: few enough for threads to end together. In a large campaign they
-/// are multiplied by a power of two, so that there are at most about kMostUnits units.
+/// The number of cases in a unit of a small campaign: so few that threads end together.
 inline constexpr int kUnitCases = 64;
+/// In a large campaign, units have kUnitCases times a power of two cases, so that there are at most
+/// about this many units.
 inline constexpr std::int64_t kMostUnits = 1 << 14;
 constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
   std::int64_t pieces = 1;
@@ -158,38 +162,39 @@ constexpr std::int64_t pieces_of_unit(std::int64_t all_pieces) {
   return pieces;
 }
 
-/// A candidate is dropped after this number of units without an answer, after as many units with a
-/// time-out, or if it times out before it has answered anything.
+/// A candidate is dropped after this number of units without an answer, after this number of units
+/// in which it times out, or if it times out before it has answered anything.
 inline constexpr std::size_t kUnitsToFail = 3;
 
-/// The laws that a candidate is tested by, and how.
+/// The laws by which a candidate is tested, and the options.
 struct LawsOfCandidate {
   std::vector<const Law*> laws;
-  CampaignOptions options;  ///< With one seed and the same sources for all candidates.
+  CampaignOptions options;  ///< The seed and the sources must be the same for all candidates.
 };
 
-/// The sources that a law is tried on, each at its severities.
+/// The sources on which a law is tried, each at its severities.
 std::vector<ChosenSource> sources_of(const Law& law, const CampaignOptions& options);
 
-/// The campaigns of several candidates and laws as one pass: a case is made once, its truth worked
-/// out once, and each candidate asked once, for all laws that are tried on it. The work falls into
-/// units, some cases of one source at one severity, which are independent: any thread,
-/// process or machine may run any of them.
-/// Domain: at least one candidate; candidates[k] is tested by of_candidates[k].
+/// Runs the campaigns of several candidates and laws in one pass: for all laws that are tried on a
+/// case, the case is made once, its truth is computed once, and each candidate is asked once. The
+/// work is divided into units. A unit is some cases of one source at one severity. Units are
+/// independent: any thread, process or machine may run any of them.
+/// Domain: at least one candidate; `candidates[k]` is the candidate of `of_candidates[k]`.
 class Campaigns {
  public:
-  /// `units_are_kept`: a unit's result depends only on the unit; otherwise laws that an earlier
-  /// unit broke are left out of it.
+  /// `units_are_kept`: whether units are stored, so that a unit's result must depend only on the
+  /// unit. If not, a unit leaves out laws that an earlier unit broke.
   explicit Campaigns(std::vector<LawsOfCandidate> of_candidates, bool units_are_kept = false);
 
   std::size_t unit_count() const { return unit_count_; }
-  /// The results of the cases of a unit, for each law of each candidate that they are tried on; an
-  /// interrupt ends them early. Discrepancies are counted, and not kept.
+  /// The results of a unit's cases, for each law of each candidate that is tried on them. An
+  /// interrupt ends a unit early. Discrepancies are only counted.
   std::vector<CampaignPart> run(std::size_t unit, std::span<const Candidate> candidates,
                                 const RunControl& control) const;
   /// Adds the results of run(), in the order of units.
   void take(std::size_t unit, std::vector<CampaignPart> parts);
-  /// The result of all units for a law of a candidate, with its failure shrunk. Call it once each.
+  /// The result of all units for a law of a candidate, with its failure shrunk. To be called once
+  /// for each.
   CampaignResult finished(std::size_t candidate, std::size_t law, const Candidate& judged);
 
  private:
@@ -239,7 +244,7 @@ class Campaigns {
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
                             const CampaignOptions& options, const RunControl& control = {});
 
-/// Whether a case and a candidate meet a law's needs, if necessary with raycheck's rays.
+/// Whether a case and a candidate meet a law's needs; if necessary, with raycheck's rays.
 bool has_question(const Law& law, const Candidate& candidate, const Case& the_case);
 
 /// The parts of a replay string; throws std::invalid_argument naming the part that is wrong.

@@ -21,7 +21,7 @@ struct CaseVerdict {
 CaseVerdict verdict_on(const Law& law, Trials* trials) {
   if (trials == nullptr) return {false, false, Verdict(law.name)};
   Trial& trial = trials->of(law);
-  // Missing functions of a candidate are reason enough, also outside its domain.
+  // If the candidate lacks functions, that is the reason, even outside its domain.
   const bool judged = trial.is_judged(law.quantity) || !what_is_missing(law.needs, trial).empty();
   return {judged, &trial != &trials->on_case(), judged ? trials->apply(law) : Verdict(law.name)};
 }
@@ -76,7 +76,7 @@ void LawSearch::replay(std::uint64_t seed, bool shrinks) {
 }
 
 void LawSearch::judge_restarted() {
-  // Not for time-outs, nor for candidates that fail on every question.
+  // Time-outs, and candidates that fail on every question, are not judged again.
   const auto worst = failure->verdict.worst(1);
   const bool timed_out = !worst.empty() && worst.front().failed.timed_out;
   if (!candidate_->restart || timed_out || fails_always(failure->verdict)) return;
@@ -128,7 +128,7 @@ void LawSearch::until_interrupted(const Work& work) {
   try {
     work();
   } catch (const scene::Interrupted&) {
-    // The cases judged before that count.
+    // The cases judged before the interrupt count.
   }
   if (!strict_) part.undecided = part.verdict.undecided();
 }

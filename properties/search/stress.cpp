@@ -57,7 +57,7 @@ void StressResult::merge(StressResult other) {
 
 namespace {
 
-/// The candidates of one format.
+/// Judges the candidates of one format.
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
             InputFormat format, std::vector<StressResult>& results) {
   const auto first =
@@ -115,7 +115,7 @@ std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
       stress(source.make(seeds.bits()), stage, candidates, results);
     }
   } catch (const scene::Interrupted&) {
-    // The result is what was judged so far.
+    // The result has the cases judged so far.
   }
   for (StressResult& result : results) {
     result.inside.drop_discrepancies();

@@ -13,10 +13,11 @@
 
 namespace raycheck::properties {
 
-/// The case for one stage. For intersections, rays replace the camera: those that `rays` makes from
-/// it, taken as exact. Empty if no ray is left.
+/// The case for one stage. For intersections, the rays that `rays` makes from the camera replace it
+/// and are taken as exact. Empty if no ray is left.
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
-/// alone() of the case rounded to a format; the rays are rounded, too.
+/// The case for one stage in a format: the case is rounded to the format first, and so are the rays
+/// that `rays` makes.
 RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format);
 
 /// A discrepancy and the case that shows it.
@@ -30,8 +31,8 @@ struct Example {
 struct StressResult {
   Verdict inside;
   Verdict outside;
-  std::vector<Example> found;  ///< The first of each law and kind of error.
-  std::uint64_t left_out = 0;  ///< Cases that the candidate's format cannot hold (rounded_case).
+  std::vector<Example> found;  ///< The first example of each law and kind of error.
+  std::uint64_t left_out = 0;  ///< Cases that its format cannot hold (rounded_case).
 
   void merge(StressResult other);
   void serialize(auto& archive) { archive(inside, outside, found, left_out); }
@@ -43,10 +44,10 @@ struct StressOptions {
   std::uint64_t seed = 1;
 };
 
-/// Judges candidates on the same random cases of a source, rounded to the format of each, and
-/// weighs every error by its condition number. If the stage needs given rays, the first candidate
-/// of a format makes them from cameras; if it makes none, the first candidate of all does. The same
-/// options give the same result.
+/// Judges candidates on the same random cases of a source, rounded to the format of each candidate.
+/// Every error is weighed by its condition number. If the stage needs given rays, the first
+/// candidate of each format makes them from cameras; if that one makes no rays, the first of all
+/// candidates does. The same options give the same result.
 std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
                                  std::span<const Candidate> candidates,
                                  const StressOptions& options, const RunControl& control = {});
@@ -61,10 +62,10 @@ std::optional<double> worst_ratio(const Verdict& verdict);
 /// Whether there is no defect, and no stability ratio above kStableRatio.
 bool is_stable(const Verdict& verdict);
 
-/// The slope of the line that best fits log10(error) against log10(base^severity) while the error
-/// grows: up to the first error that is at least a tenth of the largest, since growth stops when no
-/// digit is right; over all errors if they do not grow tenfold. Ignores errors that are 0 or not
-/// finite; empty if fewer than three remain.
+/// The slope of the line that best fits log10(error) against log10(base^severity), over the
+/// severities where the error grows: up to the first error that is at least a tenth of the largest
+/// (an error stops growing when no digit is right any more), or over all severities if the errors
+/// do not grow tenfold. Ignores errors that are 0 or not finite; empty if fewer than three remain.
 /// Shape: one error per severity.
 std::optional<double> error_slope(int base, std::span<const int> severities,
                                   std::span<const double> errors);

@@ -35,7 +35,8 @@ Hit point_at_a_radius(const Ray& ray, const Sphere& sphere, const Conventions& c
   return hit;
 }
 
-/// s measured from the origin in the sphere's space (centred, in radii) to a point of the world.
+/// s is measured from the origin in the sphere's space (centred, in radii) to a point in world
+/// space.
 Hit measured_from_a_moved_origin(const Ray& ray, const Sphere& sphere,
                                  const Conventions& conventions) {
   Hit hit = right(ray, sphere, conventions);
@@ -77,7 +78,7 @@ Hit quadratic_in_floats(const Ray& ray, const Sphere& sphere, const Conventions&
       conventions);
 }
 
-/// v - d and v + d of right v and d.
+/// The roots v - d and v + d, added in floats, of right v and d.
 Hit sums_in_floats(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
   Roots roots = right_roots(ray, sphere);
   const auto v = static_cast<float>(roots.axial_distance);

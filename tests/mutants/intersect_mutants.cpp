@@ -9,7 +9,7 @@ namespace {
 
 AskSphere unmutated_hits() { return hits_of(unmutated()); }
 
-/// Spheres changed before they are intersected.
+/// A mutant that changes spheres before it intersects them.
 Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> change) {
   Candidate candidate = named(std::move(name));
   answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
@@ -19,7 +19,7 @@ Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> cha
   return candidate;
 }
 
-/// Answers changed after they are made.
+/// A mutant that changes right answers.
 Candidate with_hits(std::string name,
                     std::function<Hit(const Ray&, const Sphere&, const Conventions&, Hit)> change,
                     bool checked = true) {
@@ -37,7 +37,7 @@ Candidate with_hits(std::string name,
   return candidate;
 }
 
-/// Another choice between the two roots; input is checked as before.
+/// A mutant that chooses other roots. It checks its input like a right candidate.
 Candidate with_choice(std::string name,
                       std::function<Hit(const Ray&, const fast::Roots&, const Conventions&)> choose,
                       bool checked = true) {
@@ -49,8 +49,8 @@ Candidate with_choice(std::string name,
       checked);
 }
 
-/// The roots of a s^2 + b s + c by q = -(b - sign(b) sqrt(b^2 - 4ac))/2, which cancels where the
-/// other sign would not; for an origin on the surface q is 0, and c/q is not a number.
+/// The roots of a s^2 + b s + c by q = -(b - sign(b) sqrt(b^2 - 4ac))/2, which cancels; the other
+/// sign would not. For an origin on the surface, q is 0 and c/q is NaN.
 Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventions& conventions,
                             const Hit&) {
   const auto dot = [](const scene::Vector3& u, const scene::Vector3& v) {

@@ -1,4 +1,4 @@
-// Every option of every command accepts valid values, and refuses others with a clear message.
+// Every option of every command accepts valid values, and refuses all others with a clear message.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -17,7 +17,7 @@ constexpr tools::LinkedCommand kAllCommands[] = {
 #undef RAYCHECK_LINKED
 };
 
-/// The program's commands, not run.
+/// The commands of the program, without running them.
 struct Program {
   CLI::App app;
   std::vector<tools::Command> commands = tools::make_program(app, kAllCommands);
@@ -28,7 +28,7 @@ bool takes_a_number(const CLI::Option& option) {
   return type.find("INT") != std::string::npos || type.find("FLOAT") != std::string::npos;
 }
 
-/// The same as expect_refused() for a line whose words may be in single quotes. Commands that need
+/// Like expect_refused(), for a line whose words may be in single quotes. Commands that need
 /// neither a candidate nor files beside the program run in a fork of this process, which is faster.
 void expect_refused_here(const std::string& line, const std::string& why) {
   const std::string command = line.substr(0, line.find(' '));
@@ -59,7 +59,7 @@ void expect_refused_here(const std::string& line, const std::string& why) {
   EXPECT_EQ(contents(out), "") << line;
 }
 
-/// The message by which an option refuses a value; empty if it accepts it.
+/// The message with which an option refuses a value; empty if it accepts the value.
 std::string refusal(CLI::Option& option, const std::string& value) {
   option.clear();
   try {
@@ -101,7 +101,7 @@ TEST(HostileOptions, of_numbers_accept_only_numbers) {
 const std::string kTenSpheres = "scene/examples/ten-spheres.toml";
 const std::string kOfGivenRays = " scene/examples/lecture-examples.toml";
 
-/// The arguments that commands need before an option is checked.
+/// The arguments without which a command does not check its options.
 const std::map<std::string, std::string> kNeeded = {
     {"check", kTenSpheres},
     {"explain", kTenSpheres + " --pixel 3,3"},
@@ -163,7 +163,7 @@ TEST(HostileOptions, that_are_unused_are_refused) {
   }
 }
 
-/// Command lines, where FAR is a scene and OUT an option of a file, and their messages.
+/// Command lines and their messages. FAR stands for a scene, OUT for an option with a file.
 const std::pair<const char*, const char*> kRefused[] = {
     {"", "subcommand"},
     {"chekc", "there is no command 'chekc'"},
@@ -203,7 +203,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"properties --replay klass:direct/cross:distance:1", "klass"},
     {"properties --replay class:direct/none:distance:1", "direct/none"},
     {"stress --family moon", "no such source with severities; there are far-camera"},
-    // Severities stay in the range of a family.
+    // Severities must be in the range of the source.
     {"properties --source distance@16", "severities of 'distance' are 0 to 15"},
     {"worst --method cross --family distance@77", "0 to 15"},
     {"stress --severity 5..2", "--severity 5..2"},

@@ -40,12 +40,12 @@ Draft prepare(const Implementation& implementation, const ScenesOfFormats& scene
   return draft;
 }
 
-/// The mistakes that explain the errors of a candidate in its picture, which is kept, or in its
+/// The mistakes that explain the errors of a candidate: in its picture, which is stored, or in its
 /// answers about some rays.
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
   if (report.implementation.methods || report.verdict.holds()) return {};
-  // Mistakes in pictures are tried only if every root >= 0 counts.
+  // Mistakes in pictures are searched for only if every root >= 0 counts.
   if (report.implementation.draws() && !report.conventions.valid.is_usual()) return {};
   const Candidate candidate = report.implementation.make();
   try {
@@ -80,7 +80,7 @@ CandidateReport finish(Draft draft, const scene::Scene& given) {
   return std::move(draft.report);
 }
 
-/// Loads the scene. Renderers are set to read the file's dialect, unless they keep their form.
+/// The scene. Renderers that do not keep their form are changed to the dialect of the file.
 scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
   const bool draw = std::ranges::any_of(implementations, &Implementation::draws);
   scene::LoadedScene loaded =
@@ -92,9 +92,9 @@ scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>
   return loaded;
 }
 
-/// Leaves out pairs of methods that answer as an earlier pair does on this scene: they differ only
-/// in the ray method if the scene has no camera, or only in the intersection method if it has no
-/// spheres.
+/// The implementations without pairs that do the same as an earlier pair on this scene. If the
+/// scene has no camera, pairs that differ only in the ray method are the same; if it has no
+/// spheres, pairs that differ only in the intersection method.
 std::vector<Implementation> without_equals(const std::vector<Implementation>& implementations,
                                            const scene::Scene& scene) {
   if (implementations.size() == 1) return implementations;

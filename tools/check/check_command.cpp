@@ -43,7 +43,7 @@ int run_check(CheckArguments& arguments) {
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);
   Gate gate = check_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
-  if (report.ratchet) gate = check_gate(report);  // now with the baseline
+  if (report.ratchet) gate = check_gate(report);  // again, with the baseline
   print_warnings(report.warnings);
   files.write(kCheckViews, report, gate);
   if (certificates) certificates->write(check_certificates(report));

@@ -14,8 +14,8 @@ namespace {
 
 using properties::Quantity;
 
-/// The most findings of a candidate, one for each ray and sphere: its worst discrepancies or, if it
-/// has none, its largest errors.
+/// At most this many findings of each candidate, one for each ray and sphere: its worst
+/// discrepancies or, if there are none, its largest errors.
 constexpr std::size_t kMostFindings = 8;
 constexpr std::size_t kMostDiscrepancies = 64;
 
@@ -25,7 +25,7 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   return candidate.implementation.name_in(is_of_rays ? Stage::kRays : Stage::kIntersection);
 }
 
-/// The mistakes that explain a candidate's wrong answers, in sentences; or empty.
+/// The mistakes that explain a candidate's wrong answers, in a sentence; empty if there are none.
 std::string looks_like(const std::vector<properties::Explanation>& explanations) {
   std::string text;
   for (const properties::Explanation& one : explanations) {
@@ -36,7 +36,7 @@ std::string looks_like(const std::vector<properties::Explanation>& explanations)
   return text;
 }
 
-/// Where to show a discrepancy that has no place: one of the camera, or a failure.
+/// A selection for a discrepancy without a place: one of the camera, or a failure.
 Selection anywhere_in(const scene::Scene& scene) {
   if (!scene.camera) return {{}, std::size_t{0}, {}};
   return {scene::Pixel{scene.camera->width / 2, scene.camera->height / 2}, {}, {}};
@@ -86,7 +86,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
   return findings;
 }
 
-/// Candidates shown in one view: raycheck's methods together, every external one separately.
+/// The candidates of one view: all of raycheck's methods, or one external candidate.
 using Group = std::vector<const CandidateReport*>;
 
 std::vector<Group> groups_of(const CheckReport& report) {
@@ -103,7 +103,7 @@ std::vector<Group> groups_of(const CheckReport& report) {
   return groups;
 }
 
-/// A remark on the first discrepancy listed, placed after its location.
+/// A remark after the place of the first listed discrepancy.
 std::string worst_of(std::uint64_t listed, std::uint64_t all) {
   if (all == 1) return ", the only discrepancy here";
   return fmt::format(", the worst of {} discrepancies here; {} listed", all,

@@ -43,7 +43,7 @@ std::string class_error_text(const Tally& tally) {
   return text.empty() ? "0" : text;
 }
 
-/// Where a quantity is worst, if it has errors.
+/// The place of a quantity's largest error, if it has errors.
 std::string worst_text(const Tally& tally, Quantity quantity) {
   std::string text;
   if (tally.worst > 0 && has_place(quantity)) text = place_text(tally.worst_place);
@@ -54,7 +54,7 @@ std::string worst_text(const Tally& tally, Quantity quantity) {
   return text;
 }
 
-/// The comparisons of a candidate, a row per quantity.
+/// A table of a candidate's comparisons, with a row for each quantity.
 std::string quantities_table(const CandidateReport& candidate) {
   Table table(
       {"quantity", ">cases", "class errors", ">median", ">max", ">bound", "unit", "worst at"});
@@ -68,7 +68,7 @@ std::string quantities_table(const CandidateReport& candidate) {
   return table.text();
 }
 
-/// The hits that an interval of parameters, or culling, excludes.
+/// The text about hits that an interval of valid roots, or culling, excludes.
 std::string excluded_text(const CandidateReport& candidate) {
   if (candidate.conventions.valid.is_usual()) return "";
   const ExcludedHits& excluded = candidate.excluded;
@@ -123,7 +123,7 @@ std::string failures_text(const properties::FailureSearch& search) {
   return text + "\n";
 }
 
-/// A line with the command that asks this question again, if there is one.
+/// A line with the command that asks this question again; empty if there is none.
 std::string replay_text(const CheckReport& report, const CandidateReport& candidate,
                         const properties::Discrepancy& discrepancy) {
   const scene::Scene& scene = *discrepancy.failed.scene;
@@ -202,7 +202,8 @@ struct RankedDiscrepancy {
   properties::Discrepancy discrepancy;
 };
 
-/// Defects first; the worst of each candidate before the second worst of any.
+/// The worst discrepancies: defects first, and the worst of every candidate before the second worst
+/// of any.
 std::vector<RankedDiscrepancy> worst_of_all(const CheckReport& report) {
   std::vector<RankedDiscrepancy> ranked;
   for (const CandidateReport& candidate : report.candidates) {

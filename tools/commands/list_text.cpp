@@ -16,7 +16,7 @@ std::string caveat(std::string_view not_kept) {
   return fmt::format("\n  {:<17} not kept on {}\n", "", not_kept);
 }
 
-/// The range of lengths of a method with its own; empty for most.
+/// The range of lengths of a method, if it has one; empty for most methods.
 std::string lengths(const fast::Domain& domain) {
   if (domain == fast::Domain{}) return {};
   return fmt::format("; lengths {:.3g} to {:.3g}", domain.smallest_length, domain.largest_length);

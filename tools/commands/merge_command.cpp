@@ -28,7 +28,8 @@ struct MergeArguments {
   bool may_run = false;
 };
 
-/// The folder names the programs to run, and it may come from anyone.
+/// Reports the programs that the merge runs, because the folder names them and may come from
+/// anyone.
 void report_what_runs(const CampaignIdentity& campaign, const std::string& folder, bool may_run) {
   if (!runs_candidates(campaign)) return;
   const std::string warning =
@@ -40,7 +41,7 @@ void report_what_runs(const CampaignIdentity& campaign, const std::string& folde
   print_error(fmt::format("raycheck: {}\n", warning));
 }
 
-/// Executes the campaign's command, which takes its units from the folders.
+/// Runs the campaign's command, which reads its units from the folders.
 int run_merge(const MergeArguments& arguments) {
   const CampaignIdentity campaign = campaign_in(arguments.folders.front());
   const CommandRow* const row = find_command(campaign.command);

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 struct Language {
   std::string_view name, extension;
-  std::string_view beside;  ///< A file of adapters() to be copied beside it; or empty.
-  std::string_view judged;  ///< The option that judges NAME.
-  /// Reserved words, with spaces around; empty: NAME only names files in this language.
+  std::string_view beside;  ///< A file in adapters() that is copied beside it, or empty.
+  std::string_view judged;  ///< The option with which NAME is judged.
+  /// Reserved words, with spaces around each; empty if NAME names only files in this language.
   std::string_view reserved = "";
 };
 constexpr Language kLanguages[] = {

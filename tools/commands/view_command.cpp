@@ -37,8 +37,8 @@ struct ViewArguments {
   int threads = tbb::info::default_concurrency();
 };
 
-/// If rays times spheres are at most this, every ray is judged; if rays times spheres times methods
-/// are, the default is all methods of fast/.
+/// If rays times spheres is at most this, every ray is judged. If rays times spheres times methods
+/// is at most this, all methods of fast/ are the default.
 constexpr double kMostJudged = 1 << 22;
 
 struct Size {
@@ -53,7 +53,7 @@ Size size_of(const scene::Scene& scene) {
   return {rays, static_cast<double>(scene.spheres.size())};
 }
 
-/// The default: every intersection method if the scene is small enough, otherwise cross.
+/// The default methods: every intersection method if the scene is small enough, otherwise cross.
 std::vector<MethodPair> default_methods(const Size& size) {
   const auto all = fast::intersect_methods();
   if (size.rays * size.spheres * static_cast<double>(all.size()) > kMostJudged) {
@@ -118,7 +118,7 @@ ViewDocument of_family(const ViewArguments& arguments, const properties::RunCont
   return dial_document(options, !arguments.methods.empty(), control);
 }
 
-/// At most this number of findings; the page has all of them.
+/// At most this many findings are printed; the page has all of them.
 constexpr std::size_t kMostLines = 5;
 
 std::string scene_text(const SceneView& view) {
@@ -131,7 +131,7 @@ std::string scene_text(const SceneView& view) {
                      count_text(view.panels.size(), "pair"));
 }
 
-/// A page's contents in lines: its first view, its findings, what was left out.
+/// The contents of a page in lines: its first view, its findings, and what was left out.
 std::string view_text(const ViewDocument& document, const std::string& file, std::size_t bytes) {
   std::string text;
   for (const SceneView& view : document.scenes) text += scene_text(view);

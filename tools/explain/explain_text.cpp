@@ -11,7 +11,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Longer closed forms are cut here; --format json shows them whole.
+/// Longer closed forms are cut in this report; --format json has them whole.
 constexpr std::size_t kLongestClosedForm = 160;
 
 std::string shown(const std::string& closed_form) {

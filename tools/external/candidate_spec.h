@@ -11,14 +11,15 @@ namespace raycheck::tools {
 /// The kinds of external candidates.
 enum class CandidateKind {
   kLibrary,  ///< A shared library with functions of <raycheck/candidate.h>.
-  kSource,   ///< A C++ file, or a folder of them or with a CMakeLists.txt, compiled to a library.
+  /// A C++ file, a folder of C++ files, or one with a CMakeLists.txt: compiled to a library.
+  kSource,
   kCommand,  ///< A program that speaks the protocol.
-  kRenderer  ///< A finished renderer, started for every scene; {scene} and {image} are files.
+  kRenderer  ///< A finished renderer, started for every scene; {scene} and {image} stand for files.
 };
 inline constexpr std::array<std::string_view, 4> kCandidateKindNames = {"library", "source",
                                                                         "command", "renderer"};
 
-/// An external candidate as named by `--candidate` and rubrics: "source:rays.cpp".
+/// An external candidate as written in `--candidate` and rubrics: "source:rays.cpp".
 struct CandidateSpec {
   CandidateKind kind = CandidateKind::kLibrary;
   std::string what;  ///< A path, or the words that start a program.

@@ -23,9 +23,9 @@ namespace raycheck::tools {
 struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
-  std::optional<properties::OtherSize> size = {};  ///< Of a picture, if the size is wrong.
-  bool fails_always = false;                       ///< On every request.
-  std::optional<properties::CodeLine> line = {};   ///< In its source, if known.
+  std::optional<properties::OtherSize> size = {};  ///< The size of a picture, if it is wrong.
+  bool fails_always = false;                       ///< Whether it fails on every request.
+  std::optional<properties::CodeLine> line = {};   ///< The line in its source, if known.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
@@ -40,8 +40,8 @@ struct AnswerFailure {
   }
 };
 
-/// The latest pictures, shared by all threads, which draw different scenes in parallel. Failures
-/// are kept like pictures.
+/// The latest pictures of a renderer. All threads share them, and draw different scenes in
+/// parallel. Failures are kept like pictures.
 class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
@@ -62,11 +62,12 @@ class Pictures {
     std::optional<AnswerFailure> failure = {};
     std::int64_t pixels() const { return scene.camera->width * scene.camera->height; }
   };
-  /// Limits on the kept pictures: number and total pixels. The last one is always kept.
+  /// The limits on the number and the total pixels of kept pictures. The last picture is always
+  /// kept.
   static constexpr std::ptrdiff_t kKept = 32;
   static constexpr std::int64_t kKeptPixels = std::int64_t{1} << 22;
 
-  /// The entry for a scene, new or existing, moved to the end.
+  /// The entry for a scene, made if it does not exist, and moved to the end.
   std::shared_ptr<Picture> kept(const scene::Scene& scene, scene::Rows rows) {
     const std::lock_guard lock(mutex_);
     auto found = std::ranges::find_if(
@@ -91,7 +92,7 @@ class Pictures {
           AnswerFailure{kind == FailureKind::kCannotSay ? words : "image: " + words, kind};
       timeouts_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
-    if (const int timeouts = timeouts_; timeouts >= renderer_.most_silences) {
+    if (const int timeouts = timeouts_; timeouts >= renderer_.most_timeouts) {
       fail(fmt::format("not started after {} runs that timed out", timeouts),
            FailureKind::kNotAsked);
       return;
@@ -112,7 +113,7 @@ class Pictures {
 
   Renderer renderer_;
   std::mutex mutex_;
-  std::vector<std::shared_ptr<Picture>> kept_;  ///< The most recently used one is last.
+  std::vector<std::shared_ptr<Picture>> kept_;  ///< The most recently used picture is last.
   std::atomic<int> timeouts_ = 0;
 };
 
@@ -132,7 +133,7 @@ class Conversation {
   explicit Conversation(External external, LastFailure last = nullptr)
       : external_(std::move(external)), last_(std::move(last)) {}
 
-  /// The reply to a request, read by `read`.
+  /// Sends a request; `read` parses the reply.
   template <class Read>
   auto ask(std::string_view function, const scene::Conventions& conventions, std::size_t lines,
            const std::function<void(Request&)>& fill, const Read& read) {
@@ -156,7 +157,7 @@ class Conversation {
     failed_request_.clear();
     is_asked_anew_ = false;
   }
-  /// The next requests go to a fresh process; stored answers are ignored.
+  /// Makes the next requests go to a fresh process, and ignores stored answers.
   void restart() {
     reset_timeouts();
     process_.reset();
@@ -210,7 +211,7 @@ class Conversation {
     }
   }
 
-  /// Unpredictable, so that no reply can be prepared in advance.
+  /// An unpredictable id, so that no reply can be prepared in advance.
   std::string next_id() { return fmt::format("{:016x}", ids_()); }
 
   void start() {
@@ -272,11 +273,12 @@ class Conversation {
   Introduction introduction_;
   std::string failed_request_;
   AnswerFailure failure_;
-  bool introduction_heard_ = true;  ///< Of the current process.
+  bool introduction_heard_ = true;  ///< Whether the introduction of the current process was read.
   double share_ = 1;
   bool is_asked_anew_ = false;
   int timeouts_ = 0;
-  double shares_timed_out_ = 0;  ///< The sum of their shares of the time limit.
+  /// The sum of the shares of the time limit that timed-out requests had.
+  double shares_timed_out_ = 0;
   std::mt19937_64 ids_{std::random_device{}()};
 };
 
@@ -295,7 +297,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   return judged_in(external.precision, std::move(candidate));
 }
 
-/// Adds the functions that the candidate implements.
+/// Sets the functions that the candidate implements.
 void add_functions(const std::shared_ptr<Conversation>& talk,
                    const std::set<std::string>& functions, Candidate& candidate) {
   const auto of_pixels = [talk](const char* function, auto answers) {
@@ -338,7 +340,7 @@ void add_functions(const std::shared_ptr<Conversation>& talk,
   if (functions.contains("nearest")) candidate.nearest = of_rays("nearest", &Reply::nearest);
 }
 
-/// A candidate with its declared properties and the bounds that apply to it, without functions.
+/// A candidate with its declared properties and its bounds, but without functions.
 Candidate introduced(const External& external) {
   Candidate candidate;
   candidate.name = external.name;

@@ -29,7 +29,8 @@ raycheck_camera to_c(const scene::Camera& c) {
           c.right,     c.bottom,        c.top,      c.width, c.height};
 }
 
-/// The header's enumerators equal raycheck's; those of conventions are one larger (AS_ASKED).
+/// The enumerators in candidate.h have the same values as raycheck's; those of conventions are
+/// larger by one, because of AS_ASKED.
 template <class Enum>
 std::int32_t enumerator(Enum value) {
   return static_cast<std::int32_t>(value);

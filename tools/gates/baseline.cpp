@@ -17,11 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kFirstLine = "# raycheck baseline 2";
-/// Older files, which name candidates as typed.
+/// The first line of older files, which name candidates as the user typed them.
 constexpr std::string_view kEarlier = "# raycheck baseline 1";
 constexpr std::string_view kSeparator = "; ";
 
-/// A field in a line: characters that would end it, or are invisible, are written as escaped bytes.
+/// A field of a line. Characters that would end it, or are invisible, are written as escaped bytes.
 std::string percent_encoded(std::string_view field) {
   constexpr std::string_view kSpelled = "%;#";
   constexpr std::size_t kMostBytes = 4;  // of a character

@@ -21,11 +21,12 @@ namespace {
 
 struct GradeArguments {
   GradeOptions options;
-  int jobs = tbb::info::default_concurrency();  ///< Submissions graded at the same time.
+  /// The number of submissions graded at the same time.
+  int jobs = tbb::info::default_concurrency();
   std::string secret_file;
   std::string package;
   bool probe = false;
-  /// Grading with less isolation requires an explicit option.
+  /// Grading with less isolation than required needs an explicit option.
   SandboxArguments sandbox = {.sandbox = Sandbox::kRequire};
   std::string format = "text";
   ShardArguments shards;
@@ -42,7 +43,8 @@ std::string secret_of(const std::string& path) {
   throw std::invalid_argument("--secret-file " + path + ": is empty");
 }
 
-/// The class in a printed format; in the default one if `format` is a format of results.json only.
+/// The class in a printed format. If `format` is only a format of results.json, the default format
+/// is used.
 std::string printed(const ClassGrade& graded, const std::string& format) {
   for (const ClassView& view : kPrintedViews) {
     if (view.name == format) return view.render(graded);
@@ -50,7 +52,7 @@ std::string printed(const ClassGrade& graded, const std::string& format) {
   return kPrintedViews[0].render(graded);
 }
 
-/// Without submissions: tries the rubric on raycheck's own methods.
+/// Tries the rubric on raycheck's own methods, if there are no submissions.
 int try_own_methods(const GradeArguments& arguments) {
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric, arguments.options.dialect);
@@ -72,7 +74,7 @@ int try_own_methods(const GradeArguments& arguments) {
   return exit_code(tried.interrupted, !is_full, true);
 }
 
-/// Only the dry run.
+/// Makes only the dry run.
 int run_probe(const GradeArguments& arguments) {
   if (std::ranges::none_of(kProbeViews,
                            [&](const auto& view) { return view.name == arguments.format; })) {
@@ -134,7 +136,7 @@ CommandRun add_grade(CLI::App& command) {
   add_shards_inside(command, arguments.shards);
   command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
       ->check(whole_number(1, 1024));
-  // Allowed with --out, so that the later grading command only needs --probe removed.
+  // --out is allowed, so that removing --probe gives the command for grading.
   CLI::Option* const probe =
       command
           .add_flag("--probe", arguments.probe,

@@ -77,7 +77,8 @@ ItemReport quantities(scene::Wanted wanted) {
   return {count, kLeftOut.size(), "quantities", why};
 }
 
-/// In the order of kPlanItems; the filter's count comes from deciding pixels.
+/// The effects of items, in the order of kPlanItems. The filter's count is set later, when pixels
+/// are decided.
 std::vector<ItemReport> items_of(const scene::Scene& scene, const scene::ScenePlan& plan) {
   const std::size_t asked = which(plan, [](const SpherePlan& s) { return !s.left_out; }).size();
   const auto all = asked * static_cast<std::uint64_t>(scene.camera->width) *
@@ -140,7 +141,7 @@ PlanReport make_plan(const PlanOptions& options, const properties::RunControl& c
   } catch (const std::invalid_argument& error) {
     report.warnings.push_back(fmt::format("nothing is timed: {}", error.what()));
   } catch (const scene::Interrupted&) {
-    // The report has the times so far.
+    // The report contains the times so far.
   }
   report.interrupted = control.interrupted();
   constexpr auto kFilter = std::ranges::find(kPlanItems, "filter", &PlanItem::name);

@@ -14,7 +14,7 @@ using scene::SpherePlan;
 
 std::string milliseconds(double ms) { return fmt::format("{:.3g}", ms); }
 
-/// "saves 73%"; a negative share means that the item costs time here.
+/// "saves 73%"; if the share is negative, the item costs time here.
 std::string share_text(const PlanTime& time) {
   return fmt::format("{}%", std::lround(100 * (1 - time.with_plan_ms / time.without_ms)));
 }

@@ -58,7 +58,7 @@ int run_properties_command(PropertiesArguments& arguments) {
   report.time = arguments.budget;
   Gate gate = properties_gate(report);
   report.ratchet = files.ratchet(gate.findings, report.interrupted);
-  if (report.ratchet) gate = properties_gate(report);  // now with the baseline
+  if (report.ratchet) gate = properties_gate(report);  // again, with the baseline
   files.write(kPropertiesViews, report, gate);
   print_view(kPropertiesViews, arguments.gate.format, report, gate);
   if (view) view->write(page(properties_document(report, run_control("page"))));
@@ -92,7 +92,7 @@ CommandRun add_properties(CLI::App& command) {
             "the hardest cases that are tried: ordinary, demanding or extreme (default: the level "
             "that the candidate declares, else ordinary for external candidates and demanding for "
             "raycheck's methods)");
-  // The replay string already determines law, methods and source.
+  // A replay string already determines law, methods and source.
   add_shards(command, given->shards);
   for (const char* other : {"--filter", "--source", "--level", "--rays", "--intersect", "--out"}) {
     replay->excludes(command.get_option(other));

@@ -28,7 +28,8 @@ using properties::Finding;
 using properties::Level;
 using properties::Standing;
 
-/// "rays, all of up, distance@3..7, tangency@6,9..12": sources, and the broken severities of each.
+/// "rays, all of up, distance@3..7, tangency@6,9..12": a range is a run of severities that were
+/// judged one after the other.
 std::string broken_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
@@ -110,7 +111,8 @@ void add_law(const CampaignReport& campaign, std::string& laws) {
   laws += (laws.empty() ? "" : ", ") + std::string(campaign.law->name);
 }
 
-/// A line for each reason: "  frame, look-at, up: the candidate does not implement frame()".
+/// The laws that were left out, one line for each reason: "  frame, look-at, up: the candidate does
+/// not implement frame()".
 std::string left_out_text(const PropertiesReport& report) {
   struct LeftOut {
     std::string_view candidate, reason;
@@ -137,8 +139,8 @@ std::string left_out_text(const PropertiesReport& report) {
   return text;
 }
 
-/// Why laws are broken: the causes, that of most answers first, and the laws without a known cause:
-/// "rows are upside down (explains all 20 wrong answers)".
+/// Why laws are broken: "rows are upside down (20 of 20 wrong answers)". The cause that explains
+/// most answers comes first, and the laws without a known cause last.
 std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   struct Cause {
     const properties::Explanation* best;
@@ -172,8 +174,8 @@ std::string causes_text(const std::vector<const CampaignReport*>& broken) {
   return text + (unexplained.empty() ? "" : "; unexplained: " + unexplained);
 }
 
-/// The summary of an external candidate: the mistakes that explain most errors, or the level up to
-/// which it is right.
+/// The summary of an external candidate's campaigns: the mistakes that explain most errors and, if
+/// known, the level up to which it is right.
 std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) {
   std::optional<Level> broken, held;
   std::vector<const CampaignReport*> all_broken;
@@ -214,7 +216,8 @@ std::string first_sentence(const std::vector<const CampaignReport*>& campaigns) 
   return right + causes_text(all_broken);
 }
 
-/// The cases of the corpus that break their law, those that no longer do, and their numbers.
+/// The cases of the corpus that still break their law, the cases that no longer do, and their
+/// numbers.
 std::string corpus_text(const PropertiesReport& report) {
   std::string text;
   std::set<std::string> files;
@@ -233,7 +236,8 @@ std::string corpus_text(const PropertiesReport& report) {
                             broken, mended);
 }
 
-/// The number of cases that filled a time; for each source the most that a law was tried on.
+/// The number of cases that filled a time, and for each source the largest number on which a law
+/// was tried.
 std::string time_text(const PropertiesReport& report) {
   if (report.time.empty()) return "";
   std::vector<std::pair<std::string_view, std::int64_t>> sources;
@@ -256,7 +260,7 @@ std::string time_text(const PropertiesReport& report) {
   return text + "\n";
 }
 
-/// The name that a candidate declares, in brackets.
+/// The name that a candidate declares, in parentheses.
 std::string own_name_text(const std::string& own) {
   return own.empty() ? "" : fmt::format(" ({})", own);
 }
@@ -289,7 +293,7 @@ std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& resul
 }
 
 std::string replay_text(const CampaignReport& campaign, const std::string& replay) {
-  // To replay an external implementation the command must name it, and how a renderer is judged.
+  // To replay an external implementation, the command must name it and how a renderer is judged.
   if (campaign.implementation.methods)
     return fmt::format("raycheck properties --replay {}", replay);
   return fmt::format("raycheck properties --candidate {}{} --replay {}",
@@ -299,8 +303,8 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
 
 namespace {
 
-/// The end of a range about a value, with few digits: in the range, and at least 9/10 as far from
-/// the value.
+/// The end of a range about a value, rounded to few digits: inside the range, and at least 9/10 as
+/// far from the value.
 std::string end_text(double end, double value) {
   const double least = 0.9 * std::abs(end - value);
   for (int digits = 4; digits < 17; ++digits) {
@@ -327,10 +331,10 @@ std::string range_text(const properties::NumberRange& range) {
                      certified.empty() || is_whole ? "" : "; certified for all in " + certified);
 }
 
-/// The last digits of a number matter if its range has at most 2^kNarrowBits ulps.
+/// If a number's range has at most 2^kNarrowBits ulps, its last digits matter.
 constexpr int kNarrowBits = 10;
 
-/// A line for each number that may have other values, and one for those whose last digits matter.
+/// A line for each number that may vary, and one line for the numbers whose last digits matter.
 std::string ranges_text(const properties::Ranges& ranges, scene::Precision precision) {
   const double narrow = std::ldexp(1, kNarrowBits - scene::format_of(precision).digits);
   std::string text, exact;

@@ -5,9 +5,9 @@
 
 namespace raycheck::tools {
 
-/// The bytes compressed by zlib at its fastest level.
+/// The text compressed by zlib at its fastest level.
 std::string packed(const std::string& text);
-/// The uncompressed text of this size; empty if zlib finds the bytes invalid.
+/// The text, of this size; empty if zlib finds the bytes invalid.
 std::string unpacked(const std::string& bytes, std::size_t size);
 
 }  // namespace raycheck::tools

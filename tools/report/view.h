@@ -5,9 +5,9 @@
 
 namespace raycheck::tools {
 
-/// Where a view is shown.
+/// How a view is shown.
 struct ViewOptions {
-  bool colours = false;  ///< For a terminal.
+  bool colours = false;  ///< Whether to use colours, for a terminal.
 };
 
 /// A format of a command's report: its name for --format, and its writer. A room's views are in a

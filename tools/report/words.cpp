@@ -18,13 +18,13 @@ using properties::Excuse;
 using properties::ExcuseKind;
 using properties::Standing;
 
-/// Errors are upper bounds: smaller ones are shown as below this; the true error may be 0.
+/// Errors are upper bounds, and the true error may be 0. Smaller bounds are shown as "below" this.
 constexpr double kSmallestShown = 1e-9;
 
-/// Changes of the inputs are counted in u up to this many.
+/// Changes of the inputs up to this many u are shown in u.
 constexpr double kMostRoundoffs = 1e6;
 
-/// The most changed inputs of a witness that are named, the most changed first.
+/// At most this many changed inputs of a witness are named, the most changed first.
 constexpr std::size_t kMostNamed = 3;
 
 std::string witness_text(const Discrepancy& d) {
@@ -227,7 +227,7 @@ std::string excuse_text(const Discrepancy& d) {
 
 namespace {
 
-/// Which question failed, as a clause; empty if that is unknown.
+/// The question that failed, as a clause; empty if it is unknown.
 std::string failed_place_text(const Discrepancy& d) {
   switch (d.failed.blame) {
     case properties::Blame::kQuestion:

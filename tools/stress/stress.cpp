@@ -46,7 +46,7 @@ std::pair<int, int> range_of(const CaseSource& family, const StressOptions& opti
   return {from, std::min(to, highest)};
 }
 
-/// Requires that every family has the first requested severity, and one family the last.
+/// Requires that every source has the first requested severity, and at least one source the last.
 void require_severities(const std::vector<const CaseSource*>& families,
                         const StressOptions& options) {
   if (!options.severities || families.empty()) return;
@@ -74,7 +74,7 @@ std::vector<Stage> stages_of(const CaseSource& family) {
   return {Stage::kIntersection};
 }
 
-/// A family at a stage: its curves, and the same methods' candidates.
+/// A source at a stage: its curves, and a candidate for each curve.
 struct Series {
   const CaseSource* family;
   Stage stage;
@@ -83,7 +83,7 @@ struct Series {
 
   std::vector<properties::Candidate> candidates() const {
     std::vector<properties::Candidate> all;
-    for (const StressCurve& curve : curves) all.push_back(curve.method.make());
+    for (const StressCurve& curve : curves) all.push_back(curve.candidate.make());
     return all;
   }
 };
@@ -199,7 +199,8 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   using Results = std::vector<StressResult>;
   std::size_t next = 0;
   properties::RunControl allowed = control;
-  // A candidate that times out three times is dropped, independently of threads.
+  // A candidate that times out three times is dropped. This does not depend on the number of
+  // threads.
   if (kept == nullptr &&
       std::ranges::any_of(options.implementations,
                           [](const Implementation& one) { return !one.methods; })) {

@@ -14,8 +14,8 @@ ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precisio
                    .precision = precision};
   for (const StressCurve& curve : family.curves) {
     if (curve.stage != stage) continue;
-    ChartSeries series{.name = curve.method.name, .number = curve.method.number};
-    if (curve.method.precision != precision || !curve.is_judged()) continue;
+    ChartSeries series{.name = curve.candidate.name, .number = curve.candidate.number};
+    if (curve.candidate.precision != precision || !curve.is_judged()) continue;
     if (facet.severities.empty()) {
       for (const int severity : curve.severities) {
         facet.severities.push_back(std::to_string(severity));

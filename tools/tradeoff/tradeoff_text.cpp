@@ -23,7 +23,7 @@ std::string spread_text(const std::optional<Duration>& duration) {
   return fmt::format("{:.1f} ({:.1f}..{:.1f})", duration->median, duration->low, duration->high);
 }
 
-/// The hit classes that were wrong in this way, per million decisions.
+/// The number of hit classes that were wrong in this way, per million decisions.
 std::string per_million(const Verdict& verdict, Wrong wrong) {
   const Tally& tally = verdict.tally(Quantity::kClass);
   if (tally.cases == 0) return "-";
@@ -35,7 +35,7 @@ std::string max_text(const Verdict& verdict, Quantity quantity) {
   return error_text(verdict.tally(quantity).max());
 }
 
-/// The largest error over the growth of the bound, among the audited errors.
+/// The largest audited error, divided by the factor by which the bound grows.
 std::string audited_text(const Verdict& verdict, Quantity quantity) {
   return error_text(verdict.tally(quantity).max_over_growth);
 }
@@ -48,7 +48,7 @@ std::string ratio_text(const Verdict& verdict) {
   return error_text(properties::worst_ratio(verdict));
 }
 
-/// The bound of an error on given rays, if the error was measured.
+/// The bound on an error for given rays, if the error was measured.
 std::string bound_text(const MethodCost& cost, Quantity quantity) {
   if (cost.accuracy.inside.tally(quantity).cases == 0) return "-";
   return error_text(documented_bound(cost.promises, quantity, false));
@@ -61,7 +61,7 @@ std::string stability_text(const MethodCost& cost) {
 }
 
 std::string name_text(const MethodCost& cost) {
-  return (cost.pareto ? "* " : "  ") + cost.method.name;
+  return (cost.pareto ? "* " : "  ") + cost.candidate.name;
 }
 
 std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) {
@@ -69,7 +69,7 @@ std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) 
   return fmt::format("{:.2f}", cost.batch->median / baseline->batch->median);
 }
 
-/// For methods that are judged in one format: their errors have one unit.
+/// The table for candidates that are judged in one format, so that their errors have the same unit.
 Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
   Table table({"  method", ">ns a call", ">ns in a batch", ">ratio",
                fmt::format(">median {}", unit_name(Quantity::kParameter, precision)), ">99.9%",
@@ -137,15 +137,15 @@ std::string legend(std::string_view item, bool has_single) {
                     item);
 }
 
-/// The isolation of external candidates, and those that are timed in this process.
+/// The isolation of external candidates, and the names of those that are timed in this process.
 std::string others_text(const TradeoffReport& report, std::string_view item) {
   std::vector<Implementation> methods;
   std::string called_here;
   for (const auto* costs : {&report.rays, &report.intersections}) {
     std::vector<std::string> names;
     for (const MethodCost& cost : *costs) {
-      methods.push_back(cost.method);
-      if (cost.is_called_here) names.push_back(cost.method.name);
+      methods.push_back(cost.candidate);
+      if (cost.is_called_here) names.push_back(cost.candidate.name);
     }
     if (names.empty()) continue;
     called_here += fmt::format("{}{} of {}", called_here.empty() ? "" : "; ",
@@ -166,12 +166,13 @@ std::vector<std::string> left_out_of(const TradeoffReport& report) {
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
       if (cost.accuracy.left_out > 0) {
-        notes.push_back(fmt::format("{} ({}): {}, not representable in floats", cost.method.name,
+        notes.push_back(fmt::format("{} ({}): {}, not representable in floats", cost.candidate.name,
                                     name(cost.stage), count_text(cost.accuracy.left_out, "case")));
       }
       if (!cost.not_timed.empty()) {
-        const std::string stage = cost.method.methods ? "" : fmt::format(" ({})", name(cost.stage));
-        notes.push_back(fmt::format("{}{}: {}", cost.method.name, stage, cost.not_timed));
+        const std::string stage =
+            cost.candidate.methods ? "" : fmt::format(" ({})", name(cost.stage));
+        notes.push_back(fmt::format("{}{}: {}", cost.candidate.name, stage, cost.not_timed));
       }
     }
   }

@@ -31,7 +31,7 @@ Json finding_json(const FindingView& finding) {
   return json;
 }
 
-/// [word, meaning] for the words that pages use.
+/// Pairs [word, meaning] for the words that pages use.
 std::vector<std::array<std::string, 2>> words_of_pages() {
   return {
       {"ulp",

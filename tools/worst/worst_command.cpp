@@ -46,10 +46,11 @@ int run_worst(WorstArguments& arguments) {
   if (arguments.external.candidates.size() > 1) {
     throw std::invalid_argument("--candidate: worst takes only one");
   }
-  arguments.options.method = chosen_method(arguments);
+  arguments.options.candidate = chosen_method(arguments);
   std::optional<OutputFile> scene = opened("--save", arguments.save);
   std::optional<OutputFile> view = opened("--view", arguments.view);
-  const std::unique_ptr<Units> units = units_of(arguments.shards, {&arguments.options.method, 1});
+  const std::unique_ptr<Units> units =
+      units_of(arguments.shards, {&arguments.options.candidate, 1});
   const WorstReport report =
       find_worst(arguments.options, run_control("worst", arguments.threads), units.get());
   if (units && !units->are_all()) return shard_done(arguments.shards, *units, report.interrupted);

@@ -10,9 +10,9 @@ namespace {
 std::string headline(const WorstReport& report) {
   const properties::WorstCase& worst = *report.worst;
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",
-                     report.method.name, info(report.search.quantity).name, report.source().name(),
-                     error_text(worst.error),
-                     unit_name(report.search.quantity, report.method.precision),
+                     report.candidate.name, info(report.search.quantity).name,
+                     report.source().name(), error_text(worst.error),
+                     unit_name(report.search.quantity, report.candidate.precision),
                      error_text(worst.stability.condition), error_text(worst.stability.ratio),
                      name(worst.stability.outcome));
 }
@@ -27,10 +27,10 @@ std::string failures_text(const WorstReport& report) {
 }  // namespace
 
 std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/) {
-  const std::string others = isolation_text({report.method}) + failures_text(report);
+  const std::string others = isolation_text({report.candidate}) + failures_text(report);
   if (!report.worst) {
     return others + fmt::format("{} on {}: nothing was measured in its stated domain\n",
-                                report.method.name, report.source().name());
+                                report.candidate.name, report.source().name());
   }
   const properties::WorstCase& worst = *report.worst;
   std::string text = others + headline(report) + "\n";

@@ -33,7 +33,7 @@ TEST(Candidate, is_judged_if_raycheck_is_in_a_folder_that_other_users_may_not_en
     fs::copy_file(programs / name, closed / "build/tools" / name);
   }
   fs::permissions(closed, fs::perms::owner_all);
-  // Beside that folder, so that the compiler can read the folder around both.
+  // The file is beside that folder, so that the compiler can read the folder that contains both.
   const std::string candidate = temporary_file("floats.cpp", contents(kFloats));
   const Outcome outcome = run_bash("cd '" RAYCHECK_SOURCE_DIR "' && exec '" + closed.string() +
                                    "/build/tools/raycheck' check scene/examples/optical-axis.toml "
@@ -78,7 +78,7 @@ TEST(Candidate, without_rays_is_judged_by_laws_on_cameras_too) {
   };
   EXPECT_EQ(campaign("none", 0)["given_rays"], 40);
   const json wrong = campaign("far-root", 1);
-  // Shrunk, the case has a single ray of those that it received, in short numbers.
+  // After shrinking, the case has one of the rays that the candidate received, in short numbers.
   const std::string shrunk = wrong["scene"];
   EXPECT_FALSE(has(shrunk, "[camera]"));
   EXPECT_EQ(shrunk.find("[[ray]]"), shrunk.rfind("[[ray]]"));
@@ -92,7 +92,7 @@ TEST(Candidate, keeps_every_law_on_ordinary_cases) {
                {"states no error bounds, so those of direct/cross apply"});
 }
 
-/// The laws' report on right.cpp with `from` replaced by `to`.
+/// The report of `properties` on right.cpp with `from` replaced by `to`.
 auto altered(const std::string& from, const std::string& to) {
   const std::string source =
       replaced(contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"), from, to);
@@ -222,7 +222,7 @@ TEST(Candidate, in_JavaScript_reports_its_errors) {
         candidate(std::string("run('it', { returns: 'class', intersect: () => ") + hit + " })"));
     expect_parts(report["worst"].dump(), {"neither true nor false"});
   }
-  // Address space that is reserved but not used.
+  // The program reserves address space, but does not use it.
   const std::string wasm = candidate(
       "new WebAssembly.Memory({ initial: 1, maximum: 65536 });\nrun('it', { intersect: () => null "
       "})");
@@ -264,17 +264,17 @@ TEST(Candidate, may_be_in_a_folder_that_other_users_may_not_read) {
     fs::copy_file(RAYCHECK_SOURCE_DIR "/tests/candidates/" + name, folder + "/" + name);
   }
   fs::permissions(folder, fs::perms::owner_all);
-  // A named file is readable for the candidate, even if other users may not read it.
+  // The candidate can read a named file even if other users may not.
   fs::permissions(folder + "/float_quadratic.cpp", fs::perms::owner_read);
   expect_right(kRays, "command:python3 " + folder + "/right.py");
   expect_right(kRays, "source:" + folder + "/float_quadratic.cpp");
-  // It still does not run as root if raycheck does.
+  // If raycheck runs as root, the candidate does not.
   const json open = judged(kRays, "command:python3 tests/candidates/right.py");
   EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["isolated_by"],
             open["isolated_by"]);
 }
 
-/// A way of tests/candidates/hostile.py, and the report of `check`.
+/// A way in which tests/candidates/hostile.py fails, and the report of `check`.
 struct Hostile {
   const char* how;
   const char* what;   ///< Part of the report.
@@ -290,7 +290,7 @@ TEST_P(EachHostile, GainsNothing) {
       temporary_file("one.toml", ray_text("0, 0, 0", "0, 0, 1") + sphere_text("9, 0, 5", "2"));
   const std::string secret = temporary_file(std::string(how) + ".secret", "the expected answers");
   ASSERT_EQ(chmod(secret.c_str(), 0600), 0);
-  // A short limit for those that never end.
+  // Candidates that never end get a short limit.
   const bool is_endless = has(what, "1 s");
   const json report =
       judged(one_question,

@@ -54,7 +54,7 @@ TEST(OthersTradeoff, are_timed_only_in_process_and_otherwise_a_reason_is_given) 
 }
 
 TEST(OthersTradeoff, are_not_timed_if_they_answer_differently_or_fail) {
-  // The name of the program shows in which process it runs.
+  // The name of the program shows the process in which it runs.
   const std::string source = temporary_file("otherwise.cpp", R"(
 #include <raycheck/candidate.hpp>
 #include <unistd.h>
@@ -83,7 +83,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
   expect_parts(note("source:" + failing), {"not timed: intersect: it exited with 3"});
 }
 
-/// Since version 3 of the header they follow the conventions.
+/// From version 3 of the header on, they follow the conventions.
 TEST(OthersTradeoff, receive_the_valid_roots_when_they_are_timed) {
   const std::string source = temporary_file("roots.cpp", R"(
 #include <raycheck/candidate.hpp>

@@ -96,7 +96,7 @@ TEST(Reply, EndsOnlyWithItsOwnId) {
 }
 
 TEST(SpentTime, DoesNotDependOnEarlierSums) {
-  // With most of these a sum of doubles would grow by less than 3.
+  // With most of these, a sum of doubles would grow by less than 3.
   for (double before : {0.0, 0.007, 0.031, 0.111, 0.188, 1e6}) {
     SpentTime spent;
     spent.add(before);
@@ -147,7 +147,7 @@ TEST(SphereColours, WithWhiteAddedAreNotThoseOfOtherSpheres) {
       ASSERT_TRUE(is_own || k % kShown >= kPure) << count << ", " << k;
       others += is_own || *answer[k] == properties::kSomeSphere ? 0 : 1;
     }
-    // Among the pixels with white added.
+    // The number of wrong spheres among the pixels with white added.
     EXPECT_LE(others, count <= 12 ? 0 : count * kMixed / 10) << count;
   }
 }

@@ -112,7 +112,7 @@ done
   EXPECT_EQ(outcome.exit_code, 4) << outcome.out << outcome.err;
 }
 
-/// The right and wrong pixels of a few pictures, which are too few to break a law.
+/// The counts of right and wrong pixels in a few pictures, too few to break a law.
 json tally_of(const std::string& mistake, const std::string& more) {
   const json report = printed_json("properties --filter image --source crowds --cases 4 " + more +
                                    " --candidate '" + renderer(mistake) + "'");
@@ -130,7 +130,7 @@ TEST(Renderer, is_judged_with_the_given_ray_origin) {
 
 TEST(Renderer, is_tried_in_its_dialect_and_within_its_threshold) {
   tally_of("dialect-c", "--dialect C");
-  // Without the option these would be defects, as below.
+  // Without the option, these would be defects, as below.
   EXPECT_GT(tally_of("threshold", "--t-threshold 0.5")["wrong_by_standing"]["excused"], 0);
 }
 
@@ -143,7 +143,7 @@ TEST(Renderer, receives_driver_files_in_the_dialect_of_the_scene_by_default) {
 }
 
 TEST(Renderer, is_excused_for_hits_within_its_threshold) {
-  // It ignores hits below 0.5: those of the sphere that the image plane cuts.
+  // It ignores hits with s below 0.5: those of the sphere that the image plane cuts.
   EXPECT_FALSE(judged(kProbeScene, renderer("threshold"))["discrepancies"] == 0);
   const json report = judged(kProbeScene, renderer("threshold"), "--t-threshold 0.5");
   EXPECT_EQ(report["discrepancies"], report["discrepancies_by_standing"]["excused"]);

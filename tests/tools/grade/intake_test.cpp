@@ -47,7 +47,7 @@ const pixels = Array.from({length: w * h}, (_, k) => seen(k) ? colour : '0 0 0')
 fs.writeFileSync(image, `P3 ${w} ${h} 255\n${pixels.join('\n')}\n`);
 )";
 
-/// Finds Eigen in any folder.
+/// A source that includes Eigen in any folder.
 const std::string kUseOfEigen = "int unused() { return EIGEN_WORLD_VERSION; }\n";
 
 Files with(Files files, const Files& more) {
@@ -57,15 +57,16 @@ Files with(Files files, const Files& more) {
 const Files kSources = {
     {"rt.cpp", kCpp}, {"format.cpp", kFormatSource}, {"format.h", kFormatHeader}};
 
-/// A submission, and the expected report.
+/// A submission, and its expected report.
 struct Brought {
   const char* name;  ///< The expected outcome.
   Files files;
-  std::string program = {};               ///< Part of its command line.
-  std::vector<std::string> notes = {};    ///< Parts of the notes, in order.
-  std::string needs = {};                 ///< The test is skipped without this program.
-  std::string limits = {};                ///< Keys of the rubric.
-  std::vector<std::string> refused = {};  ///< Parts of the refusal; empty: it gets all points.
+  std::string program = {};             ///< Part of its command line.
+  std::vector<std::string> notes = {};  ///< Parts of the notes, in order.
+  std::string needs = {};               ///< The test is skipped if this program is not installed.
+  std::string limits = {};              ///< Keys of the rubric.
+  /// Parts of the refusal; if empty, it must get all points.
+  std::vector<std::string> refused = {};
 };
 
 void PrintTo(const Brought& brought, std::ostream* to) { *to << brought.name; }
@@ -88,7 +89,7 @@ const std::vector<Brought> kBuilt = {
                       "\tmkdir -p bin\n\tg++ -o $@ $(OBJECTS)\n"},
                      {"rt.o", "of another machine"}}),
      "./bin/shiny"},
-    // The submitted program is not mistaken for the built one.
+    // The submitted program is not mistaken for the built program.
     {"makes_a_program_in_a_folder_below",
      {{"report.txt", "see src"},
       {"src/rt.c", kC},
@@ -213,7 +214,7 @@ const std::vector<Brought> kRefused = {
              {"checks.c", kChecks},
              {"rt.c", kNoSuchKey}},
             {kNoPicture}),
-    // The Makefile's program fails; the one built from sources makes no picture.
+    // The Makefile's program fails; the program built from sources makes no picture.
     refused("is_built_in_several_ways_of_which_the_one_that_comes_farthest_is_quoted",
             with(kMakesWhatFails, {{"rt.c", kNoSuchKey}}), {kNoPicture}, "",
             {"what was built from its Makefile shows no spheres; built from its sources instead"}),
@@ -399,7 +400,7 @@ TEST_F(LongIntake, builds_java_with_packages_jars_and_classes) {
                {"the package org.ejml.simple is missing: put its jar beside the sources"});
 }
 
-/// It waits in the forms that it reads and rejects the others.
+/// The program waits in the forms that it reads, and rejects the others.
 TEST_F(LongIntake, shows_the_output_of_the_form_in_which_a_program_gets_farthest) {
   bring(grading, "far",
         {{"rt.py",

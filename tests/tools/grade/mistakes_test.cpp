@@ -1,5 +1,5 @@
-// The classic mistakes of tests/submissions, graded by the rubric of the seventh lecture; and
-// submissions in `float`, graded in double and in single precision.
+// The classic mistakes in tests/submissions, graded by the rubric of the seventh lecture; and
+// submissions in `float`, graded in double and single precision.
 
 #include "tests/tools/grade/grading.h"
 
@@ -9,7 +9,7 @@ namespace {
 /// The cost of a mistake.
 struct Mistake {
   const char* name;
-  double score;          ///< Out of 100 and a bonus of 10; to two decimals.
+  double score;          ///< Of 100 and a bonus of 10, to two decimals.
   const char* fails;     ///< Items that fail, without those that follow.
   const char* sentence;  ///< The mistake named for the submission; or empty.
   int named;             ///< The number of items that name it.
@@ -135,7 +135,8 @@ const std::vector<Mistake> kOfPictures = {
      1},
 };
 
-/// The mistakes of pictures that make it harder to find the form of driver files that is read.
+/// Mistakes in pictures that make it harder to find the form of driver files that the program
+/// reads.
 const std::vector<Mistake> kOfForms = {
     {"axes_dropped", 0,
      "camera frame, boundary pixels, width and height, pixel (0, 0), unit directions, ray origin, "
@@ -149,7 +150,7 @@ const std::vector<Mistake> kOfForms = {
      "directions are not normalised: D = P - E", 10},
 };
 
-/// A submission loses the points of its mistake, and the mistake is named.
+/// Expects that a submission loses the points of its mistake, and that the mistake is named.
 void expect_cost(const Grading& grading, const std::string& submission, const Mistake& mistake,
                  const Outcome& outcome) {
   SCOPED_TRACE(submission);
@@ -221,7 +222,7 @@ TEST(GradedMistakes, from_state_kept_between_questions_are_reported_as_such) {
 TEST(LongGradedForms, are_found_whatever_the_mistake) {
   const Grading grading;
   const std::string said = expect_costs(grading, grading.lecture7_with({}), "rt.cpp", kOfForms);
-  // With unnormalised directions the form of driver files cannot be found.
+  // With directions that are not normalised, the form of driver files cannot be found.
   expect_parts(said, {"directions are not normalised: D = P - E; and rows are upside down"});
   const std::string found = grading.result("crossed_bounds").dump();
   EXPECT_FALSE(has(found, "near has the wrong sign")) << found;
@@ -283,8 +284,8 @@ TEST(GradedMistakes, cover_every_mistake_of_the_submissions) {
 
 using Names = std::vector<std::string>;
 
-/// The items that submissions in floats lose by a changed lecture rubric: functions, functions with
-/// the lecture's formula, which cancels, a renderer, and a renderer with that formula.
+/// The items that submissions in floats fail by a changed lecture rubric: functions, functions with
+/// the lecture's formula, which cancels, a renderer, and a renderer with this formula.
 std::vector<Names> lost(const std::vector<std::pair<std::string, std::string>>& changes) {
   const Grading grading;
   std::vector<std::string> folders;

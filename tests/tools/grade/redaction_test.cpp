@@ -1,4 +1,4 @@
-// Students' files contain no withheld information in any notation: every number there is compared
+// Students' files contain no withheld information in any notation: every number in them is compared
 // with every withheld number.
 
 #include "tests/tools/grade/grading.h"
@@ -6,14 +6,14 @@
 namespace raycheck::tests {
 namespace {
 
-/// A number in a text, and how much the number that it rounds may differ.
+/// A number in a text, and the largest difference of a number that is rounded to it.
 struct Written {
   std::string text;
   double value = 0;
   double half_a_digit = 0;
 };
 
-/// Numbers with fewer digits are counts, points and places.
+/// Numbers with fewer digits are counts, points or places.
 constexpr int kFewestDigits = 3;
 constexpr int kFewestDigitsOfIntegers = 5;
 
@@ -88,7 +88,7 @@ void add_numbers(const json& list, std::vector<double>& numbers) {
   }
 }
 
-/// A record's withheld numbers, and the harmless ones: questions and the submission's answers.
+/// A record's withheld numbers, and its harmless numbers: questions and the submission's answers.
 struct Numbers {
   std::vector<double> secret, open;
 };
@@ -113,7 +113,7 @@ Numbers numbers_of(const json& record, const std::vector<std::string>& parts,
   for (const double number : all) {
     const bool is_open =
         std::find(numbers.open.begin(), numbers.open.end(), number) != numbers.open.end();
-    // Numbers with few binary digits occur in any scene.
+    // Numbers with few binary digits may occur in any scene.
     if (!is_open && std::isfinite(number) && std::fmod(number * 64, 1) != 0) {
       numbers.secret.push_back(number);
     }
@@ -121,7 +121,7 @@ Numbers numbers_of(const json& record, const std::vector<std::string>& parts,
   return numbers;
 }
 
-/// The secrets that a number of the text reveals, to its digits.
+/// The withheld numbers that a number in the text reveals.
 std::vector<std::string> revealed_by(const Numbers& numbers, const std::string& text) {
   std::vector<std::string> found;
   const std::vector<Written> all = numbers_in(text);
@@ -139,7 +139,7 @@ std::vector<std::string> revealed_by(const Numbers& numbers, const std::string& 
   return found;
 }
 
-/// Mistakes of submissions, and items of which each submission fails some.
+/// Mistakes of submissions, and items; each submission fails some of these.
 const std::vector<std::string> kMistakes = {"u_and_w_flipped", "normalize_discarded", "far_root",
                                             "float_directions", "top_from_right"};
 constexpr const char* kLaws[] = {"frame",     "direction",    "unit-direction", "parameter",

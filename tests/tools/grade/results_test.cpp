@@ -99,7 +99,7 @@ TEST(Results, of_a_class_have_the_format_of_each_system) {
   const std::string printed = graded("gradescope");
   expect_parts(printed, {"4 submissions graded"});
   expect_gradescope(grading);
-  // The grades are those of the previous run: only the written format differs.
+  // The grades are those of the previous run; only the format of the files differs.
   graded("prairielearn");
   expect_prairielearn(grading);
   const std::string table = graded("csv");
@@ -150,7 +150,8 @@ std::vector<std::string> references(const std::string& html) {
   return found;
 }
 
-/// `check` fails a submission on the case that its page shows, but not a right one.
+/// Expects that `check` finds a defect of a submission on the case that its page shows, and no
+/// defect of a right one.
 void expect_case_for_check(const Grading& grading, const std::string& library) {
   const json failing = item(grading.result("wrong"), "nearest root")["failing"];
   const std::string scene = grading.path("out/wrong/nearest-root.toml");

@@ -1,4 +1,4 @@
-// The effect of a rubric's keys on points and students' pages; and the shipped rubrics.
+// The effect of a rubric's keys on points and students' pages, and the shipped rubrics.
 
 #include "tests/tools/grade/grading.h"
 
@@ -23,7 +23,7 @@ TEST_F(RubricKeys, credit_turns_the_share_of_holding_cases_into_points) {
   const std::string nearest = functions("nearest-sphere", "course", 40, kGivenRays);
   const std::string share = "points = 8\ncredit = \"share\"";
   const std::string steps = "points = 8\ncredit = \"steps\"\nsteps = ";
-  // One at a time: together, the mistake would cost only the first item.
+  // The items are tried one at a time, because together the mistake would cost only the first.
   const auto wrong = [&](const std::string& keys) {
     const json result =
         graded(grading, item_of("one", keys, nearest), "rays.cpp", "first_sphere_wins");

@@ -21,7 +21,7 @@ Outcome try_it(const Grading& grading, const std::string& rubric, const std::str
              more);
 }
 
-/// The lines of `text` between the title and the first empty line, or what follows the items.
+/// The lines of `text` between the title and the first empty line, or the text after the items.
 std::vector<std::string> item_lines(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
@@ -82,14 +82,14 @@ TEST(TryCommand, shows_visible_items_and_counts_all) {
   EXPECT_EQ(files_of(grading.path("tried/mine")), files_of(grading.path("out/mine")));
 }
 
-/// Enough cases to fail by a wrong camera.
+/// Enough cases for a wrong camera to fail.
 const std::string kFewPictures =
     item_of("a few pictures", "points = 10",
             "[item.pictures]\njudge = \"mask\"\n"
             "scenes = [\"lecture7/wide.toml\", \"lecture7/orientation.toml\"]");
 
-/// Tries a submission with a mistake, and runs in a copy of its folder the report's commands for
-/// the first failing item.
+/// Tries a submission with a mistake, and runs the report's commands for the first failing item in
+/// a copy of the submission's folder.
 void expect_the_commands_to_work(const Grading& grading, const std::string& hand_in,
                                  const std::string& head = "") {
   const std::string rubric = grading.write("few.toml", head + kAsTheyCome + kFewPictures);
@@ -118,7 +118,7 @@ void expect_the_commands_to_work(const Grading& grading, const std::string& hand
 TEST(Home, CommandsBuildAndRepeatAsGraded) {
   const std::vector<std::map<std::string, std::string>> hand_ins = {
       {{"rt.cpp", renderer_in_c()}},
-      // By a Makefile in a folder below, without leaving the folder.
+      // Built by a Makefile, from sources in a folder below.
       {{"src/rt.c", renderer_in_c()},
        {"src/Makefile", "rt: rt.c\n\tgcc -O1 -o rt rt.c\n"},
        {"readme.txt", "see src\n"}},
@@ -134,7 +134,7 @@ TEST(Home, CommandsBuildAndRepeatAsGraded) {
     for (const auto& [name, text] : files) grading.write("mine/" + name, text);
     expect_the_commands_to_work(grading, grading.path("mine"), "[driver]\npreset = \"B\"\n");
   }
-  // With a form of driver files that the command must name.
+  // The command must name the form of driver files.
   expect_the_commands_to_work(Grading(), RAYCHECK_SOURCE_DIR "/tests/submissions/class/kofi");
 }
 

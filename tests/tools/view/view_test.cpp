@@ -11,13 +11,14 @@ json panel_of(const json& scene, int i, int j) {
   return found(scene["panels"], "pixel", json{i, j});
 }
 
-/// The figure of a camera 3 x 3 that looks along -z and of these spheres, everything times `scale`.
+/// The figure of a camera of 3 x 3 pixels that looks along -z, and of these spheres; all lengths
+/// times `scale`.
 json figure_of(double scale, const std::string& spheres) {
   const std::string file = temporary_file("scaled.toml", camera_text(3, 3, scale, scale) + spheres);
   return document_of(file + " --method cross")["scenes"][0]["figure"];
 }
 
-/// The drawing of a ray and a sphere.
+/// The panel of a ray and a sphere.
 json panel_of_given(const std::string& origin, const std::string& direction,
                     const std::string& centre, const std::string& radius) {
   const std::string file =
@@ -61,14 +62,15 @@ TEST(View, subtracts_the_eye_exactly_and_names_roots) {
   EXPECT_FALSE(behind["places"].contains("answer"));
   EXPECT_EQ(behind["places"]["behind"], behind["places"]["near root"]);
   EXPECT_FALSE(panel["microscope"]["hit"].get<bool>());
-  // One root, at (1, 0, 0) from the ray's origin, in a figure whose lengths are the scene's.
+  // There is one root, at (1, 0, 0) from the ray's origin, in a figure whose lengths are the
+  // scene's.
   const json touches = panel_of_given("0, 1, 0", "1, 0, 0", "1, 0, 0", "1")["drawing"];
   expect_values(touches, {{"names", json{{"double root", "double root, s = 1, the answer"}}},
                           {"places/double root", json{1, 0, 0}},
                           {"across", json{0, -1, 0}}});
 }
 
-/// A camera at the origin, near = -1: what joins these places is the frustum.
+/// The camera is at the origin, with near = -1; the lines between these places are the frustum.
 TEST(View, the_frustum_has_its_corners_and_its_names) {
   const std::string sphere = sphere_text("0, 0, -3", "1");
   const json document =

@@ -157,7 +157,7 @@ export async function run(name, given) {
     let last = `end ${request.id}`;
     try {
       body = await answer(given, returns, request);
-    } catch (error) { // of the functions: its message belongs in the report
+    } catch (error) { // thrown by the functions: its message belongs in the report
       last = `error ${request.id} ${String(error).split(/\s+/).join(" ")}`;
     }
     reply(`${[`reply ${request.id}`, ...body, last].join("\n")}\n`);

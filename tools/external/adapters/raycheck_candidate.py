@@ -46,7 +46,7 @@ _FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "in
 
 
 def _words(*values):
-    """Numbers, and tuples of them, as words: a float's repr reads back as the same float."""
+    """Numbers, and tuples of them, as words. A float's repr reads back as the same float."""
     for value in values:
         if isinstance(value, (tuple, list)):
             yield from _words(*value)
@@ -100,7 +100,7 @@ def _hit(hit, returns):
 
 
 def _truth(value):
-    """True or False, numpy's too."""
+    """Whether a value is True or False, also numpy's."""
     if type(value).__name__ not in ("bool", "bool_"):
         raise TypeError(f"neither True nor False: {value!r}")
     return bool(value)
@@ -164,7 +164,7 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
         try:
             body = _answer(functions, returns, request)
             last = f"end {request['id']}"
-        except Exception as error:  # of the functions: its message belongs in the report
+        except Exception as error:  # raised by the functions: its message belongs in the report
             said = " ".join(f"{type(error).__name__}: {error}".split())
             body, last = [], f"error {request['id']} {said}"
         print("\n".join([f"reply {request['id']}"] + body + [last]), file=replies, flush=True)

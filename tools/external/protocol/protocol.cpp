@@ -35,7 +35,7 @@ std::size_t index(Words& words, std::size_t count) {
   return static_cast<std::size_t>(value);
 }
 
-/// Reads a word that must be one of these names, in the order of the enumeration.
+/// Reads a word that must be one of these names, which are in the order of the enumeration.
 template <class Enum>
 Enum choose(Words& words, std::span<const std::string_view> names, const char* otherwise) {
   return static_cast<Enum>(words.place_in(names, otherwise));
@@ -69,7 +69,7 @@ void read_convention(Words& words, properties::DeclaredConventions& declared) {
   if (!is_known) words.fail(kOtherwise);
 }
 
-/// Reads a line of that kind.
+/// Reads the rest of a line that begins with `kind`.
 void read_statement(std::string_view kind, Words& words, Introduction& introduction) {
   if (kind == "function") {
     introduction.functions.emplace(
@@ -134,7 +134,7 @@ Request::Request(std::string id, std::string_view function, const scene::Convent
       body_(fmt::format("{}\nconventions {} {} {} {} {}\n", function, name(conventions.rows),
                         name(conventions.samples), name(conventions.origin), name(conventions.root),
                         name(conventions.tangent))) {
-  // The line is left out for the usual roots, so that candidates need not read it.
+  // The line is left out if every root >= 0 counts, so that candidates need not read it.
   if (!conventions.valid.is_usual()) body_ += roots_line(conventions.valid);
 }
 
@@ -202,7 +202,8 @@ void Reply::require_count(std::size_t count) const {
 
 namespace {
 
-/// Reads lines of equal format. Numbered from 2: line 1 is the reply's first line.
+/// Reads lines of the same format. They are numbered from 2, because line 1 is the reply's first
+/// line.
 template <class Read>
 auto read_lines(const std::vector<std::string_view>& lines, const Read& read) {
   std::vector<decltype(read(std::declval<Words&>()))> result;

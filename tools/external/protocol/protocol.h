@@ -1,6 +1,6 @@
 #pragma once
 
-// The lines that raycheck and a candidate's process exchange, as specified in docs/candidates.md.
+// The lines that raycheck and a candidate's process exchange (specified in docs/candidates.md).
 
 #include <cstddef>
 #include <limits>
@@ -20,7 +20,7 @@ inline constexpr int kProtocolVersion = 1;
 
 /// A candidate's introduction.
 struct Introduction {
-  std::string name;  ///< "-": it declares no name.
+  std::string name;  ///< "-" if it declares no name.
   std::set<std::string> functions;
   /// By default every root >= 0 counts.
   properties::DeclaredConventions declared = {.rows = {},
@@ -29,10 +29,10 @@ struct Introduction {
                                               .root = {},
                                               .tangent = {},
                                               .valid = scene::ValidRoots{}};
-  scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
-  bool unit_directions = false;  ///< It is given rays with unit directions only.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format in which it computes.
+  bool unit_directions = false;  ///< Whether it gets only rays with unit directions.
   properties::Returns returns = properties::Returns::kHit;
-  std::optional<properties::Level> level;  ///< The level that it must reach.
+  std::optional<properties::Level> level;  ///< The level of the cases that it must get right.
   /// It is judged only on scenes whose nonzero lengths lie between these.
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ inline constexpr std::string_view kReady = "ready";
 inline constexpr std::size_t kMostIntroduction = 4096;  ///< bytes
 Introduction parse_introduction(std::string_view text);
 
-/// "roots ENDS T_MIN T_MAX UNIT CULLING", a line.
+/// The line "roots ENDS T_MIN T_MAX UNIT CULLING".
 std::string roots_line(const scene::ValidRoots& valid);
 
 /// Builds a request.
@@ -68,7 +68,7 @@ class Request {
 bool ends_reply(std::string_view line, std::string_view id);
 
 /// The lines between "reply ID" and "end ID".
-/// Errors: ProtocolError, also with the candidate's message for "error ID ...".
+/// Errors: ProtocolError, also for "error ID ...", with the candidate's message.
 class Reply {
  public:
   Reply(std::string_view text, std::string_view id);

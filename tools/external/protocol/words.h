@@ -1,7 +1,7 @@
 #pragma once
 
 // The words of the lines that raycheck and a candidate's process exchange (docs/candidates.md).
-// Both sides read them with this header, so that raycheck-worker links nothing else.
+// Both sides parse them with this header, so that raycheck-worker links nothing else of raycheck.
 
 #include <algorithm>
 #include <array>
@@ -21,8 +21,7 @@ namespace raycheck::tools {
 inline constexpr std::array<std::string_view, 6> kFunctions = {
     "frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "nearest"};
 
-/// The conventions of a `conventions` line, in its order, with their values in the order of the
-/// enumerators.
+/// A convention in a `conventions` line, and its values in the order of the enumerators.
 struct ConventionWords {
   std::string_view name;
   std::span<const std::string_view> values;
@@ -34,19 +33,20 @@ inline constexpr std::array<ConventionWords, 5> kConventionWords = {
      {"root", scene::kRootNames},
      {"tangent", scene::kTangentNames}}};
 
-/// The ends of an interval as one word, in the order of scene::Ends; or "as-asked": any interval.
+/// The ends of an interval as one word, in the order of scene::Ends, and "as-asked" for any
+/// interval.
 inline constexpr std::array<std::string_view, 5> kEndsWords = {"[]", "[)", "(]", "()", "as-asked"};
 
-/// Which directions are accepted.
+/// The words for the directions that a candidate accepts.
 inline constexpr std::array<std::string_view, 2> kDirectionsWords = {"any", "unit"};
 
-/// A malformed line: what() names it and the fault.
+/// A malformed line; what() names the line and its fault.
 class ProtocolError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A line for error messages, without terminal control sequences.
+/// The beginning of a line, for error messages, without terminal control sequences.
 inline std::string shown(std::string_view line) {
   constexpr std::size_t kShown = 60;
   std::string text(line.substr(0, kShown));

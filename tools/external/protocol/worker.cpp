@@ -1,10 +1,9 @@
 // raycheck-worker LIBRARY.so
 //
 // Implements the protocol of docs/candidates.md with the functions of a library
-// (<raycheck/candidate.h>): requests come on standard input, replies go to the original standard
-// output. Output of the library itself goes to standard error. If the library crashes or throws, a
-// line reports the place in its code (frames.h). Exits with 2 and a message if the file is not such
-// a library.
+// (raycheck/candidate.h): requests come on standard input, replies go to standard output. Output of
+// the library itself goes to standard error. If the library crashes or throws, a line reports the
+// place in its code (frames.h). Exits with 2 and a message if the file is not such a library.
 
 #include <dlfcn.h>
 #include <raycheck/candidate.h>
@@ -148,7 +147,7 @@ void read_part(std::string_view kind, Words& words, Request& request) {
   }
 }
 
-/// Empty at the end of the input.
+/// Reads a request; empty at the end of the input.
 std::optional<Request> read_request() {
   std::optional<Words> first = next_line();
   if (!first) return {};
@@ -233,7 +232,7 @@ std::string_view name_in(std::span<const std::string_view> names, std::int32_t v
   return names[static_cast<std::size_t>(index)];
 }
 
-/// Missing in libraries of version 1.
+/// Adds the lines that libraries of version 1 lack.
 void introduce_contract(const raycheck_candidate& candidate, Reply& reply) {
   if (candidate.level != RAYCHECK_LEVEL_UNSTATED) {
     reply << "level " << name_in(raycheck::properties::kLevelNames, candidate.level, "level", 1)
@@ -244,7 +243,7 @@ void introduce_contract(const raycheck_candidate& candidate, Reply& reply) {
   }
 }
 
-/// Missing in libraries of versions 1 and 2.
+/// Adds the lines that libraries of versions 1 and 2 lack.
 void introduce_numbers(const raycheck_candidate& candidate, Reply& reply) {
   if (candidate.precision != RAYCHECK_PRECISION_DOUBLE) {
     reply << "precision " << name_in(scene::kPrecisionNames, candidate.precision, "precision")
@@ -262,7 +261,7 @@ void introduce_numbers(const raycheck_candidate& candidate, Reply& reply) {
   }
 }
 
-/// Missing in libraries of versions 1 to 3.
+/// Adds the lines that libraries of versions 1 to 3 lack.
 void introduce_answers(const raycheck_candidate& candidate, Reply& reply) {
   using raycheck::tools::kDirectionsWords;
   reply << "directions " << name_in(kDirectionsWords, candidate.directions, "directions") << "\n"
@@ -315,7 +314,7 @@ const raycheck_candidate& load(const char* path) {
 
 int main(int argc, char** argv) {
   if (argc != 2) give_up("usage: raycheck-worker LIBRARY.so");
-  // Replies get a separate stream before any code of the library runs.
+  // Before any code of the library runs, replies get a separate stream.
   const int replies = dup(STDOUT_FILENO);
   if (replies < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) give_up(std::strerror(errno));
   Reply reply(fdopen(replies, "w"));

@@ -26,14 +26,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The most successive reads of a stream, enough to empty a pipe: endless output must not keep
-/// raycheck from checking the time.
+/// At most this many successive reads of a stream, enough to empty a pipe. Endless output must not
+/// keep raycheck from checking the time.
 constexpr int kMostTurns = 64;
 
 /// Microseconds between two checks whether a process has ended.
 constexpr useconds_t kPause = 500;
 
-/// Whether an error of read() or write() is not fatal: try later, or the stream is closed.
+/// Whether an error of read() or write() is not fatal: nothing can be transferred now, or the
+/// stream is closed.
 bool is_passing(int error) { return error == EAGAIN || error == EINTR || error == EPIPE; }
 
 /// bubblewrap and shells turn a signal into an exit code above this one.
@@ -63,7 +64,7 @@ std::string file_limit_text(const Limits& limits) {
 
 std::string reason_ended(int status, const Limits& limits) {
   const int signal = signal_of(status);
-  // raycheck-jail itself was killed: otherwise it always exits with a code.
+  // raycheck-jail itself was killed; otherwise it always exits with a code.
   if (WIFSIGNALED(status)) {
     return fmt::format(
         "lost its supervisor, which was killed by signal {} ({}): its child processes may still "
@@ -86,7 +87,8 @@ std::string last_line_text(const KeptText& error_output) {
   std::string text, last;
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) last = line;
-    // After the reason Java prints a stack trace, and Node the error's properties and its version.
+    // After the reason, Java prints a stack trace, and Node the error's properties and its own
+    // version.
     const bool is_reason = !line.empty() &&
                            std::string_view(" \t}").find(line[0]) == std::string_view::npos &&
                            !line.starts_with("Node.js v");
@@ -131,7 +133,7 @@ std::string Process::excerpt() const {
 }
 
 Process::Process(const Confined& confined) try : confined_(confined) {
-  // Otherwise a candidate of the same user could read raycheck's memory.
+  // Without this, a candidate of the same user could read raycheck's memory.
   prctl(PR_SET_DUMPABLE, 0);
   signal(SIGPIPE, SIG_IGN);
   if (confined.layers.own_user) {
@@ -171,7 +173,8 @@ bool Process::has_neighbours() const {
   return confined_.surroundings && !confined_.surroundings->alone();
 }
 
-/// Whether it has ended by itself: all its processes have, unless raycheck-jail was killed.
+/// Whether it has ended by itself. Then all its processes have ended, unless raycheck-jail was
+/// killed.
 bool Process::has_ended(int& status) {
   rusage used{};
   if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;
@@ -202,7 +205,7 @@ void Process::blame(FailureKind kind, const std::string& words) const {
 /// Charges the time since the last restart.
 void Process::charge() { confined_.spent->add(watch_->taken()); }
 
-/// Stops it if it exceeds a limit.
+/// Stops the process if it exceeds a limit.
 void Process::look(const char* doing) {
   if (const auto stop = watch_->look(doing)) fail(stop->kind, stop->words);
 }
@@ -218,15 +221,15 @@ void Process::fail(FailureKind kind, const std::string& words) {
 
 /// Throws the failure of a process that ended abnormally.
 void Process::fail_with(int status) {
-  // Its fault, even if the machine is short of memory.
+  // This is the program's fault, even if the machine is short of memory.
   if (group_ && group_->has_met_memory_limit()) {
     fail(FailureKind::kEnded, memory_words(confined_.limits));
   }
   const std::string words = reason_ended(status, confined_.limits);
   const std::string lack = lack_of_room(folder_.path());
   if (!lack.empty()) fail(FailureKind::kSystem, words + ": " + lack);
-  // raycheck did not kill it: another candidate may have, or the system when memory is short. A
-  // program that kills itself does so again when no other candidate runs.
+  // raycheck did not kill it. Another candidate may have killed it, or the system if memory is
+  // short. A program that kills itself will do so again when no other candidate runs.
   const bool is_killed = signal_of(status) == SIGKILL;
   fail(is_killed && has_neighbours() ? FailureKind::kSystem : FailureKind::kEnded, words);
 }
@@ -241,8 +244,8 @@ void Process::fail_ended() {
   fail_with(status);
 }
 
-/// Reads available output of a stream into a buffer, valid until the next call. Empty: nothing is
-/// available, or the stream has ended and is closed.
+/// Reads available output of a stream into a buffer, valid until the next call. Empty if nothing is
+/// available, or if the stream has ended; then it is closed.
 std::string_view Process::heard_on(Descriptor& stream) {
   if (!stream.is_open()) return {};
   const ssize_t count = read(stream.number(), buffer_.data(), buffer_.size());
@@ -317,7 +320,7 @@ int Process::finish() {
     listen(output_, printed_);
     if (ended) {
       if (signal_of(status) != 0) fail_with(status);
-      // Whatever the exit code: some of its output may be missing.
+      // This counts whatever the exit code is, because some of its output may be missing.
       if (const std::string lack = lack_of_room(folder_.path()); !lack.empty()) {
         fail(FailureKind::kSystem, "ended when " + lack);
       }

@@ -13,7 +13,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A line per submission, and its mistake.
+/// A line for each submission, with its mistake.
 std::string submission_lines(const ClassGrade& graded) {
   std::size_t width = 0;
   for (const SubmissionGrade& grade : graded.submissions) {
@@ -87,8 +87,8 @@ std::string csv_note(const SubmissionGrade& grade) {
 
 }  // namespace
 
-/// A row per submission, a column per item. A submission that could not be judged has no points
-/// except those that the rubric gives such submissions.
+/// A row for each submission, a column for each item. A submission that could not be judged has
+/// only the points that the rubric gives such submissions.
 std::string class_csv(const ClassGrade& graded) {
   std::string text = "submission,score,points";
   for (const Item& item : graded.rubric.items) text += "," + csv_cell(item.name);

@@ -91,7 +91,7 @@ using properties::ImageAnswer;
 using properties::kSomeSphere;
 using Sphere = ImageAnswer::value_type;
 
-/// Okabe and Ito's colours, which colour-blind readers tell apart; black is the background.
+/// Okabe and Ito's colours, which colour-blind readers can distinguish; black is the background.
 constexpr std::array<Colour, 7> kColours = {{{230, 159, 0},
                                              {86, 180, 233},
                                              {0, 158, 115},
@@ -105,7 +105,7 @@ constexpr Colour kQuiet = {60, 60, 60};
 /// The largest height of a picture on a page, in rem.
 constexpr double kTallest = 20;
 
-/// The width and height of a mark, which stands for one pixel in the picture of differences; marks
+/// The width and height of a mark, which represents one pixel in the picture of differences. Marks
 /// also differ in shape.
 constexpr int kMark = 7;
 struct Mark {
@@ -130,13 +130,13 @@ constexpr Mark kOther = {
     "=",
     "the wrong sphere is shown"};
 
-/// Null if the pixel is right.
+/// The mark of a pixel; null if the pixel is right.
 const Mark* mark_of(const Sphere& got, const Sphere& exact) {
   if (got == exact || (got == kSomeSphere && exact)) return nullptr;
   return !got ? &kMissing : !exact ? &kSurplus : &kOther;
 }
 
-/// A picture by the case's camera, top line first.
+/// A picture by the case's camera, from the top line on.
 struct Canvas {
   explicit Canvas(const FailingCase& failing)
       : width(failing.the_case.scene.camera->width),

@@ -11,8 +11,8 @@ std::string prairielearn_results(const StudentGrade& grade) {
   const SubmissionGrade& submission = grade.submission;
   const std::string refused = submission.refused ? refusal_text(*submission.refused) : "";
   Json json;
-  // A submission that cannot run does not use up an attempt, unless the rubric gives it points:
-  // they would be lost.
+  // A submission that cannot run does not use up an attempt, unless the rubric gives it points,
+  // which would be lost.
   json["gradable"] = !submission.refused || submission.score > 0;
   if (!json["gradable"]) json["format_errors"] = Json::array({refused});
   json["score"] = submission.points > 0 ? std::min(submission.score / submission.points, 1.0) : 0.0;

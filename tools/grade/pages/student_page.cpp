@@ -21,7 +21,7 @@ std::string row(std::string_view term, std::string_view text) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escaped(text));
 }
 
-/// A file's text, collapsed at first.
+/// The text of a file, collapsed at first.
 std::string file_html(const std::string& name, const std::string& text) {
   return "<details class=\"file\"><summary>" + escaped(name) + "</summary><pre>" + escaped(text) +
          "</pre></details>\n";
@@ -67,7 +67,7 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
 }
 
-/// `figure`: the address of the item's figure; or empty.
+/// `figure`: the address of the item's figure, or empty.
 std::string item_html(const StudentGrade& all, std::size_t k, const std::string& figure) {
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];

@@ -41,7 +41,7 @@ std::string answer_text(const WrongAnswer& answer) {
 
 std::string got_text(const WrongAnswer& answer) {
   if (answer.quantity == Quantity::kRefusal) return "";
-  // The picture shows a sphere, but its colour does not identify which.
+  // The picture shows a sphere, but its colour does not identify it.
   const bool is_unidentified = answer.quantity == Quantity::kNearestSphere &&
                                answer.wrong == Wrong::kFalseHit && answer.got.empty();
   return is_unidentified ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
@@ -99,7 +99,7 @@ std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistak
 std::string mistake_text(const SubmissionGrade& grade) {
   std::vector<MistakeStatistics> all = mistake_statistics({&grade, 1});
   std::ranges::stable_sort(all, std::greater{}, &MistakeStatistics::items);
-  // The most frequent mistake, then every other one that costs points.
+  // The most frequent mistake comes first, then every other mistake that costs points.
   std::string text;
   for (const MistakeStatistics& one : all) {
     if (text.empty() || one.costs) text += (text.empty() ? "" : "; and ") + one.sentence;

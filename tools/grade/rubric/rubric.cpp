@@ -270,7 +270,7 @@ class RubricReader {
     return result;
   }
 
-  /// How the scenes of an item's pictures vary with the seed.
+  /// Reads how the scenes of an item's pictures vary with the seed.
   std::vector<properties::Variation> variations(const Field& field) const {
     const auto& names = properties::kVariationNames;
     std::vector<properties::Variation> found;
@@ -327,7 +327,8 @@ class RubricReader {
     return {name, scene};
   }
 
-  /// The scene beside the rubric, or of that name among those that come with raycheck.
+  /// The path of a scene beside the rubric or, if there is none, of that name among the scenes that
+  /// come with raycheck.
   fs::path path_of_scene(const Field& field, const std::string& name) const {
     fs::path beside = path_.parent_path() / name;
     if (fs::exists(beside)) return beside;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the installed program, or in the sources.
+/// The folder of the shipped rubrics: beside the installed program, or in the sources.
 fs::path shipped_folder() {
   fs::path installed = prefix() / "share/raycheck/rubrics";
   return fs::is_directory(installed) ? installed : fs::path(kSourceFolder) / "examples/rubrics";

@@ -11,7 +11,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// A scene of only this ray and sphere, as given input for explain.
+/// A scene with only this ray and this sphere, for explain().
 scene::Scene pair_scene(const scene::Scene& scene, const Selection& selection) {
   scene::Scene result;
   result.conventions = scene.conventions;
@@ -20,11 +20,11 @@ scene::Scene pair_scene(const scene::Scene& scene, const Selection& selection) {
   return result;
 }
 
-/// Of raycheck's methods, keeps those that are to be shown.
+/// Removes those of raycheck's methods that are not to be shown.
 void keep_methods(const SceneViewOptions& options, ExplainReport& report) {
   std::vector<MethodPair> pairs;
   if (options.is_of_methods) pairs = options.methods;
-  if (options.renderer) pairs = {kDefaultMethods};  // pictures have no steps: correct ones
+  if (options.renderer) pairs = {kDefaultMethods};  // pictures have no steps: show correct ones
   if (pairs.empty()) return;
   std::erase_if(report.methods, [&](const MethodReport& method) {
     return !method.is_other && std::ranges::none_of(pairs, [&](const MethodPair& pair) {
@@ -43,7 +43,7 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
                             const SceneViewOptions& options) {
   const std::string candidate = options.other ? options.more_arguments : "";  // no renderers
   if (!report.pixel) {
-    if (!report.sphere) return {};  // explain takes no ray without a sphere
+    if (!report.sphere) return {};  // `raycheck explain` needs a sphere
     const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
     return fmt::format("raycheck explain --ray={},{} --sphere={},{}{}", listed(report.ray.origin),
                        listed(report.ray.direction), listed(sphere.centre),
@@ -58,8 +58,9 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
 
 constexpr int kDigits = 17;
 
-/// The number of correct characters of a value's decimals: all if it is within an ulp of the
-/// correctly rounded exact one, otherwise up to the last digit to which both round equally.
+/// The number of correct characters in a value's decimals. All are correct if the value is within
+/// an ulp of the correctly rounded exact value; otherwise, those up to the last digit to which both
+/// round in the same way.
 std::size_t right_characters(double value, double exact) {
   const std::string text = digits_text(value);
   const bool is_next = value == std::nextafter(exact, value);
@@ -81,13 +82,13 @@ std::size_t right_characters(double value, double exact) {
   return at;
 }
 
-/// Appends a part to a text, unless it is empty.
+/// Appends a part to a rich text, unless the part is empty.
 void add(Json& said, const char* kind, const std::string& text) {
   if (!text.empty()) said.push_back({kind, text});
 }
 
-/// Adds a value compared with the exact one, with its wrong digits separate; without an exact one
-/// all are wrong.
+/// Adds a value, with the digits that differ from the exact value as a separate part. If there is
+/// no exact value, all digits are wrong.
 void add_value(Json& said, double value, const std::optional<double>& exact) {
   const std::string text = digits_text(value);
   const std::size_t right = exact ? right_characters(value, *exact) : 0;
@@ -95,7 +96,7 @@ void add_value(Json& said, double value, const std::optional<double>& exact) {
   add(said, "mark", text.substr(right));
 }
 
-/// A method's result at a step, without names: agreeing methods share it.
+/// The result of a method at a step, without its name, because methods that agree share it.
 Json answer_json(const MethodReport& method, const MethodStep& mine, const Step& step) {
   Json said = Json::array();
   const std::size_t count = mine.value.size();
@@ -111,7 +112,7 @@ Json answer_json(const MethodReport& method, const MethodStep& mine, const Step&
           {"wrong", method.goes_wrong_at == step.symbol}};
 }
 
-/// The methods' results at a step; those that agree fully are one answer.
+/// The results of all methods at a step. Methods that agree fully share one answer.
 Json answers_json(const Step& step, const ExplainReport& report) {
   Json answers = Json::array();
   for (const MethodReport& method : report.methods) {
@@ -129,7 +130,7 @@ Json answers_json(const Step& step, const ExplainReport& report) {
   return answers;
 }
 
-/// A remark on subtracted terms that are much larger than their difference, if that costs digits.
+/// A remark if a difference loses digits because its terms are much larger.
 std::string cancellation_text(const Step& step, const ExplainReport& report) {
   const Step* const to_centre = report.find("T");
   if (!step.condition || step.symbol != "d^2" || to_centre == nullptr ||
@@ -137,7 +138,7 @@ std::string cancellation_text(const Step& step, const ExplainReport& report) {
     return {};
   }
   const auto& t = to_centre->rounded;
-  // Without squares, which may overflow.
+  // std::hypot, because squares may overflow.
   const double distance = std::hypot(t[0], t[1], t[2]);
   const double half_chord = std::sqrt(std::abs(step.rounded.front()));
   const double decades = 2 * std::log10(distance / half_chord);
@@ -150,8 +151,8 @@ std::string cancellation_text(const Step& step, const ExplainReport& report) {
       std::floor(decades), left >= 1 ? fmt::format("{:.0f}", left) : "none");
 }
 
-/// Whether a step's closed form is short enough to be typeset: explain's text cuts longer ones,
-/// too.
+/// Whether a step's closed form is short enough to be typeset. (The text of `explain` cuts longer
+/// ones, too.)
 bool is_typeset(const Step& step) {
   constexpr std::size_t kLongestTypeset = 160;
   return !step.closed_form.empty() &&
@@ -211,8 +212,8 @@ Json exact_json(const ExplainReport& report) {
           {"said", std::move(said)}};
 }
 
-/// The steps, each method's answer, and the exact one. Rich text is a list of [kind, text]: "",
-/// "symbol", "number", "mark" (wrong digits) or "wrong".
+/// The steps, with the answer of each method and the exact one. A rich text is a list of pairs
+/// [kind, text]; the kind is "", "symbol", "number", "mark" (wrong digits) or "wrong".
 Json explained_json(const ExplainReport& report) {
   const auto step = [&](const Step& one) { return step_json(one, report); };
   const auto verdict = [&](const MethodReport& one) { return verdict_json(one, report); };
