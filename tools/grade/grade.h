@@ -26,7 +26,7 @@ struct GradeOptions {
   std::string dialect = {};  ///< Replaces the rubric's [driver]; see driver_rule().
   std::vector<std::string> submissions = {};
   std::string out = {};      ///< The folder of results, made if missing. Empty: nothing is written.
-  bool for_student = false;  ///< Write only the files for the student, of one submission.
+  bool for_student = false;  ///< Write only the files for students.
   std::uint64_t seed = 1;
   std::optional<std::string> secret = {};  ///< Derives each submission's seed.
   Sandbox sandbox = Sandbox::kRequire;
@@ -47,44 +47,42 @@ ClassGrade grade(const GradeOptions& options, const properties::RunControl& cont
 
 /// Does `work` for every submission, in order. What fails for a cause outside the submission
 /// (`outside` of a result is non-empty) is repeated at the end, with nothing running beside it.
-/// `done`: the word for progress lines, "graded".
 template <class Result>
 std::vector<Result> done_for_each(
     const std::vector<Submission>& submissions, const properties::RunControl& control,
-    const std::string& done, const std::function<Result(const Submission&, bool alone)>& work) {
+    const std::function<Result(const Submission&, bool alone)>& work) {
   std::vector<Result> all;
   in_order<Result>(
       static_cast<std::int64_t>(submissions.size()), control,
       [&](std::int64_t k) { return work(submissions[static_cast<std::size_t>(k)], false); },
       [&](Result& one) {
-        const std::string state =
-            fmt::format("{} of {} {}", all.size() + 1, submissions.size(), done);
+        const std::string state = fmt::format("{} of {} done", all.size() + 1, submissions.size());
         control.progress(state);
         control.done(state + ": " + submissions[all.size()].name);
         all.push_back(std::move(one));
       });
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (all[k].outside.empty() || control.interrupted()) continue;
-    control.progress(submissions[k].name + " again, alone");
+    const std::string again = submissions[k].name + ": repeated, with no other submission running";
+    control.progress(again);
     all[k] = work(submissions[k], true);
-    control.done(done + " again, alone: " + submissions[k].name);
+    control.done(again);
   }
   return all;
 }
 
-/// The part of a submission's grade that a student may see.
+/// The parts of the submissions' grades that students may see.
 struct TryReport {
   std::shared_ptr<const Rubric> rubric;  ///< What `shown` refers to.
-  StudentGrade shown;
-  std::string
-      folder;  ///< The folder of the page and the failing cases; empty: nothing was written.
+  std::vector<StudentGrade> shown;       ///< In the given order.
+  std::string out;                       ///< The folder of the results; empty: nothing is written.
   bool interrupted = false;
 
-  /// Whether every item that is shown and was asked holds.
+  /// Whether every item that is shown and was asked holds, of all submissions.
   bool holds() const;
 };
 
-/// Grades one submission for its author, as grade() does with the same rubric and seed: asks every
+/// Grades submissions for their authors, as grade() does with the same rubric and seed: asks every
 /// item, and shows those that students may see.
 /// Errors: as grade().
 TryReport try_submission(GradeOptions options, const properties::RunControl& control = {});

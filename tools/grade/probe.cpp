@@ -51,7 +51,7 @@ ProbeReport probe(const GradeOptions& options, const properties::RunControl& con
   test_environment(report.rubric, layers);
   const std::vector<Submission> submissions = find_submissions(options.submissions, {});
   report.submissions = done_for_each<SubmissionProbe>(
-      submissions, control, "tried", [&](const Submission& each, bool alone) {
+      submissions, control, [&](const Submission& each, bool alone) {
         return probed(each, report.rubric, layers, control, alone);
       });
   report.interrupted = control.interrupted();

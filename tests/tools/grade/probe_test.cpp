@@ -136,7 +136,7 @@ TEST_F(Probe, logs_progress_without_a_terminal_and_retries_programs_that_only_wa
             {grading_.hand_in("draws", "rt.py", renderer_in_python()), waits}, "--format json");
   EXPECT_EQ(outcome.err,
             "submissions: 1 of 2 tried: draws\nsubmissions: 2 of 2 tried: waits\n"
-            "submissions: tried again, alone: waits\n");
+            "submissions: waits: repeated, with no other submission running\n");
   EXPECT_EQ(json::parse(outcome.out)["submissions"][1]["refused"]["why"],
             "it did not end, and used almost no CPU time for 1 s (reply_seconds)");
 }

@@ -87,8 +87,8 @@ TEST_F(RubricKeys, requires_leaves_out_dependent_items) {
   EXPECT_EQ(item(result, "later")["reason"],
             json({{"kind", "needs"}, {"item", "after"}, {"state", "left out"}}));
   const std::string page = grading.file("u_flipped", "report.html");
-  expect_parts(page, {"left out: it needs &#39;frame&#39;, which fails<",
-                      "left out: it needs &#39;after&#39;, which is left out<"});
+  expect_parts(page, {"left out: &#39;frame&#39; must have all points first, but fails<",
+                      "left out: &#39;after&#39; must have all points first, but is left out<"});
   expect_values(result, {{"score", 4}, {"points", 29}});
 }
 

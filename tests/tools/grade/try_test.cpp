@@ -28,8 +28,8 @@ std::vector<std::string> item_lines(const std::string& text) {
   std::string line;
   std::getline(stream, line);
   while (std::getline(stream, line) && !line.empty() && !line.starts_with("see ") &&
-         !line.starts_with("written: ") && !has(line, "not shown, but in the score")) {
-    const bool is_of_items = !line.starts_with("isolated by: ") && !has(line, " submission graded");
+         !line.starts_with("wrote ") && !has(line, "not shown, but in the score")) {
+    const bool is_of_items = !line.starts_with("isolated by: ") && !has(line, " graded") && !has(line, "  see ");
     if (is_of_items) lines.push_back(line);
   }
   return lines;

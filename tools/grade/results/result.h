@@ -72,7 +72,7 @@ struct RayAnswers {
 struct FailingCase {
   std::string law;  ///< Its name.
   CaseOrigin origin;
-  std::optional<std::string> step;  ///< The first step that goes wrong: "direction".
+  std::optional<std::string> step;  ///< The first step that goes wrong, if known: "direction".
   WrongAnswer answer;
   properties::Case the_case;  ///< No pixels: all of them, for a picture.
   /// If the program drew the case: both pictures have the size that the camera requires.
@@ -121,7 +121,7 @@ struct ItemReason {
     kTimeUp,            ///< The limit for all questions of the submission was reached.
     kInterrupted,       ///< The run was interrupted.
     kOtherColours,      ///< A picture's colours do not identify the spheres.
-    kUnanswered,        ///< The candidate answers less than a law requires.
+    kUnanswered,        ///< The candidate lacks a function, or its hits cannot be compared.
     kNothingToCompare,  ///< There were no cases.
     kNeverRight,        ///< All answers about a quantity are excused, and none is right.
     kNothingRuns,       ///< The submission could not be run.
@@ -132,6 +132,7 @@ struct ItemReason {
   ItemState state = ItemState::kFails;  ///< The state of that item.
   double seconds = 0;                   ///< The time limit.
   std::string law = {}, said = {};      ///< The unanswered law, and why it was not answered.
+  std::string function = {};            ///< The missing function, "frame()"; or empty.
   std::string quantity = {};            ///< The quantity without a right answer.
 };
 inline constexpr std::array<std::string_view, 13> kReasonNames = {"",
