@@ -58,7 +58,7 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
   const scene::Pixel pixel = parse_pixel(option, text);
   if (!scene.camera) {
     throw std::invalid_argument(
-        fmt::format("{} {}: {} has given rays and no camera, so no pixels", option, text, path));
+        fmt::format("{} {}: {} has rays instead of a camera, so it has no pixels", option, text, path));
   }
   const scene::Camera& camera = *scene.camera;
   if (pixel.i >= camera.width || pixel.j >= camera.height) {
@@ -85,13 +85,13 @@ std::optional<DriverRule> parse_driver(const std::string& text) {
 }
 
 void add_dialect(CLI::App& command, std::string& dialect) {
-  command.add_option("--dialect", dialect, "of a driver file: A, B or C, or a year, 2017 to 2020");
+  command.add_option("--dialect", dialect, "the dialect of a driver file: A, B or C, or the year of a course, 2017 to 2020");
 }
 
 void add_rubric_dialect(CLI::App& command, std::string& dialect) {
   command.add_option("--dialect", dialect,
-                     "of the driver files that renderers are given, in place of the rubric's "
-                     "[driver]: A, B, C, 2017 to 2020, auto (what each reads), or a form such as "
+                     "the form of driver files for renderers, in place of the rubric's [driver]: A, "
+                     "B, C, 2017 to 2020, auto (the form that each one reads), or a form such as "
                      "B:17:no-light");
 }
 
@@ -127,7 +127,7 @@ CLI::Validator number_between(double least, double most) {
             if (number && *number >= least && *number <= most) return {};
             const std::string range = most < std::numeric_limits<double>::max()
                                           ? fmt::format("number from {} to {}", least, most)
-                                          : fmt::format("finite number from {}", least);
+                                          : fmt::format("finite number >= {}", least);
             return fmt::format("give a {}, not '{}'", range, text);
           },
           "", "number"};
@@ -155,8 +155,7 @@ void add_format(CLI::App& command, std::string& format, const std::vector<std::s
 void add_methods(CLI::App& command, std::vector<std::string>& methods) {
   command
       .add_option("--method,--methods", methods,
-                  "only these methods, separated by commas, or all (default: those of fast/, "
-                  "without the reference)")
+                  "only these methods, separated by commas, or all (default: all but reference)")
       ->delimiter(',');
 }
 
@@ -182,8 +181,8 @@ void add_view(CLI::App& command, std::optional<std::string>& path, std::string_v
 void add_certificates(CLI::App& command, std::optional<std::string>& path) {
   command
       .add_option("--certificates", path,
-                  "write proofs of the discrepancies found; tools/verify_certificates.py checks "
-                  "them without raycheck")
+                  "write a proof of each discrepancy; tools/verify_certificates.py checks them "
+                  "without raycheck")
       ->type_name("FILE");
 }
 
@@ -215,12 +214,12 @@ std::vector<std::string> files_of(const CLI::Option& option) {
 void add_threads(CLI::App& command, int& threads, std::string_view same) {
   constexpr int kMostThreads = 1024;
   add_number(command, "--threads", threads, 1, kMostThreads,
-             fmt::format("the number of threads; {} does not depend on it", same));
+             fmt::format("the number of threads; {} is the same for any number", same));
 }
 
 void add_strict(CLI::App& command, bool& strict) {
   command.add_flag("--strict", strict,
-                   "also fail for answers that are excused by a witness or undecided");
+                   "also fail for answers that are excused or undecided");
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
@@ -250,12 +249,12 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
 CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
   command.add_flag(
       "--i-know", arguments.knows,
-      "run candidates as root with --sandbox none: they can do anything that root can");
+      "allow --sandbox none as root: candidates can then do anything that root can");
   constexpr std::array<std::string_view, 3> kSandboxNames = {"require", "available", "none"};
   return add_named(
       command, "--sandbox", arguments.sandbox, kSandboxNames,
-      "isolation of candidates: require, fail unless seccomp, bubblewrap and, as root, a separate "
-      "user work; available, what works here; none, limits only");
+      "isolation of candidates; require: fail unless seccomp, bubblewrap and, as root, a separate "
+      "user work; available: use what works here; none: only limits");
 }
 
 Sandbox sandbox_of(const SandboxArguments& arguments) {
@@ -273,7 +272,8 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
   CLI::Option* const candidate =
       command.add_option("--candidate", arguments.candidates,
                          "the code to judge instead of raycheck's methods: library:PATH.so, "
-                         "source:PATH, command:'WORDS' or renderer:'WORDS'; may be repeated");
+                         "source:PATH or command:'WORDS' (check and properties: also "
+                         "renderer:'WORDS'); may be repeated");
   add_sandbox(command, arguments.sandbox)->needs(candidate);
   command
       .add_option("--read", arguments.reads,
@@ -287,16 +287,16 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
       ->check(CLI::ExistingDirectory);
   command
       .add_option("--timeout", arguments.seconds,
-                  "limit on the CPU seconds that a candidate takes for one reply")
+                  "the CPU seconds that a candidate may take for one reply")
       ->check(number_between(kLeastSeconds, kMostSeconds))
       ->needs(candidate)
       ->capture_default_str();
   add_number(command, "--memory", arguments.memory_mib, 1, std::uint64_t{1} << 30,
-             "MiB of memory that a candidate may use, and that each of its processes may reserve")
+             "the MiB of memory that a candidate may use, and that each of its processes may reserve")
       ->needs(candidate);
   command
       .add_option("--bounds", arguments.bounds,
-                  "the methods by whose bounds candidates are judged: INTERSECT or RAYS/INTERSECT "
+                  "the methods whose error bounds apply to candidates: INTERSECT or RAYS/INTERSECT "
                   "(default: direct/cross)")
       ->needs(candidate);
 }
@@ -304,8 +304,8 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
 void add_renderer(CLI::App& command, ExternalArguments& arguments) {
   CLI::Option* const candidate = command.get_option("--candidate");
   add_named(command, "--precision", arguments.precision, scene::kPrecisionNames,
-            "precision of renderers: double, or single for those that compute in float, which are "
-            "given scenes of floats; other candidates declare theirs")
+            "precision of renderers: double; or single if they compute in float: their scenes are "
+            "rounded to floats. Other candidates declare their precision")
       ->needs(candidate);
   command
       .add_option(
@@ -316,12 +316,12 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments) {
       ->needs(candidate);
   command
       .add_option("--t-threshold", arguments.threshold,
-                  "a renderer's hits with a parameter of at most this are not judged")
+                  "excuse wrong pixels of a renderer whose exact parameter is at most this")
       ->check(kBound)
       ->needs(candidate)
       ->capture_default_str();
   add_named(command, "--origin", arguments.origin, scene::kOriginNames,
-            "where a renderer's rays start (default: as the scene says)")
+            "where the rays of a renderer start (default: where the scene says)")
       ->needs(candidate);
 }
 
@@ -344,8 +344,8 @@ std::string hint_of_missing(const CandidateError& error, const Layers& layers) {
   for (const char* words : {"No such file or directory", "cannot open shared object file",
                             "No module named", "Cannot find module", "Cannot find package"}) {
     if (all.find(words) == std::string::npos) continue;
-    return "; it can read only its own folder and the system's: --read DIR adds a folder, and "
-           "--include DIR a folder of headers";
+    return "; a candidate can read only its own folder and the system's: add a folder by --read DIR, "
+           "or a folder of headers by --include DIR";
   }
   return "";
 }
@@ -410,8 +410,8 @@ std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
   std::vector<Implementation> found = find_candidates(arguments);
   for (const Implementation& one : found) {
     if (!one.stages.empty()) continue;
-    throw CandidateError(one.draws() ? "it only draws pictures; this command needs single answers"
-                                     : "it implements neither make_rays() nor intersect()",
+    throw CandidateError(one.draws() ? "it only draws pictures; this command judges single answers"
+                                     : "it has none of the functions pixel_ray(), focal_ray() and intersect()",
                          {}, one.name);
   }
   return found;

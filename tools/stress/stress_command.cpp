@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/shard_arguments.h"
@@ -30,7 +31,12 @@ struct StressArguments {
 std::pair<int, int> parse_range(const std::string& text) {
   const std::size_t dots = text.find("..");
   const auto number = [&](const std::string& part) {
-    return static_cast<int>(parse_index("--severity", part, 0, std::numeric_limits<int>::max()));
+    const auto severity = scene::parse_integer(part);
+    if (severity && *severity >= 0 && *severity <= std::numeric_limits<int>::max()) {
+      return static_cast<int>(*severity);
+    }
+    throw std::invalid_argument("--severity " + text +
+                                ": give a severity, or a range of severities, A..B");
   };
   if (dots == std::string::npos) return {number(text), number(text)};
   const std::pair<int, int> range = {number(text.substr(0, dots)), number(text.substr(dots + 2))};

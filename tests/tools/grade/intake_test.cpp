@@ -202,7 +202,7 @@ const std::vector<Brought> kBuilt = {
 
 const Files kMakesWhatFails = {
     {"Makefile", "check:\n\techo 'int main() { return 3; }' > check.c\n\tgcc -o check check.c\n"}};
-constexpr const char* kNoPicture = "it made no picture {image}; it said: no such key";
+constexpr const char* kNoPicture = "it exited with 0, but did not write its picture, image.ppm; it printed: no such key";
 const std::string kLimits =
     "[limits]\nfile_mib = 1\nprocesses = 8\nmemory_mib = 300\nsubmission_mib = 1\nfiles = 3\n";
 
@@ -229,7 +229,7 @@ const std::vector<Brought> kRefused = {
             {{"Makefile", "rt:\n\t@for k in $$(seq 60); do echo line $$k; done; false\n"}},
             {"line 1\n", "line 12\n... ", " lines left out ...\n", "line 60\n"}),
     refused("says_something_in_place_of_a_picture", {{"rt.sh", "echo 'usage: rt WIDTH HEIGHT'\n"}},
-            {"it made no picture {image}; it said: usage: rt WIDTH HEIGHT"}),
+            {"it exited with 0, but did not write its picture, image.ppm; it printed: usage: rt WIDTH HEIGHT"}),
     refused("ends_with_an_error", {{"rt.sh", "echo 'line 3:' >&2\necho 'what?' >&2\nexit 1\n"}},
             {"it exited with 1\nline 3:\nwhat?"}),
     refused("reads_whole_numbers_only",
