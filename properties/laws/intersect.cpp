@@ -419,7 +419,7 @@ constexpr Law kIntersectLawTable[] = {
      .stage = Stage::kIntersection,
      .judge = judge_hit_point},
     {.name = "focal-and-pixel",
-     .sentence = "focal and pixel origins find the same point, parameters l apart",
+     .sentence = "rays from E and from P find the same point; their s differ by the distance from E to P",
      .per = Per::kPair,
      .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
               Needs::kPoints,

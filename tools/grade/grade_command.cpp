@@ -75,7 +75,7 @@ int try_own_methods(const GradeArguments& arguments) {
 int run_probe(const GradeArguments& arguments) {
   if (std::ranges::none_of(kProbeViews,
                            [&](const auto& view) { return view.name == arguments.format; })) {
-    throw std::invalid_argument("--format " + arguments.format + ": --probe prints text or json");
+    throw std::invalid_argument("--format " + arguments.format + ": with --probe, give text or json");
   }
   GradeOptions options = arguments.options;
   options.sandbox = sandbox_of(arguments.sandbox);
@@ -127,24 +127,24 @@ CommandRun add_grade(CLI::App& command) {
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
       ->required();
   CLI::Option* const submissions =
-      command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
+      command.add_option("SUBMISSION", arguments.options.submissions, "the folders or files of submissions");
   command.add_option("--out", arguments.options.out, "the folder for the results")
       ->needs(submissions);
   add_shards_inside(command, arguments.shards);
-  command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
+  command.add_option("--jobs", arguments.jobs, "the number of submissions graded at the same time")
       ->check(whole_number(1, 1024));
   // Allowed with --out, so that the later grading command only needs --probe removed.
   CLI::Option* const probe =
       command
           .add_flag("--probe", arguments.probe,
-                    "only build and try the submissions, without judging; print what each reads, "
-                    "writes and shows, and a [driver] and [[form]]s for the rubric")
+                    "only build the submissions and draw a test scene with each; print what each one "
+                    "reads, writes and shows, and suggest [driver] and [[form]] tables for the rubric")
           ->needs(submissions);
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   command
       .add_option("--secret-file", arguments.secret_file,
-                  "derive each submission's seed from this secret file and its name")
+                  "derive each submission's seed from the secret in this file and from its name")
       ->needs(submissions)
       ->excludes(probe);
   add_sandbox(command, arguments.sandbox);

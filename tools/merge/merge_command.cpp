@@ -94,9 +94,9 @@ CommandRun add_merge(CLI::App& command) {
       ->required()
       ->type_name("FOLDER");
   command.add_flag("--run-candidates", given->may_run,
-                   "allow the merge to run the campaign's candidates or submissions");
+                   "allow raycheck to run the campaign's candidates or submissions");
   for (const NamedOption& option : kReportOptions) {
-    const std::string meaning = "as for the campaign's command";
+    const std::string meaning = "as in the command that made the folders";
     if (option.has_value) {
       command.add_option(option.name, given->passed[option.name], meaning)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

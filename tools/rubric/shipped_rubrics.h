@@ -12,7 +12,7 @@ std::string rubrics_text();
 std::string rubric_file(const std::string& name);
 
 /// Copies a shipped rubric and its scenes to a folder; returns a line about what was written.
-/// Errors: as rubric_file(); std::invalid_argument if a file exists already, or cannot be written.
+/// Errors: as rubric_file(); std::invalid_argument if a file already exists, or cannot be written.
 std::string copy_rubric(const std::string& name, const std::string& out);
 
 }  // namespace raycheck::tools

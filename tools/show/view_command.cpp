@@ -125,7 +125,7 @@ std::string scene_text(const SceneView& view) {
   const std::string rays =
       scene.camera ? fmt::format("{} x {} pixels", scene.camera->width, scene.camera->height)
                    : count_text(scene.rays.size(), "ray");
-  return fmt::format("{}: {}, {}, the steps of {}\n", view.name, rays,
+  return fmt::format("{}: {}, {}, the steps of {} of a ray and a sphere\n", view.name, rays,
                      count_text(scene.spheres.size(), "sphere"),
                      count_text(view.panels.size(), "pair"));
 }
@@ -140,10 +140,10 @@ std::string view_text(const ViewDocument& document, const std::string& file, std
     text += fmt::format("  {}: {}\n", finding.candidate, finding.sentence);
   }
   if (shown < document.findings.size()) {
-    text += fmt::format("  and {} more beside the figure\n", document.findings.size() - shown);
+    text += fmt::format("  and {} more on the page\n", document.findings.size() - shown);
   }
   for (const std::string& sentence : document.left_out) text += "left out: " + sentence + "\n";
-  return text + fmt::format("{} written, {} bytes: open it in a browser\n", file, bytes);
+  return text + fmt::format("wrote {}, {} bytes: open it in a browser\n", file, bytes);
 }
 
 int run_view(const ViewArguments& arguments) {
@@ -182,8 +182,8 @@ CommandRun add_view(CLI::App& command) {
   ViewArguments& arguments = *given;
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
   command.add_option("--family", arguments.family,
-                     "a source of cases instead of a scene: shows a scene at each severity");
-  add_cases(command, arguments.cases, "cases at each severity of a source");
+                     "a source of cases in place of a scene; the page shows a scene at each severity");
+  add_cases(command, arguments.cases, "the number of cases at each severity of a source");
   add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one self-contained HTML file");
   add_dialect(command, arguments.dialect);

@@ -158,6 +158,16 @@ std::uint64_t StressCurve::left_out() const {
   return sum;
 }
 
+properties::AnswersFailed StressCurve::failed() const {
+  properties::AnswersFailed all;
+  for (const StressResult& result : results) {
+    properties::AnswersFailed failed = properties::answers_failed(result);
+    if (all.count == 0) all.first = std::move(failed.first);
+    all.count += failed.count;
+  }
+  return all;
+}
+
 std::optional<double> StressCurve::slope(int base) const {
   std::vector<double> errors;
   for (std::size_t k = 0; k < results.size(); ++k) {
@@ -199,7 +209,7 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   using Results = std::vector<StressResult>;
   std::size_t next = 0;
   properties::RunControl allowed = control;
-  // A candidate that times out three times is dropped, independently of threads.
+  // When a candidate is dropped for its time-outs must not depend on the number of threads.
   if (kept == nullptr &&
       std::ranges::any_of(options.implementations,
                           [](const Implementation& one) { return !one.methods; })) {

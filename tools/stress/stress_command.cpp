@@ -71,8 +71,8 @@ CommandRun add_stress(CLI::App& command) {
       ->delimiter(',');
   add_methods(command, given->methods);
   command.add_option("--severity", given->severity,
-                     "only these severities, A..B (default: all of the source)");
-  add_cases(command, options.cases, "cases at each severity");
+                     "only this severity, or this range, A..B (default: all severities of the source)");
+  add_cases(command, options.cases, "the number of cases at each severity");
   add_seed(command, options.seed);
   add_external(command, given->external);
   add_threads(command, given->threads, "the report");

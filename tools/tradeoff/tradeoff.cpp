@@ -205,7 +205,7 @@ void finish(const std::vector<Case>& timed, TradeoffReport& report) {
     const std::vector<Case> asked = asked_of(timed, stage);
     if (asked.empty()) {
       costs.clear();
-      report.left_out.push_back(fmt::format("{}: the cases do not use them", name(stage)));
+      report.left_out.push_back(fmt::format("{}: no case asks for them", name(stage)));
       continue;
     }
     if (stage == Stage::kRays) {
@@ -224,7 +224,7 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   const properties::SceneCases cases(std::move(loaded.scene),
                                      static_cast<std::uint64_t>(options.cases));
   if (cases.rays_judged() < cases.rays_in_scene()) {
-    report.left_out.push_back(fmt::format("{} of {} rays: only {} were selected",
+    report.left_out.push_back(fmt::format("{} of {} rays: only {} are judged; --cases N judges more",
                                           cases.rays_in_scene() - cases.rays_judged(),
                                           cases.rays_in_scene(), cases.rays_judged()));
   }

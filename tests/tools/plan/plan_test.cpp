@@ -93,7 +93,7 @@ TEST(Plan, counts_what_each_item_leaves_out) {
     EXPECT_EQ(item(report, name)["left_out"], left_out) << name;
   }
   EXPECT_EQ(item(report, "hidden")["why"],
-            "sphere 3: a ray that meets it meets another sphere no later");
+            "sphere 3: every ray that meets it meets another sphere first or at the same point");
   EXPECT_EQ(item(report, "far-root")["of"], 2);
   EXPECT_EQ(item(report, "far-root")["why"], "rays may start inside sphere 4");
   EXPECT_EQ(item(report, "rectangles")["of"], 2 * 41 * 31);

@@ -177,9 +177,9 @@ TEST_F(Merge, does_not_overwrite_its_input) {
   for (const std::string& written :
        {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml",
         "--report json=" + folder + "//./campaign.json"}) {
-    expect_refused("merge " + folder + " " + written, "a campaign's folder of units");
+    expect_refused("merge " + folder + " " + written, "the folder of a campaign's units");
   }
-  expect_refused("merge " + folder + "/ --report json=" + file, "a campaign's folder of units");
+  expect_refused("merge " + folder + "/ --report json=" + file, "the folder of a campaign's units");
   EXPECT_EQ(contents(file), whole);
   run("merge " + folder, 0);
 }

@@ -32,6 +32,7 @@ for a vector, "class" for True or False; None and False are misses.
 Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 """
 import collections
+import os
 import sys
 
 Camera = collections.namedtuple(
@@ -136,11 +137,13 @@ def _answer(functions, returns, request):
 def _place(error):
     """" (rays.py, line 3)": where the program's code failed, or where it called other code."""
     folder = os.path.dirname(os.path.abspath(sys.argv[0]))
-    for frame, line in reversed(list(traceback.walk_tb(error.__traceback__))):
-        path = os.path.abspath(frame.f_code.co_filename)
+    place, step = "", error.__traceback__
+    while step:
+        path = os.path.abspath(step.tb_frame.f_code.co_filename)
         if os.path.dirname(path) == folder and path != os.path.abspath(__file__):
-            return f" ({os.path.basename(path)}, line {line})"
-    return ""
+            place = f" ({os.path.basename(path)}, line {step.tb_lineno})"
+        step = step.tb_next
+    return place
 
 
 def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, level=None,
