@@ -91,7 +91,7 @@ class Pictures {
           AnswerFailure{kind == FailureKind::kCannotSay ? words : "image: " + words, kind};
       timeouts_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
-    if (const int timeouts = timeouts_; timeouts >= renderer_.most_silences) {
+    if (const int timeouts = timeouts_; timeouts >= renderer_.most_timeouts) {
       fail(fmt::format("not started any more, since {} runs timed out", timeouts),
            FailureKind::kNotAsked);
       return;

@@ -14,7 +14,7 @@
 
 namespace raycheck::tools {
 
-/// The number of time-outs after which a candidate is dropped.
+/// A candidate is dropped when its time-outs add up to this number of full time limits.
 inline constexpr int kMostTimeouts = 3;
 
 /// The most pixels of a picture, whatever the size of the scene.
@@ -33,16 +33,16 @@ inline constexpr int kCannotSay = 77;
 struct Renderer {
   Confined program;
   /// The command whose exit code kCannotSay is trusted: if `program` exits with it and makes no
-  /// picture, this command is run on the same scene and must exit with it, too. Empty: that is a
-  /// failure.
+  /// picture, this command is run on the same scene and must exit with it, too. Empty: this exit
+  /// code is a failure like others.
   std::optional<Confined> wrapper = {};
   DriverForm driver = {};
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
-  double threshold = 0;                      ///< Hits with an s of at most this are not judged.
+  double threshold = 0;                      ///< Wrong pixels with an exact s of at most this are excused.
   std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
   /// The number of time-outs after which it is no longer started.
-  int most_silences = kMostTimeouts;
+  int most_timeouts = kMostTimeouts;
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();
 };
 

@@ -271,7 +271,7 @@ class Preparing {
     renderer.driver = found.driver;
     renderer.colours = found.colours;
     // The rubric's `seconds` limit all requests together.
-    renderer.most_silences = std::numeric_limits<int>::max();
+    renderer.most_timeouts = std::numeric_limits<int>::max();
     External asked = rendering(runnable.external.name, std::move(renderer));
     asked.folder = runnable.external.folder;
     asked.copies = runnable.external.copies;

@@ -198,7 +198,7 @@ constexpr std::size_t kKeptCases = 8;
 /// After this many cases of an item on which a program fails entirely, or does not end in time, the
 /// others are skipped.
 constexpr int kMostFailures = 8;
-constexpr int kMostSilentCases = 3;
+constexpr int kMostTimedOut = 3;
 
 /// A quantity whose answers are all excused and never right: they earn nothing.
 std::optional<properties::Quantity> never_right(const Verdict& verdict) {
@@ -259,7 +259,7 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
   ItemTrial trial;
   ItemGrade& grade = trial.grade = std::move(given);
   Verdict all;
-  int failed_altogether = 0, silent = 0;
+  int failed_altogether = 0, timed_out_cases = 0;
   bool is_untold = false;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     if (ItemReason reason = reason_to_stop(); reason.kind != ItemReason::Kind::kNone) {
@@ -296,12 +296,12 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
     if (grade.reason.kind == ItemReason::Kind::kNone) grade.reason = outcome.unanswered;
     if (outcome.broken == nullptr) continue;
     failed_altogether += outcome.discrepancy->wrong == properties::Wrong::kFailed ? 1 : 0;
-    silent += timed_out ? 1 : 0;
+    timed_out_cases += timed_out ? 1 : 0;
     if (graded.pictures || trial.failed.size() < kKeptCases) {
       trial.failed.push_back({std::move(*item_case), outcome.broken, *outcome.discrepancy,
                               outcome.failure, std::move(picture)});
     }
-    if (failed_altogether < kMostFailures && silent < kMostSilentCases) continue;
+    if (failed_altogether < kMostFailures && timed_out_cases < kMostTimedOut) continue;
     grade.cases += cases.size() - k - 1;
     while (++k < cases.size()) {
       if (auto next = cases[k]) trial.not_asked.push_back(std::move(next->the_case.scene));
