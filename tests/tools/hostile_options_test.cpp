@@ -248,6 +248,7 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"grade", "RUBRIC"},
     {"grade nowhere.toml README.md --out nowhere", "nowhere.toml: cannot be read"},
     {"grade lecture7.toml README.md", "--out: give a folder for the results"},
+    {"grade lecture7.toml nowhere", "nowhere: there is no such file or folder"},
     {"grade lecture7.toml nowhere --out nowhere", "nowhere: there is no such file or folder"},
     {"grade lecture7.toml README.md README.md --out nowhere", "has the same name, README"},
     {"grade lecture7.toml README.md --package x.png", "SUBMISSION excludes --package"},

@@ -98,7 +98,10 @@ int run_grade(const GradeArguments& arguments) {
         "merge: give one folder; all shards of a class write into the same folder");
   }
   for (const std::string& folder : arguments.shards.merged) options.out = folder;
-  if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
+  if (options.out.empty()) {
+    find_submissions(options.submissions);  // a missing submission is named first
+    throw std::invalid_argument("--out: give a folder for the results");
+  }
   if (!arguments.secret_file.empty()) options.secret = secret_of(arguments.secret_file);
   options.sandbox = sandbox_of(arguments.sandbox);
   for (const ResultsFormat& format : kResultsFormats) {

@@ -32,14 +32,14 @@ struct ProbeReport {
   bool holds() const;
 };
 
-/// Builds and tries every submission as grade() does, including the repetition after outside
-/// causes; judges and writes nothing.
+/// Builds and tries every submission as grade() does, and again if it failed for a cause outside
+/// it; judges and writes nothing.
 /// Errors: as grade().
 ProbeReport probe(const GradeOptions& options, const properties::RunControl& control = {});
 
 /// The findings of the dry run as a part of a rubric, in TOML: the table [driver] with the form
-/// that most submissions read, then for automatically built submissions a [[form]] with explicit
-/// commands per group that a file name selects, then the automatic form for the rest. Empty if no
+/// that most submissions read; for each group of automatically built submissions that one file name
+/// selects, a [[form]] with its build commands; last, the form `build = "auto"`. Empty if no
 /// submission runs.
 std::string suggestion(const ProbeReport& report);
 

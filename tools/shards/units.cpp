@@ -121,7 +121,7 @@ CampaignIdentity campaign_in(const fs::path& folder) {
     return campaign_in(folder / kUnitsInside);
   }
   if (!fs::exists(file)) {
-    throw std::invalid_argument(fmt::format("{}: has no units of a campaign: {} is missing",
+    throw std::invalid_argument(fmt::format("{}: is not a folder that a campaign wrote: {} is missing",
                                             folder.string(), kCampaignFile));
   }
   try {

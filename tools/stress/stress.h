@@ -45,6 +45,8 @@ struct StressCurve {
   std::optional<double> worst_ratio() const;
   std::uint64_t left_out() const;
   std::optional<double> slope(int base) const;
+  /// The answers that the candidate failed to give.
+  properties::AnswersFailed failed() const;
 };
 
 struct FamilyReport {
@@ -64,8 +66,8 @@ struct StressReport {
 
 /// Judges each stage of methods separately, on families of cases of growing severity; of more than
 /// properties::kMostSeverities severities only some are judged. Throws std::invalid_argument naming
-/// the field. With `units`, only the missing units of the shard; if that is not the whole campaign,
-/// the report is empty.
+/// the field. With `units`, runs only the missing units of the shard; the report is empty unless all
+/// units are then present.
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {},
                         Units* units = nullptr);
 

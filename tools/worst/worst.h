@@ -14,7 +14,7 @@
 namespace raycheck::tools {
 
 struct WorstOptions {
-  /// The candidate, judged at the stage of the quantity, by default the last stage that it offers.
+  /// Judged at the stage that computes `quantity`; if that is empty, at its last stage.
   Implementation method;
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
@@ -24,10 +24,10 @@ struct WorstOptions {
 
 struct WorstFound {
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
-  std::uint64_t failures = 0;                  ///< The number of times it gave no answer,
-  std::string first_failure;                   ///< and how it first failed.
+  std::uint64_t failures = 0;                  ///< The number of times it gave no answer.
+  std::string first_failure;                   ///< The message of the first failure.
 
-  /// Adds later searches: the worst of all, the earliest of those.
+  /// Adds later searches: keeps the worst case and the first failure.
   void merge(WorstFound later);
   template <class Archive>
   void serialize(Archive& archive) {
@@ -46,8 +46,8 @@ struct WorstReport : WorstFound {
   bool is_unstable() const;
 };
 
-/// Searches for the input on which a method's certified error is largest. With `units`, only the
-/// missing units of the shard; if that is not the whole campaign, the report is empty.
+/// Searches for the input on which a method's certified error is largest. With `units`, runs only
+/// the missing units of the shard; the report is empty unless all units are then present.
 /// Throws std::invalid_argument naming the field.
 WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control = {},
                        Units* units = nullptr);

@@ -137,7 +137,7 @@ const std::vector<Brought> kBuilt = {
     {"has_two_mains_of_which_the_likeliest_is_taken",
      with(kSources, {{"another.cpp", "int main() { return 1; }\n"}}),
      "",
-     {"2 of its files have a main; the one in rt.cpp is used"}},
+     {"2 of its files have a main function; that of rt.cpp is used"}},
     {"has_a_source_that_does_not_compile_and_that_nothing_includes",
      with(kSources, {{"attempt.cpp", "this is not C++\n"}}),
      "",
@@ -215,12 +215,12 @@ const std::vector<Brought> kRefused = {
     // The Makefile's program fails; the one built from sources makes no picture.
     refused("is_built_in_several_ways_of_which_the_one_that_comes_farthest_is_quoted",
             with(kMakesWhatFails, {{"rt.c", kNoSuchKey}}), {kNoPicture}, "",
-            {"what was built from its Makefile shows no spheres; built from its sources instead"}),
+            {"the program built from its Makefile shows no spheres; it was built from its sources instead"}),
     refused("is_built_in_several_ways_of_which_the_first_is_quoted_where_none_comes_farther",
             with(kMakesWhatFails, {{"rt.c", "int main() { return 4; }\n"}}), {"it exited with 3"}),
     refused("is_a_program_of_windows", {{"rt.exe", "MZ"}}, {"rt.exe is a Windows program"}),
     refused("has_no_main", {{"vec.cpp", "int one() { return 1; }\n"}},
-            {"none of its sources starts a program"}),
+            {"none of its source files has a main function"}),
     refused("does_not_compile", {{"rt.cpp", "int main() { return 0 }\n"}},
             {"'g++ -O2 -std=c++20 rt.cpp' exited with 1", "error: expected"}),
     refused("cannot_be_made", {{"Makefile", "rt: missing.cpp\n"}},
@@ -236,7 +236,7 @@ const std::vector<Brought> kRefused = {
             {{"rt.sh",
               "awk '/[0-9]\\.[0-9]|e-/ { print \"not whole: \" $0; exit 1 }' \"$1\" >&2 || exit 1\n"
               "{ echo P3 25 25 255; yes 1 2 3 | head -n 625; } > \"$2\"\n"}},
-            {"it reads numbers as integers, and fails where one has a fraction", "not whole: "}),
+            {"it reads numbers as integers, and fails if a number has a fraction", "not whole: "}),
     refused("writes_too_large_a_file",
             {{"rt.c",
               "#include <stdio.h>\nint main() { FILE* f = fopen(\"image.ppm\", \"w\");\n"
@@ -254,9 +254,9 @@ const std::vector<Brought> kRefused = {
               "    threading.Thread(target=time.sleep, args=(1,), daemon=True).start()\n"}},
             {"it may have at most 8 processes and threads (processes)"}, kLimits),
     refused("is_too_large", {{"rt.py", std::string(2 << 20, ' ')}},
-            {"it has more than 1 MiB (submission_mib)"}, kLimits),
+            {"it has more than 1 MiB, the limit submission_mib"}, kLimits),
     refused("has_too_many_files", {{"1.py", ""}, {"2.py", ""}, {"3.py", ""}, {"4.py", ""}},
-            {"it has more than 3 files (files)"}, kLimits),
+            {"it has more than 3 files, the limit files"}, kLimits),
     refused("is_built_too_slowly", {{"Makefile", "rt:\n\tsleep 30\n"}},
             {"did not end, and used almost no CPU time for 1 s (build_seconds)"},
             "[limits]\nbuild_seconds = 1\n")};
@@ -339,7 +339,7 @@ TEST_F(LongIntake, gives_the_same_grades_from_the_store) {
   grade_brought(grading, {"other"});
   const json other = grading.result("other");
   EXPECT_EQ(other["notes"][1],
-            "what was built from its Makefile shows no spheres; built from its sources instead");
+            "the program built from its Makefile shows no spheres; it was built from its sources instead");
   expect_parts(other["program"], {"./raycheck-built "});
   grade_brought(grading, {"other"}, "title = \"again\"\n");
   const json again = grading.result("other");

@@ -188,7 +188,7 @@ class Preparing {
     found_.notes = made_.notes;
     for (const std::string& other : draws_nothing_) {
       found_.notes.push_back(fmt::format(
-          "what was built from {} shows no spheres; built from {} instead", other, made_.what));
+          "the program built from {} shows no spheres; it was built from {} instead", other, made_.what));
     }
   }
 

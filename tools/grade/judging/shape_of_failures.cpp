@@ -8,7 +8,8 @@ namespace {
 
 using Tried = std::vector<properties::TriedScene>;
 
-/// The shape of the scenes without a picture, if the items together determine it.
+/// The property (wider than high, several spheres, ...) that the scenes without a picture have and
+/// the others have not, if there is one.
 std::optional<properties::ShapeCause> without_picture(const std::vector<ItemTrial>& trials) {
   Tried tried;
   for (const ItemTrial& trial : trials) {
@@ -20,8 +21,8 @@ std::optional<properties::ShapeCause> without_picture(const std::vector<ItemTria
   return properties::shape_cause(tried);
 }
 
-/// The shape of the failing scenes if only non-square pictures are wrong or missing, and most of
-/// them are; pictures that are right by luck do not count.
+/// The same for the scenes whose pictures are wrong or missing, if none of these pictures is square,
+/// and fewer non-square pictures are right. These may be right by chance, and are ignored.
 std::optional<properties::ShapeCause> oblong_failures(const Rubric& rubric,
                                                       const std::vector<ItemTrial>& trials,
                                                       bool with_bonus) {
