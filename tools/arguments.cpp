@@ -57,8 +57,8 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
                          const scene::Scene& scene) {
   const scene::Pixel pixel = parse_pixel(option, text);
   if (!scene.camera) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: {} has rays instead of a camera, so it has no pixels", option, text, path));
+    throw std::invalid_argument(fmt::format(
+        "{} {}: {} has rays instead of a camera, so it has no pixels", option, text, path));
   }
   const scene::Camera& camera = *scene.camera;
   if (pixel.i >= camera.width || pixel.j >= camera.height) {
@@ -85,14 +85,17 @@ std::optional<DriverRule> parse_driver(const std::string& text) {
 }
 
 void add_dialect(CLI::App& command, std::string& dialect) {
-  command.add_option("--dialect", dialect, "the dialect of a driver file: A, B or C, or the year of a course, 2017 to 2020");
+  command.add_option(
+      "--dialect", dialect,
+      "the dialect of a driver file: A, B or C, or the year of a course, 2017 to 2020");
 }
 
 void add_rubric_dialect(CLI::App& command, std::string& dialect) {
-  command.add_option("--dialect", dialect,
-                     "the form of driver files for renderers, in place of the rubric's [driver]: A, "
-                     "B, C, 2017 to 2020, auto (the form that each one reads), or a form such as "
-                     "B:17:no-light");
+  command.add_option(
+      "--dialect", dialect,
+      "the form of driver files for renderers, in place of the rubric's [driver]: A, "
+      "B, C, 2017 to 2020, auto (the form that each one reads), or a form such as "
+      "B:17:no-light");
 }
 
 properties::ChosenSource parse_source(std::string_view option, const std::string& name) {
@@ -218,8 +221,7 @@ void add_threads(CLI::App& command, int& threads, std::string_view same) {
 }
 
 void add_strict(CLI::App& command, bool& strict) {
-  command.add_flag("--strict", strict,
-                   "also fail for answers that are excused or undecided");
+  command.add_flag("--strict", strict, "also fail for answers that are excused or undecided");
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
@@ -247,9 +249,8 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
 }
 
 CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
-  command.add_flag(
-      "--i-know", arguments.knows,
-      "allow --sandbox none as root: candidates can then do anything that root can");
+  command.add_flag("--i-know", arguments.knows,
+                   "allow --sandbox none as root: candidates can then do anything that root can");
   constexpr std::array<std::string_view, 3> kSandboxNames = {"require", "available", "none"};
   return add_named(
       command, "--sandbox", arguments.sandbox, kSandboxNames,
@@ -291,8 +292,9 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
       ->check(number_between(kLeastSeconds, kMostSeconds))
       ->needs(candidate)
       ->capture_default_str();
-  add_number(command, "--memory", arguments.memory_mib, 1, std::uint64_t{1} << 30,
-             "the MiB of memory that a candidate may use, and that each of its processes may reserve")
+  add_number(
+      command, "--memory", arguments.memory_mib, 1, std::uint64_t{1} << 30,
+      "the MiB of memory that a candidate may use, and that each of its processes may reserve")
       ->needs(candidate);
   command
       .add_option("--bounds", arguments.bounds,
@@ -344,7 +346,8 @@ std::string hint_of_missing(const CandidateError& error, const Layers& layers) {
   for (const char* words : {"No such file or directory", "cannot open shared object file",
                             "No module named", "Cannot find module", "Cannot find package"}) {
     if (all.find(words) == std::string::npos) continue;
-    return "; a candidate can read only its own folder and the system's: add a folder by --read DIR, "
+    return "; a candidate can read only its own folder and the system's: add a folder by --read "
+           "DIR, "
            "or a folder of headers by --include DIR";
   }
   return "";
@@ -410,9 +413,10 @@ std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
   std::vector<Implementation> found = find_candidates(arguments);
   for (const Implementation& one : found) {
     if (!one.stages.empty()) continue;
-    throw CandidateError(one.draws() ? "it only draws pictures; this command judges single answers"
-                                     : "it has none of the functions pixel_ray(), focal_ray() and intersect()",
-                         {}, one.name);
+    throw CandidateError(
+        one.draws() ? "it only draws pictures; this command judges single answers"
+                    : "it has none of the functions pixel_ray(), focal_ray() and intersect()",
+        {}, one.name);
   }
   return found;
 }

@@ -137,8 +137,9 @@ std::string error_message(const std::exception& error, const CLI::App& command) 
     return command.get_name() + ": not enough memory";
   }
   if (const auto* file = dynamic_cast<const fs::filesystem_error*>(&error)) {
-    return fmt::format("{}: cannot be read or written: {}; change its permissions, or give another file",
-                       file->path1().string(), file->code().message());
+    return fmt::format(
+        "{}: cannot be read or written: {}; change its permissions, or give another file",
+        file->path1().string(), file->code().message());
   }
   const auto* input = dynamic_cast<const scene::InvalidInput*>(&error);
   const bool is_option =
@@ -341,8 +342,9 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
     for (const Command& command : commands) {
       if (command.app->parsed()) return outcome_of(command, {argv, static_cast<std::size_t>(argc)});
     }
-    print_error(fmt::format("raycheck: this program does not have the command {0}; run `raycheck {0}`\n",
-                            app.get_subcommands().front()->get_name()));
+    print_error(
+        fmt::format("raycheck: this program does not have the command {0}; run `raycheck {0}`\n",
+                    app.get_subcommands().front()->get_name()));
     return kExitBadInput;
   } catch (const ClosedPipe&) {
     return kExitOfSignal + SIGPIPE;

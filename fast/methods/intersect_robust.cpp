@@ -229,7 +229,9 @@ std::optional<Hit> one_by_robust(const scene::Ray& ray, const scene::Sphere& sph
 /// overflows to infinity as IEEE-754. kWideDomain is where Q's relative error means something.
 const IntersectMethod kRobust = {
     .name = "robust",
-    .sentence = "a root with one proved correction; where no proof applies, pairs of doubles, then integers",
+    .sentence =
+        "a root with one proved correction; where no proof applies, pairs of doubles, then "
+        "integers",
     .intersect = intersect_by_robust,
     .intersect_one = one_by_robust,
     .max_ulp = 1,

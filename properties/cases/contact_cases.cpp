@@ -170,15 +170,14 @@ constexpr CaseSource kContactSourceTable[] = {
     {"tangency", "rays that pass a centre at the distance r (1 +- 10^-k)", false,
      // The textbook's class is wrong from @10 on (kahan; quadratic, lecture: @11), its s and Q at
      // every severity, being up to 10^3 radii away. direct/cross needs excuses from @15 on.
-     SeverityRange{"log10 of the radius over the ray's distance from tangency", 10, 16, 7,
-                   13},
+     SeverityRange{"log10 of the radius over the ray's distance from tangency", 10, 16, 7, 13},
      tangency},
-    {"tangent-ulps", "rays that pass a centre 2^(52-k) ulps off r; at the highest severity tangents",
-     false,
+    {"tangent-ulps",
+     "rays that pass a centre 2^(52-k) ulps off r; at the highest severity tangents", false,
      // The textbook's class is wrong from @42 on. direct/cross needs excuses at exact tangency; two
      // severities before it doubles cannot set the dial finer.
-     SeverityRange{"log2 of the radius over the ray's distance from tangency", 2,
-                   kExactlyTangent, 30, 50},
+     SeverityRange{"log2 of the radius over the ray's distance from tangency", 2, kExactlyTangent,
+                   30, 50},
      tangent_ulps},
     {"surface", "origins 10^-k half chords off the surface; at the highest severity on it", false,
      // All methods decide correctly; the textbook's (D - r)(D + r) keeps half of its digits at @8.

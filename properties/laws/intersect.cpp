@@ -419,7 +419,8 @@ constexpr Law kIntersectLawTable[] = {
      .stage = Stage::kIntersection,
      .judge = judge_hit_point},
     {.name = "focal-and-pixel",
-     .sentence = "rays from E and from P find the same point; their s differ by the distance from E to P",
+     .sentence =
+         "rays from E and from P find the same point; their s differ by the distance from E to P",
      .per = Per::kPair,
      .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres | Needs::kParameters |
               Needs::kPoints,

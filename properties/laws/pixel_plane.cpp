@@ -351,8 +351,8 @@ constexpr Law kPixelPlaneLawTable[] = {
               Per::kScene, judge_pixel_zero_zero),
     of_points("density", "pixel density does not change the field of view", Per::kRay,
               judge_density),
-    of_points("square-pixels", "the pixel spacings across and down have the exact ratio", Per::kScene,
-              judge_square_pixels),
+    of_points("square-pixels", "the pixel spacings across and down have the exact ratio",
+              Per::kScene, judge_square_pixels),
 };
 
 }  // namespace

@@ -131,9 +131,8 @@ AnswersFailed answers_failed(const StressResult& result) {
       failed.count += tally.count(Wrong::kFailed);
     }
   }
-  const auto first = std::ranges::find_if(result.found, [](const Example& one) {
-    return one.discrepancy.wrong == Wrong::kFailed;
-  });
+  const auto first = std::ranges::find_if(
+      result.found, [](const Example& one) { return one.discrepancy.wrong == Wrong::kFailed; });
   if (first != result.found.end()) failed.first = first->discrepancy.what;
   return failed;
 }

@@ -207,7 +207,8 @@ class DriverReader {
     const Entry& entry = whole ? *whole : *find("d");
     const std::string value = whole ? entry.words[9] : entry.words[0];
     if (!(d > 0) && !(d < 0)) {
-      located_.fail(entry.line, "d", value, "must be above 0 (dialect A) or below 0 (dialects B and C)");
+      located_.fail(entry.line, "d", value,
+                    "must be above 0 (dialect A) or below 0 (dialects B and C)");
     }
     if (whole && d > 0) located_.fail(entry.line, "d", value, "dialect C needs d < 0");
     const Dialect decided = whole ? Dialect::kC : d > 0 ? Dialect::kA : Dialect::kB;
@@ -233,9 +234,9 @@ class DriverReader {
     const Dialect other = dialect == Dialect::kA ? Dialect::kB : Dialect::kA;
     if (bounds.is_degenerate() && !bounds_of(numbers, other).is_degenerate()) {
       located_.fail(entry.line, "bounds", entry.joined(),
-                    "have no area in the order of " + called(dialect) + " (" + bounds_order(dialect) +
-                        "), but have one in that of " + called(other) + " (" + bounds_order(other) +
-                        "): reorder the numbers; dialect " +
+                    "have no area in the order of " + called(dialect) + " (" +
+                        bounds_order(dialect) + "), but have one in that of " + called(other) +
+                        " (" + bounds_order(other) + "): reorder the numbers; dialect " +
                         (other == Dialect::kA ? "A needs d > 0" : "B needs d < 0"));
     }
     if (bounds.is_mirrored() && !bounds_of(numbers, other).is_mirrored()) {
@@ -284,10 +285,10 @@ class DriverReader {
 
   const std::string& word(const Entry& entry, std::size_t index, std::size_t needed) const {
     if (index < entry.words.size()) return entry.words[index];
-    located_.fail(
-        entry.line, entry.keyword, entry.joined(),
-        "needs " + std::to_string(needed) + (needed == 1 ? " number, has " : " numbers, has ") +
-            std::to_string(entry.words.size()));
+    located_.fail(entry.line, entry.keyword, entry.joined(),
+                  "needs " + std::to_string(needed) +
+                      (needed == 1 ? " number, has " : " numbers, has ") +
+                      std::to_string(entry.words.size()));
   }
 
   std::vector<double> numbers_of(const Entry& entry, std::size_t needed) {

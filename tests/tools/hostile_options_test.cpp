@@ -154,6 +154,20 @@ TEST(HostileOptions, have_the_same_names_in_errors_as_on_the_command_line) {
   EXPECT_GE(texts, 60);
 }
 
+TEST(HostileOptions, that_are_hidden_are_not_shown_by_help) {
+  Program program;
+  for (const tools::Command& command : program.commands) {
+    const std::string help = command.app->help();
+    for (const char* part : {"Excludes: ", "Excludes:\n"}) {
+      for (std::size_t at = 0; (at = help.find(part, at)) != std::string::npos; ++at) {
+        EXPECT_TRUE(has(help.substr(at, 13), "Excludes: -") ||
+                    has(help.substr(at, 13), "Excludes: S"))
+            << command.app->get_name() << ": " << help.substr(at, 40);
+      }
+    }
+  }
+}
+
 TEST(HostileOptions, that_are_unused_are_refused) {
   for (const char* option : {"--timeout 1", "--read .", "--include .", "--bounds cross",
                              "--image-change 0", "--t-threshold 0", "--sandbox none"}) {
@@ -215,7 +229,8 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"worst --method cross --family distance@77", "0 to 15"},
     {"stress --severity 5..2", "--severity 5..2"},
     {"stress --cases 1 --family distance --severity 9999", "--severity 9999..9999: the severities"},
-    {"stress --family distance --severity 4294967296", "--severity 4294967296: give a severity, or a range"},
+    {"stress --family distance --severity 4294967296",
+     "--severity 4294967296: give a severity, or a range"},
     {"stress --family distance --severity -1", "--severity -1: give a severity, or a range"},
     // Candidates.
     {"worst --family distance", "give --method or --candidate"},

@@ -142,7 +142,8 @@ class ClassRun {
       return result;
     }
     std::vector<Graded> all = done_for_each<Graded>(
-        submissions_, control, [&](const Submission& one, bool alone) { return graded(one, control, alone); });
+        submissions_, control,
+        [&](const Submission& one, bool alone) { return graded(one, control, alone); });
     for (Graded& one : all) {
       add_times(one.grade, result.times);
       if (!one.outside.empty()) ++result.not_graded;
@@ -167,8 +168,9 @@ class ClassRun {
       open.push_back(unit);
       mine.push_back(submissions_[static_cast<std::size_t>(unit)]);
     }
-    const auto all = done_for_each<Graded>(
-        mine, control, [&](const Submission& one, bool alone) { return graded(one, control, alone); });
+    const auto all = done_for_each<Graded>(mine, control, [&](const Submission& one, bool alone) {
+      return graded(one, control, alone);
+    });
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k].grade.finished && all[k].outside.empty()) units.write(open[k], all[k].grade.name);
     }

@@ -75,7 +75,8 @@ int try_own_methods(const GradeArguments& arguments) {
 int run_probe(const GradeArguments& arguments) {
   if (std::ranges::none_of(kProbeViews,
                            [&](const auto& view) { return view.name == arguments.format; })) {
-    throw std::invalid_argument("--format " + arguments.format + ": with --probe, give text or json");
+    throw std::invalid_argument("--format " + arguments.format +
+                                ": with --probe, give text or json");
   }
   GradeOptions options = arguments.options;
   options.sandbox = sandbox_of(arguments.sandbox);
@@ -129,8 +130,8 @@ CommandRun add_grade(CLI::App& command) {
       .add_option("RUBRIC", arguments.options.rubric,
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
       ->required();
-  CLI::Option* const submissions =
-      command.add_option("SUBMISSION", arguments.options.submissions, "the folders or files of submissions");
+  CLI::Option* const submissions = command.add_option("SUBMISSION", arguments.options.submissions,
+                                                      "the folders or files of submissions");
   command.add_option("--out", arguments.options.out, "the folder for the results")
       ->needs(submissions);
   add_shards_inside(command, arguments.shards);
@@ -139,9 +140,10 @@ CommandRun add_grade(CLI::App& command) {
   // Allowed with --out, so that the later grading command only needs --probe removed.
   CLI::Option* const probe =
       command
-          .add_flag("--probe", arguments.probe,
-                    "only build the submissions and draw a test scene with each; print what each one "
-                    "reads, writes and shows, and suggest [driver] and [[form]] tables for the rubric")
+          .add_flag(
+              "--probe", arguments.probe,
+              "only build the submissions and draw a test scene with each; print what each one "
+              "reads, writes and shows, and suggest [driver] and [[form]] tables for the rubric")
           ->needs(submissions);
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);

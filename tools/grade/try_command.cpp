@@ -32,8 +32,9 @@ CommandRun add_try(CLI::App& command) {
       ->required();
   command.add_option("SUBMISSION", arguments.options.submissions, "folders or files to hand in")
       ->required();
-  command.add_option("--out", arguments.options.out,
-                     "a folder for the results: the page and the failing cases are written to OUT/NAME/");
+  command.add_option(
+      "--out", arguments.options.out,
+      "a folder for the results: the page and the failing cases are written to OUT/NAME/");
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   add_sandbox(command, arguments.sandbox);

@@ -23,8 +23,9 @@ std::string error_table(const ErrorCounts& error) {
     table.add({fmt::format("wrong hit class or sphere: {}", name(standing)), hex(kWrongColours[k]),
                std::to_string(error.wrong[k])});
   }
-  std::string text = fmt::format("\n{}, compared with the exact s of each pixel's nearest sphere\n{}",
-                                 error.candidate, table.text());
+  std::string text =
+      fmt::format("\n{}, compared with the exact s of each pixel's nearest sphere\n{}",
+                  error.candidate, table.text());
   text += isolation_text({error.implementation});
   if (error.rounded_numbers > 0) text += rounded_numbers_text(error.rounded_numbers) + "\n";
   if (error.failed > 0) {

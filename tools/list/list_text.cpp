@@ -71,8 +71,10 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
   for (const properties::Law& law : catalogue.laws) {
     text += fmt::format("  {:<17} {}\n", law.name, law.sentence);
   }
-  text += "\nsources of random cases (--source NAME; NAME@SEVERITY if the source has severities: the higher, "
-          "the harder):\n";
+  text +=
+      "\nsources of random cases (--source NAME; NAME@SEVERITY if the source has severities: the "
+      "higher, "
+      "the harder):\n";
   for (const properties::CaseSource& source : catalogue.sources) {
     text += fmt::format("  {:<17} {}\n", source.name, source.sentence);
     text += levels_text(source);
@@ -102,7 +104,8 @@ std::string bounds_text(const BoundsReport& report, const ViewOptions& /*options
   }
   text += fmt::format(
       "Observed: the largest error on {} inputs of a few binades, found at random or by climbing; "
-      "u = 2^-53.\nAssumed: doubles round to nearest, keep subnormals and have correct square roots "
+      "u = 2^-53.\nAssumed: doubles round to nearest, keep subnormals and have correct square "
+      "roots "
       "(raycheck checks this when it\nstarts); nothing else under- or overflows (callers ensure "
       "this).\n"
       "\nbounds promised up to the condition number {}, above which they grow in proportion; the "

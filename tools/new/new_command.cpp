@@ -98,7 +98,8 @@ CommandRun add_new(CLI::App& command) {
         const bool is_name = !name.empty() &&
                              kLetters.substr(0, 52).find(name.front()) != std::string_view::npos &&
                              name.find_first_not_of(kLetters) == std::string::npos;
-        return is_name ? std::string() : "give a letter, then letters, digits and _, not '" + name + "'";
+        return is_name ? std::string()
+                       : "give a letter, then letters, digits and _, not '" + name + "'";
       });
   command.add_option("--language", given->language, "the language of the adapter")
       ->check(CLI::IsMember(names_of(kLanguages)))

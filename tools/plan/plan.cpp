@@ -44,8 +44,9 @@ ItemReport far_root(const scene::ScenePlan& plan, std::size_t asked) {
   const auto inside =
       which(plan, [](const SpherePlan& s) { return !s.left_out && s.origin_inside; });
   return {asked - inside.size(), asked, "spheres",
-          plan.conventions.root == scene::Root::kSmaller ? "never the answer, since the smaller root is wanted"
-          : inside.empty()                               ? "no ray starts inside a sphere"
+          plan.conventions.root == scene::Root::kSmaller
+              ? "never the answer, since the smaller root is wanted"
+          : inside.empty() ? "no ray starts inside a sphere"
                            : "rays may start inside " + spheres_text(inside)};
 }
 
@@ -60,11 +61,14 @@ ItemReport behind_test(const scene::ScenePlan& plan, std::size_t asked) {
 ItemReport scaling(const scene::ScenePlan& plan) {
   const scene::Scaling& scaling = plan.eye.scaling();
   const bool is_plain = scaling == scene::Scaling{};
-  return {is_plain ? 1u : 0u, 1, "scene",
-          is_plain ? fmt::format("not needed: all lengths are between 2^-{0} and 2^{0}, or the largest is about 1",
-                                 scene::kPlainExponent)
-                   : fmt::format("lengths are divided by 2^{}, those of the image plane by 2^{}",
-                                 scaling.lengths, scaling.plane)};
+  return {
+      is_plain ? 1u : 0u, 1, "scene",
+      is_plain
+          ? fmt::format(
+                "not needed: all lengths are between 2^-{0} and 2^{0}, or the largest is about 1",
+                scene::kPlainExponent)
+          : fmt::format("lengths are divided by 2^{}, those of the image plane by 2^{}",
+                        scaling.lengths, scaling.plane)};
 }
 
 ItemReport quantities(scene::Wanted wanted) {
@@ -87,7 +91,8 @@ std::vector<ItemReport> items_of(const scene::Scene& scene, const scene::ScenePl
     pairs += static_cast<std::uint64_t>(sphere.pixels.count());
   }
   ItemReport hidden =
-      left_out(plan, scene::LeftOut::kHidden, "every ray that meets it meets another sphere first or at the same point");
+      left_out(plan, scene::LeftOut::kHidden,
+               "every ray that meets it meets another sphere first or at the same point");
   if (plan.wanted != scene::Wanted::kNearest) {
     hidden.why = "applies only if the nearest sphere is wanted and nothing else";
   }

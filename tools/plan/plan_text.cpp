@@ -75,9 +75,10 @@ std::string spheres_table(const PlanReport& report) {
 
 std::string plan_text(const PlanReport& report, const ViewOptions& /*options*/) {
   if (!report.plan) {
-    return fmt::format("{}: {}, {}\nno plan: a plan needs a camera, since only its rays share computations\n",
-                       report.path, count_text(report.scene.rays.size(), "given ray"),
-                       count_text(report.scene.spheres.size(), "sphere"));
+    return fmt::format(
+        "{}: {}, {}\nno plan: a plan needs a camera, since only its rays share computations\n",
+        report.path, count_text(report.scene.rays.size(), "given ray"),
+        count_text(report.scene.spheres.size(), "sphere"));
   }
   const scene::Camera& camera = *report.scene.camera;
   const std::uint64_t all =

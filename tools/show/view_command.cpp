@@ -181,8 +181,9 @@ CommandRun add_view(CLI::App& command) {
   const auto given = std::make_shared<ViewArguments>();
   ViewArguments& arguments = *given;
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
-  command.add_option("--family", arguments.family,
-                     "a source of cases in place of a scene; the page shows a scene at each severity");
+  command.add_option(
+      "--family", arguments.family,
+      "a source of cases in place of a scene; the page shows a scene at each severity");
   add_cases(command, arguments.cases, "the number of cases at each severity of a source");
   add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one self-contained HTML file");

@@ -66,8 +66,8 @@ struct StressReport {
 
 /// Judges each stage of methods separately, on families of cases of growing severity; of more than
 /// properties::kMostSeverities severities only some are judged. Throws std::invalid_argument naming
-/// the field. With `units`, runs only the missing units of the shard; the report is empty unless all
-/// units are then present.
+/// the field. With `units`, runs only the missing units of the shard; the report is empty unless
+/// all units are then present.
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {},
                         Units* units = nullptr);
 

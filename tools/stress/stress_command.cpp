@@ -70,8 +70,9 @@ CommandRun add_stress(CLI::App& command) {
   command.add_option("--family", options.families, "only these sources, separated by commas")
       ->delimiter(',');
   add_methods(command, given->methods);
-  command.add_option("--severity", given->severity,
-                     "only this severity, or this range, A..B (default: all severities of the source)");
+  command.add_option(
+      "--severity", given->severity,
+      "only this severity, or this range, A..B (default: all severities of the source)");
   add_cases(command, options.cases, "the number of cases at each severity");
   add_seed(command, options.seed);
   add_external(command, given->external);

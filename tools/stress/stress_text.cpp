@@ -132,10 +132,14 @@ std::size_t count_curves(const StressReport& report) {
 
 std::string explanation() {
   return fmt::format(
-      "A number is the first severity at which the method is not stable: it decides wrongly, and no\n"
-      "relative change of the inputs by {:g} u would make the decision right; or a stability ratio\n"
-      "rho = error / ((1 + kappa) u) is above {:g}. u is the unit roundoff of the method's precision, "
-      "kappa\nthe condition number. \"stable\": it is stable at all severities. \"-\": no case lies in "
+      "A number is the first severity at which the method is not stable: it decides wrongly, and "
+      "no\n"
+      "relative change of the inputs by {:g} u would make the decision right; or a stability "
+      "ratio\n"
+      "rho = error / ((1 + kappa) u) is above {:g}. u is the unit roundoff of the method's "
+      "precision, "
+      "kappa\nthe condition number. \"stable\": it is stable at all severities. \"-\": no case "
+      "lies in "
       "the method's\ndomain. More cases may find an earlier severity.\n",
       properties::kExcusedChange / properties::kDoubleRoundoff, properties::kStableRatio);
 }

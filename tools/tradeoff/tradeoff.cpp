@@ -224,9 +224,9 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   const properties::SceneCases cases(std::move(loaded.scene),
                                      static_cast<std::uint64_t>(options.cases));
   if (cases.rays_judged() < cases.rays_in_scene()) {
-    report.left_out.push_back(fmt::format("{} of {} rays: only {} are judged; --cases N judges more",
-                                          cases.rays_in_scene() - cases.rays_judged(),
-                                          cases.rays_in_scene(), cases.rays_judged()));
+    report.left_out.push_back(fmt::format(
+        "{} of {} rays: only {} are judged; --cases N judges more",
+        cases.rays_in_scene() - cases.rays_judged(), cases.rays_in_scene(), cases.rays_judged()));
   }
   const auto rays = [&](std::uint64_t chunks) {
     return std::min(chunks * kChunk, cases.rays_judged());

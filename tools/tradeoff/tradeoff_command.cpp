@@ -44,7 +44,10 @@ CommandRun add_tradeoff(CLI::App& command) {
       "a scene, in place of random cases; only the stages that it needs are compared");
   add_dialect(command, given->dialect);
   CLI::Option* const family =
-      command.add_option("--family", given->sources, "the sources of the random cases, separated by commas (default: rays,cameras)")
+      command
+          .add_option(
+              "--family", given->sources,
+              "the sources of the random cases, separated by commas (default: rays,cameras)")
           ->delimiter(',')
           ->excludes(scene);
   command

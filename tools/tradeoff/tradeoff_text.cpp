@@ -116,9 +116,11 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
 
 std::string legend(std::string_view item, bool has_single) {
   std::string text = fmt::format(
-      "\n{0}*: no other method is at least as good in all three: ns in a batch, the share of defects "
+      "\n{0}*: no other method is at least as good in all three: ns in a batch, the share of "
+      "defects "
       "and the 99.9% error\n"
-      "{0}ns: the median of repetitions, whose order mixes the methods (and the range of the middle "
+      "{0}ns: the median of repetitions, whose order mixes the methods (and the range of the "
+      "middle "
       "half of them); ratio: ns in a batch, divided by those of the first method; a call to make "
       "rays includes the setup of its camera\n"
       "{0}/M: per million decisions; defects: wrong decisions that no relative change of the "
@@ -155,11 +157,11 @@ std::string others_text(const TradeoffReport& report, std::string_view item) {
   std::string text = indented(isolation_text(methods), item);
   if (!text.empty()) text = "\n" + text;
   if (called_here.empty()) return text;
-  return text +
-         fmt::format(
-             "{}timed in raycheck's process (--sandbox none), by the same loops, after a check that "
-             "they answer there as they did when they were judged: {}\n",
-             item, called_here);
+  return text + fmt::format(
+                    "{}timed in raycheck's process (--sandbox none), by the same loops, after a "
+                    "check that "
+                    "they answer there as they did when they were judged: {}\n",
+                    item, called_here);
 }
 
 /// The answers that external candidates failed to give.

@@ -33,7 +33,8 @@ Implementation chosen_method(const WorstArguments& arguments) {
   if (methods.size() > 1) {
     throw scene::InvalidInput(
         "method", arguments.method,
-        fmt::format("is the name of two methods; give rays/{0} or intersect/{0}", arguments.method));
+        fmt::format("is the name of two methods; give rays/{0} or intersect/{0}",
+                    arguments.method));
   }
   return methods.front();
 }
@@ -66,13 +67,14 @@ int run_worst(WorstArguments& arguments) {
 CommandRun add_worst(CLI::App& command) {
   const auto given = std::make_shared<WorstArguments>();
   WorstOptions& options = given->options;
-  CLI::Option* const method =
-      command.add_option("--method", given->method, "the method that makes rays or intersects them");
+  CLI::Option* const method = command.add_option("--method", given->method,
+                                                 "the method that makes rays or intersects them");
   command.add_option("--family", options.family, "the source to start from, or SOURCE@SEVERITY")
       ->required();
-  command.add_option("--quantity", options.quantity,
-                     "for rays: direction (the default) or pixel-point; for intersections: parameter (the "
-                     "default), backward-error or hit-point");
+  command.add_option(
+      "--quantity", options.quantity,
+      "for rays: direction (the default) or pixel-point; for intersections: parameter (the "
+      "default), backward-error or hit-point");
   add_named(
       command, "--by", options.search.climb, properties::kClimbNames,
       "what to maximise: the error; the error divided by the growth of the documented bound with "

@@ -31,20 +31,20 @@ std::string failures_text(const WorstReport& report) {
 std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/) {
   const std::string others = isolation_text({report.method}) + failures_text(report);
   if (!report.worst) {
-    return others + fmt::format("{} on {}: nothing was measured: no answer in its stated domain could be "
-                                "compared\n",
-                                report.method.name, report.source().name());
+    return others + fmt::format(
+                        "{} on {}: nothing was measured: no answer in its stated domain could be "
+                        "compared\n",
+                        report.method.name, report.source().name());
   }
   const properties::WorstCase& worst = *report.worst;
   std::string text = others + headline(report) + "\n";
-  constexpr std::array<std::string_view, 3> kMeasures = {
-      "error", "error / growth of the bound", "stability ratio rho"};
+  constexpr std::array<std::string_view, 3> kMeasures = {"error", "error / growth of the bound",
+                                                         "stability ratio rho"};
   text += fmt::format(
       "rho = error / ((1 + condition number) u); at most {:g} is stable\n"
       "largest {}: {} among random cases, {} after climbing; {} in the shrunk case below\n",
       properties::kStableRatio, kMeasures[static_cast<std::size_t>(report.search.climb)],
-                      error_text(worst.height_random), error_text(worst.height_climbed),
-                      error_text(worst.height));
+      error_text(worst.height_random), error_text(worst.height_climbed), error_text(worst.height));
   text += fmt::format("  got   {}\n  exact {}\n\n", got_text(worst.shown), exact_text(worst.shown));
   return text + properties::scene_text(worst.the_case);
 }

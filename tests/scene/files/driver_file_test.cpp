@@ -135,14 +135,16 @@ TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
 }
 
 TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
-  EXPECT_EQ(error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
-            "f.txt:5: bounds = -1 -1 1 1: have no area in the order of dialect B (left right bottom "
-            "top), but have one in that of dialect A (left bottom right top): reorder the numbers; "
-            "dialect A needs d > 0");
-  EXPECT_EQ(error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
-            "f.txt:5: bounds = -1 1 -1 1: have no area in the order of dialect A (left bottom right "
-            "top), but have one in that of dialect B (left right bottom top): reorder the numbers; "
-            "dialect B needs d < 0");
+  EXPECT_EQ(
+      error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
+      "f.txt:5: bounds = -1 -1 1 1: have no area in the order of dialect B (left right bottom "
+      "top), but have one in that of dialect A (left bottom right top): reorder the numbers; "
+      "dialect A needs d > 0");
+  EXPECT_EQ(
+      error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
+      "f.txt:5: bounds = -1 1 -1 1: have no area in the order of dialect A (left bottom right "
+      "top), but have one in that of dialect B (left right bottom top): reorder the numbers; "
+      "dialect B needs d < 0");
   EXPECT_EQ(error_of(kView + "d 2\nbounds 1 1 1 1\nres 2 2\n"),
             "f.txt:5: camera.right = 1: equals left, so the image has no width\n"
             "f.txt:5: camera.top = 1: equals bottom, so the image has no height");

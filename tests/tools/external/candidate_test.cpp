@@ -199,6 +199,23 @@ std::string refusal_of(const std::string& candidate, const std::string& more = "
   return run("check " + kRays + " --candidate '" + candidate + "' " + more, 2).err;
 }
 
+TEST(Candidate, in_Python_reports_its_errors_with_their_lines) {
+  const auto candidate = [](const std::string& lines) {
+    return "command:python3 " +
+           temporary_file("mistaken.py", "import raycheck_candidate as rc\n" + lines);
+  };
+  const json report = judged(kRays, candidate("def intersect(ray, sphere, conventions):\n"
+                                              "    return 1 / 0\n"
+                                              "rc.run('mine', intersect=intersect)\n"));
+  expect_parts(
+      report["worst"].dump(),
+      {"intersect: it failed: ZeroDivisionError: division by zero (", "mistaken.py, line 3)"});
+  expect_parts(refusal_of(candidate("rc.run('mine', interset=None)\n")),
+               {"no such function: interset; the functions are frame, pixel_point"});
+  expect_parts(refusal_of(candidate("print('hello')\nrc.run('mine', nearest=None)\n")),
+               {"its first line is 'hello', not 'raycheck 1 NAME'"});
+}
+
 TEST(Candidate, in_JavaScript_reports_its_errors) {
   if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
   const std::string folder = temporary_folder("wrong-javascript");
@@ -355,7 +372,8 @@ TEST(Candidate, that_does_not_build_or_has_unknown_functions_or_declarations_is_
        {std::pair<std::string, const char*>("int main( {\n", "error: "),
         {"int x;\n", "raycheck_candidate_functions"},
         {declaring + ".rows = static_cast<Rows>(7))\n", "unknown value of rows: 7"},
-        {declaring + ".precision = static_cast<Precision>(7))\n", "unknown value of precision: 7"}}) {
+        {declaring + ".precision = static_cast<Precision>(7))\n",
+         "unknown value of precision: 7"}}) {
     const std::string source = temporary_file("broken.cpp", text);
     expect_refused("check " + kRays + " --candidate source:" + source, why);
   }

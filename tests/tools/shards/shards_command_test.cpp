@@ -200,7 +200,8 @@ TEST_F(Merge, names_files_of_another_campaign) {
   fs::copy_file(units_in(other)[0], units_in(folder)[0], fs::copy_options::overwrite_existing);
   expect_refused("merge " + folder, "is truncated or was changed");
   expect_refused("merge " + fresh_folder("nowhere"), "there is no such folder");
-  expect_refused("merge tests", "tests: is not a folder that a campaign wrote: campaign.json is missing");
+  expect_refused("merge tests",
+                 "tests: is not a folder that a campaign wrote: campaign.json is missing");
   // A folder named like an option.
   expect_refused("merge format", "raycheck: format: there is no such folder");
 }

@@ -39,7 +39,7 @@ struct Renderer {
   DriverForm driver = {};
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
-  double threshold = 0;                      ///< Wrong pixels with an exact s of at most this are excused.
+  double threshold = 0;  ///< Wrong pixels with an exact s of at most this are excused.
   std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
   /// The number of time-outs after which it is no longer started.
   int most_timeouts = kMostTimeouts;

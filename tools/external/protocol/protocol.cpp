@@ -128,7 +128,8 @@ Introduction parse_introduction(std::string_view text) {
     }
     words.end();
   }
-  if (lines.size() < 2) throw ProtocolError("it did not introduce itself: 'raycheck 1 NAME' is missing");
+  if (lines.size() < 2)
+    throw ProtocolError("it did not introduce itself: 'raycheck 1 NAME' is missing");
   return introduction;
 }
 
@@ -187,7 +188,8 @@ Reply::Reply(std::string_view text, std::string_view id) : lines_(lines_of(text)
   if (!lines_.empty() && lines_.back().starts_with("error ")) {
     const std::size_t message = std::string_view("error ").size() + id.size() + 1;
     const std::string_view line = lines_.back();
-    throw ProtocolError("it failed: " + shown(line.substr(std::min(message, line.size())), kShownError));
+    throw ProtocolError("it failed: " +
+                        shown(line.substr(std::min(message, line.size())), kShownError));
   }
   if (lines_.size() < 2 || lines_.front() != fmt::format("reply {}", id)) {
     throw ProtocolError(fmt::format("its reply begins with '{}', not with 'reply' and the id",

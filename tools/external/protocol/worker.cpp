@@ -228,7 +228,8 @@ std::string_view name_in(std::span<const std::string_view> names, std::int32_t v
                          std::string_view what, std::int32_t first = 0) {
   const std::int64_t index = std::int64_t{value} - first;
   if (index < 0 || index >= std::ssize(names)) {
-    give_up("the candidate declares an unknown value of " + std::string(what) + ": " + std::to_string(value));
+    give_up("the candidate declares an unknown value of " + std::string(what) + ": " +
+            std::to_string(value));
   }
   return names[static_cast<std::size_t>(index)];
 }
@@ -300,7 +301,10 @@ const raycheck_candidate& load(const char* path) {
   using Functions = const raycheck_candidate* (*)();
   const auto functions =
       reinterpret_cast<Functions>(dlsym(library, "raycheck_candidate_functions"));
-  if (functions == nullptr) give_up("the library has no raycheck_candidate_functions(); in C++, RAYCHECK_CANDIDATE(...) defines it");
+  if (functions == nullptr)
+    give_up(
+        "the library has no raycheck_candidate_functions(); in C++, RAYCHECK_CANDIDATE(...) "
+        "defines it");
   const raycheck_candidate* const candidate = functions();
   if (candidate == nullptr) give_up("raycheck_candidate_functions() returns null");
   if (candidate->version < 1 || candidate->version > RAYCHECK_CANDIDATE_VERSION) {

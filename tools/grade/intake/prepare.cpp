@@ -187,8 +187,9 @@ class Preparing {
     found_.build_words = made_.words;
     found_.notes = made_.notes;
     for (const std::string& other : draws_nothing_) {
-      found_.notes.push_back(fmt::format(
-          "the program built from {} shows no spheres; it was built from {} instead", other, made_.what));
+      found_.notes.push_back(
+          fmt::format("the program built from {} shows no spheres; it was built from {} instead",
+                      other, made_.what));
     }
   }
 

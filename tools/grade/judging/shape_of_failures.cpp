@@ -21,8 +21,8 @@ std::optional<properties::ShapeCause> without_picture(const std::vector<ItemTria
   return properties::shape_cause(tried);
 }
 
-/// The same for the scenes whose pictures are wrong or missing, if none of these pictures is square,
-/// and fewer non-square pictures are right. These may be right by chance, and are ignored.
+/// The same for the scenes whose pictures are wrong or missing, if none of these pictures is
+/// square, and fewer non-square pictures are right. These may be right by chance, and are ignored.
 std::optional<properties::ShapeCause> oblong_failures(const Rubric& rubric,
                                                       const std::vector<ItemTrial>& trials,
                                                       bool with_bonus) {

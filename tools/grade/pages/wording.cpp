@@ -120,8 +120,8 @@ std::string state_text(const ItemGrade& grade) {
   if (grade.unsaid > 0 && grade.cases > 0) {
     ItemGrade said = grade;
     said.unsaid = 0;
-    return fmt::format("{}; {} cannot be written in the input format of the program", state_text(said),
-                       count_text(grade.unsaid, "further case"));
+    return fmt::format("{}; {} cannot be written in the input format of the program",
+                       state_text(said), count_text(grade.unsaid, "further case"));
   }
   if (grade.state == ItemState::kHolds) {
     return fmt::format("holds over {}, {}", count_text(grade.cases, "case"),
@@ -208,8 +208,9 @@ std::string item_text(const StudentGrade& all, std::size_t k) {
   if (grade.state == ItemState::kFails) line("hint: ", hint_text(item, grade));
   if (grade.failing) {
     const std::string name = file_name(item.name);
-    text += fmt::format("the smallest failing case found, from {}; to repeat it, save it as {}.toml:\n",
-                        origin_text(grade.failing->origin), name);
+    text +=
+        fmt::format("the smallest failing case found, from {}; to repeat it, save it as {}.toml:\n",
+                    origin_text(grade.failing->origin), name);
     text += scene_text(*grade.failing);
     const std::string driver = driver_file_text(*grade.failing, all.submission.driver);
     if (!driver.empty()) {
