@@ -68,7 +68,7 @@ void copy_for_others(const fs::path& from, const fs::path& to) {
     if (copied > kMostCopied) {
       throw CandidateError(fmt::format(
           "other users may not read {}, and it is too large to be copied; put the program "
-          "into a separate folder, or give --sandbox none",
+          "into a separate folder, or choose sandbox none",
           from.string()));
     }
     fs::copy_file(entry.path(), target);

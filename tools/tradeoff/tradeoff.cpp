@@ -225,7 +225,7 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
                                      static_cast<std::uint64_t>(options.cases));
   if (cases.rays_judged() < cases.rays_in_scene()) {
     report.left_out.push_back(fmt::format(
-        "{} of {} rays: only {} are judged; --cases N judges more",
+        "{} of {} rays: only {} were selected; more cases select more",
         cases.rays_in_scene() - cases.rays_judged(), cases.rays_in_scene(), cases.rays_judged()));
   }
   const auto rays = [&](std::uint64_t chunks) {
