@@ -131,8 +131,23 @@ int end_without_report(const CLI::App& command) {
   return exit_code(true, false, false);
 }
 
+/// The name by which an option was given, "--methods"; its first name if it was not given.
+std::string given_name(const CLI::Option& option, std::span<char* const> words) {
+  for (const std::string& name : option.get_lnames()) {
+    const std::string whole = "--" + name;
+    if (std::ranges::any_of(words, [&](std::string_view word) {
+          return word.substr(0, word.find('=')) == whole;
+        })) {
+      return whole;
+    }
+  }
+  return option.get_name();
+}
+
 /// The text of an error. Libraries name fields; if an option sets the field, names the option.
-std::string error_message(const std::exception& error, const CLI::App& command) {
+/// `words`: the command line.
+std::string error_message(const std::exception& error, const CLI::App& command,
+                          std::span<char* const> words) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
     return command.get_name() + ": not enough memory";
   }
@@ -142,9 +157,10 @@ std::string error_message(const std::exception& error, const CLI::App& command) 
         file->path1().string(), file->code().message());
   }
   const auto* input = dynamic_cast<const scene::InvalidInput*>(&error);
-  const bool is_option =
-      input != nullptr && command.get_option_no_throw("--" + input->field()) != nullptr;
-  return std::string(is_option ? "--" : "") + error.what();
+  const CLI::Option* const option =
+      input == nullptr ? nullptr : command.get_option_no_throw("--" + input->field());
+  if (option == nullptr) return error.what();
+  return given_name(*option, words) + std::string(error.what()).substr(input->field().size());
 }
 
 /// The message of an internal error; `words`: the command line.
@@ -177,7 +193,7 @@ int outcome_of(const Command& command, std::span<char* const> words) {
       print_error(internal_error_message(error, words));
       return kExitInternal;
     }
-    print_error(fmt::format("raycheck: {}\n", error_message(error, *command.app)));
+    print_error(fmt::format("raycheck: {}\n", error_message(error, *command.app, words)));
     return kExitBadInput;
   }
 }

@@ -303,8 +303,8 @@ std::string decided_by_text(const reference::DecidedBy& decided_by) {
     stages +=
         fmt::format("{}{} by {}", stages.empty() ? "" : ", ", decided_by.stages[k], kStageNames[k]);
   }
-  return fmt::format("{} by the filter, {} exactly{}", decided_by.filter, decided_by.fallback(),
-                     stages.empty() ? "" : " (" + stages + ")");
+  return fmt::format("{} by certified doubles, {} by exact arithmetic{}", decided_by.filter,
+                     decided_by.fallback(), stages.empty() ? "" : " (" + stages + ")");
 }
 
 std::string indented(std::string_view lines, std::string_view indent) {

@@ -84,7 +84,7 @@ std::string broken_law_text(std::string_view sentence, std::string_view discrepa
                             std::string_view causes, std::string_view replay,
                             std::string_view scene);
 
-/// "250 by the filter, 6 exactly (6 by intervals)"
+/// "250 by certified doubles, 6 by exact arithmetic (6 by intervals)"
 std::string decided_by_text(const reference::DecidedBy& decided_by);
 
 /// `text` in red, if colours are supported.

@@ -49,8 +49,8 @@ struct Renderer {
 /// The driver file of a scene, with colours that identify the spheres. Domain: it has a camera.
 std::string driver_text(const scene::Scene& scene, const DriverForm& form);
 
-/// The sphere that each pixel shows: empty for the background colour, a sphere if it has nearly its
-/// colour, else kSomeSphere. Errors: properties::OtherSize if the size is wrong.
+/// The sphere that each pixel shows: empty for the background colour; the sphere whose colour the
+/// pixel nearly has; else kSomeSphere. Errors: properties::OtherSize if the size is wrong.
 properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Camera& camera,
                                      scene::Rows rows, std::size_t spheres,
                                      const ColourHabit& habit = {});
