@@ -127,7 +127,7 @@ InProcess calls_in_process(const External& external) {
     throw CandidateError("it runs in a sandbox; choose sandbox none to time it in raycheck's process");
   }
   if (external.library.empty()) {
-    throw CandidateError("it is not a library: only calls in raycheck's process are timed");
+    throw CandidateError("it is not a library, and raycheck times only calls in its own process");
   }
   const raycheck_candidate& library = *functions_of(external.library);
   InProcess calls;

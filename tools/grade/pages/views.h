@@ -63,7 +63,8 @@ std::string exact_text(const WrongAnswer& answer);
 /// Empty without a reason.
 std::string reason_text(const ItemReason& reason);
 
-/// What to do about a failing item: the rubric's hint, or which function to write.
+/// What to do about a failing item: the rubric's hint, unless the program fails or lacks a
+/// function.
 std::string hint_text(const Item& item, const ItemGrade& grade);
 
 /// "the far root is taken for the near one: explains 12 of 12 wrong answers"

@@ -94,6 +94,9 @@ std::string reason_text(const ItemReason& reason) {
 }
 
 std::string hint_text(const Item& item, const ItemGrade& grade) {
+  if (grade.failing && grade.failing->answer.wrong == Wrong::kFailed) {
+    return "Correct this failure first.";
+  }
   const std::string& function = grade.reason.function;
   if (function.empty() || grade.failing) return item.hint;
   return fmt::format("Write {}, and add it to the functions that you give to raycheck.", function);
