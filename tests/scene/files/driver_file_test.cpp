@@ -159,13 +159,13 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
     EXPECT_EQ(error_of(text).substr(0, 9 + std::string(keyword).size() + 12),
               std::string("f.txt:1: ") + keyword + ": is missing");
   }
-  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
+  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:2: bound: unknown keyword; bounds is missing");
 }
 
 TEST(ReadDriverFile, RefusesOtherKindsOfFiles) {
   const std::string kOther = ": not a driver file; the name of a TOML file must end in .toml";
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nres 2 2\n"),
-            "f.txt:1: eye: is missing");
+            "f.txt:1: b: unknown keyword; eye is missing");
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nresolution 2 2\n"),
             "f.txt:1: first words = b, v, from" + kOther);
   EXPECT_EQ(error_of("\x7f"

@@ -176,7 +176,8 @@ TEST(Candidate, can_read_folders_and_headers_given_by_options) {
     if (is_in_bubblewrap()) {
       const Outcome hidden = run(words);
       EXPECT_EQ(hidden.exit_code, 2) << candidate << hidden.out;
-      expect_parts(hidden.err, {"--read DIR adds a folder, and --include DIR a folder of headers"});
+      expect_parts(hidden.err,
+                   {"add a folder by --read DIR, or a folder of headers by --include DIR"});
     }
   }
   run("check " + kRays + " --candidate 'source:" + source + "' --include /no/such", 2);

@@ -109,7 +109,7 @@ TEST(TryCommand, shows_every_submission_and_fails_if_one_does) {
 TEST(TryCommand, names_the_function_that_is_missing_and_what_to_do) {
   const Grading grading;
   const std::string rubric = grading.short_rubric(
-      kFormOfPython,
+      "",
       item_of("points", "points = 4\nhint = \"Print P.\"", functions("pixel-point", "course", 6)) +
           item_of("directions", "points = 4\nhint = \"Print D.\"",
                   functions("unit-direction", "course", 6)));
