@@ -66,7 +66,7 @@ struct PlanReport {
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
   std::vector<std::string> not_needed;    ///< Settings that are not needed here.
   scene::Scene scene;
-  /// Only for scenes with a camera: given rays have no computations in common.
+  /// Only for scenes with a camera, since only its rays share computations.
   std::optional<scene::ScenePlan> plan;
   std::vector<ItemReport> items;   ///< In the order of kPlanItems.
   double plan_ms = 0;              ///< To make the plan.
