@@ -18,8 +18,7 @@ namespace raycheck::tools {
 void add_methods(CLI::App& command, std::vector<std::string>& methods) {
   command
       .add_option("--method,--methods", methods,
-                  "only these methods, separated by commas, or all (default: those of fast/, "
-                  "without the reference)")
+                  "only these methods, separated by commas, or all (default: all but reference)")
       ->delimiter(',');
 }
 
@@ -37,14 +36,13 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
 }
 
 CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
-  command.add_flag(
-      "--i-know", arguments.knows,
-      "run candidates as root with --sandbox none: they can do anything that root can");
+  command.add_flag("--i-know", arguments.knows,
+                   "allow --sandbox none as root: candidates can then do anything that root can");
   constexpr std::array<std::string_view, 3> kSandboxNames = {"require", "available", "none"};
   return add_named(
       command, "--sandbox", arguments.sandbox, kSandboxNames,
-      "isolation of candidates: require, fail unless seccomp, bubblewrap and, as root, a separate "
-      "user work; available, what works here; none, limits only");
+      "isolation of candidates; require: fail unless seccomp, bubblewrap and, as root, a separate "
+      "user work; available: use what works here; none: only limits");
 }
 
 Sandbox sandbox_of(const SandboxArguments& arguments) {
@@ -62,7 +60,8 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
   CLI::Option* const candidate =
       command.add_option("--candidate", arguments.candidates,
                          "the code to judge instead of raycheck's methods: library:PATH.so, "
-                         "source:PATH, command:'WORDS' or renderer:'WORDS'; may be repeated");
+                         "source:PATH or command:'WORDS' (check and properties: also "
+                         "renderer:'WORDS'); may be repeated");
   add_sandbox(command, arguments.sandbox)->needs(candidate);
   command
       .add_option("--read", arguments.reads,
@@ -76,16 +75,17 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
       ->check(CLI::ExistingDirectory);
   command
       .add_option("--timeout", arguments.seconds,
-                  "limit on the CPU seconds that a candidate takes for one reply")
+                  "the CPU seconds that a candidate may take for one reply")
       ->check(number_between(kLeastSeconds, kMostSeconds))
       ->needs(candidate)
       ->capture_default_str();
-  add_number(command, "--memory", arguments.memory_mib, 1, std::uint64_t{1} << 30,
-             "MiB of memory that a candidate may use, and that each of its processes may reserve")
+  add_number(
+      command, "--memory", arguments.memory_mib, 1, std::uint64_t{1} << 30,
+      "the MiB of memory that a candidate may use, and that each of its processes may reserve")
       ->needs(candidate);
   command
       .add_option("--bounds", arguments.bounds,
-                  "the methods by whose bounds candidates are judged: INTERSECT or RAYS/INTERSECT "
+                  "the methods whose error bounds apply to candidates: INTERSECT or RAYS/INTERSECT "
                   "(default: direct/cross)")
       ->needs(candidate);
 }
@@ -94,8 +94,8 @@ void add_judged(CLI::App& command, ExternalArguments& arguments) {
   add_external(command, arguments);
   CLI::Option* const candidate = command.get_option("--candidate");
   add_named(command, "--precision", arguments.precision, scene::kPrecisionNames,
-            "precision of renderers: double, or single for those that compute in float, which are "
-            "given scenes of floats; other candidates declare theirs")
+            "precision of renderers: double; or single if they compute in float: their scenes are "
+            "rounded to floats. Other candidates declare their precision")
       ->needs(candidate);
   command
       .add_option(
@@ -106,12 +106,12 @@ void add_judged(CLI::App& command, ExternalArguments& arguments) {
       ->needs(candidate);
   command
       .add_option("--t-threshold", arguments.threshold,
-                  "a renderer's hits with a parameter of at most this are not judged")
+                  "excuse wrong pixels of a renderer whose exact parameter is at most this")
       ->check(kBound)
       ->needs(candidate)
       ->capture_default_str();
   add_named(command, "--origin", arguments.origin, scene::kOriginNames,
-            "where a renderer's rays start (default: as the scene says)")
+            "where the rays of a renderer start (default: where the scene says)")
       ->needs(candidate);
 }
 
@@ -134,8 +134,9 @@ std::string hint_of_missing(const CandidateError& error, const Layers& layers) {
   for (const char* words : {"No such file or directory", "cannot open shared object file",
                             "No module named", "Cannot find module", "Cannot find package"}) {
     if (all.find(words) == std::string::npos) continue;
-    return "; it can read only its own folder and the system's: --read DIR adds a folder, and "
-           "--include DIR a folder of headers";
+    return "; a candidate can read only its own folder and the system's: add a folder by --read "
+           "DIR, "
+           "or a folder of headers by --include DIR";
   }
   return "";
 }
@@ -205,9 +206,10 @@ std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
   std::vector<Implementation> found = find_candidates(arguments);
   for (const Implementation& one : found) {
     if (!one.stages.empty()) continue;
-    throw CandidateError(one.draws() ? "it only draws pictures; this command needs single answers"
-                                     : "it implements neither make_rays() nor intersect()",
-                         {}, one.name);
+    throw CandidateError(
+        one.draws() ? "it only draws pictures; this command judges single answers"
+                    : "it has none of the functions pixel_ray(), focal_ray() and intersect()",
+        {}, one.name);
   }
   return found;
 }

@@ -46,7 +46,7 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
   ROW(image, study, "Write the picture of a scene, with every pixel decided exactly")              \
   ROW(view, study, "Show a scene, its rays and where methods go wrong, in a page for a browser")   \
   ROW(plan, study, "Show which work a scene does not need, and measure the time that this saves")  \
-  ROW(grade, grade, "Grade submissions by a rubric; without any, try the rubric")                  \
+  ROW(grade, grade, "Grade submissions by a rubric; without submissions, check the rubric")                  \
   ROW(try, grade, "Grade your own submission by a rubric, as your instructors will")               \
   ROW(rubric, grade, "Print or copy a rubric that comes with raycheck; without a name, list them") \
   ROW(new, study, "Write an adapter for your own code, to fill in")                                \

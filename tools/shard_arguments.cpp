@@ -49,8 +49,8 @@ void add_files(const fs::path& path, std::map<std::string, std::string>& files) 
   }
   if (!fs::is_regular_file(path, error) || files.contains(path.string())) return;
   if (files.size() == kMostFiles) {
-    throw scene::InvalidInput("out", "",
-                              fmt::format("the given folders hold more than {} files", kMostFiles));
+    throw scene::InvalidInput(
+        "out", "", fmt::format("the given folders contain more than {} files", kMostFiles));
   }
   files[path.string()] = digest({file_bytes(path)});
 }
@@ -83,8 +83,9 @@ CampaignIdentity identity_of(const CLI::App& command, Judged judged) {
 
 void add_shards(CLI::App& command, ShardArguments& arguments) {
   command
-      .add_option("--out", arguments.out,
-                  "keep each unit of work in this folder, and do only those missing there")
+      .add_option(
+          "--out", arguments.out,
+          "store each unit of work in this folder, and do only the units that are missing there")
       ->type_name("FOLDER");
   add_shards_inside(command, arguments,
                     "from SLURM_ARRAY_TASK_ID, TEST_SHARD_INDEX or CI_NODE_INDEX, else all");
@@ -97,8 +98,8 @@ void add_shards_inside(CLI::App& command, ShardArguments& arguments,
   command
       .add_option(
           "--shard", arguments.shard,
-          fmt::format("do the share of worker K of N: K/N, or auto/N to take K from the scheduler; "
-                      "default: {}; `raycheck merge FOLDER...` reports",
+          fmt::format("do only share K of N: K/N, or auto/N to take K from the scheduler (default: "
+                      "{}); then `raycheck merge FOLDER...` prints the report",
                       by_default))
       ->type_name("K/N")
       ->needs(out);

@@ -233,7 +233,9 @@ std::optional<Hit> one_by_robust(const scene::Ray& ray, const scene::Sphere& sph
 /// overflows to infinity as IEEE-754 says. kWideDomain limits only the promise for Q.
 const IntersectMethod kRobust = {
     .name = "robust",
-    .sentence = "a root corrected once by a residual in parts where proven; else pairs, integers",
+    .sentence =
+        "a root with one proved correction; where no proof applies, pairs of doubles, then "
+        "integers",
     .intersect = intersect_by_robust,
     .intersect_one = one_by_robust,
     .max_ulp = 1,

@@ -168,27 +168,25 @@ Case horizon(int severity, std::uint64_t seed) {
 
 // ray_cases.cpp explains how the levels were measured.
 constexpr CaseSource kContactSourceTable[] = {
-    {"tangency", "impact parameters r (1 +- 10^-k)", false,
-     // The textbook's class is wrong from @10 on (kahan; quadratic, lecture: @11). Its s and Q are
-     // wrong at every severity, because spheres are up to 10^3 radii away. direct/cross needs
-     // excuses from @15 on.
-     SeverityRange{"log10 of the radius over the impact parameter's distance from it", 10, 16, 7,
-                   13},
+    {"tangency", "rays that pass a centre at the distance r (1 +- 10^-k)", false,
+     // The textbook's class is wrong from @10 on (kahan; quadratic, lecture: @11), its s and Q at
+     // every severity, being up to 10^3 radii away. direct/cross needs excuses from @15 on.
+     SeverityRange{"log10 of the radius over the ray's distance from tangency", 10, 16, 7, 13},
      tangency},
-    {"tangent-ulps", "impact parameters 2^(52-k) ulps off r; at the highest, exactly tangent",
-     false,
-     // The textbook's class is wrong from @42 on. direct/cross needs excuses at exact tangency, the
-     // last severity; at the one before, the impact parameter is one ulp off r.
-     SeverityRange{"log2 of the radius over the impact parameter's distance from it", 2,
-                   kExactlyTangent, 30, 50},
+    {"tangent-ulps",
+     "rays that pass a centre 2^(52-k) ulps off r; at the highest severity tangents", false,
+     // The textbook's class is wrong from @42 on. direct/cross needs excuses at exact tangency; two
+     // severities before it doubles cannot set the dial finer.
+     SeverityRange{"log2 of the radius over the ray's distance from tangency", 2, kExactlyTangent,
+                   30, 50},
      tangent_ulps},
-    {"surface", "origins 10^-k half chords off the surface; at the highest, on it", false,
+    {"surface", "origins 10^-k half chords off the surface; at the highest severity on it", false,
      // All methods decide correctly; the textbook's (D - r)(D + r) keeps half of its digits at @8.
      SeverityRange{"log10 of the half chord over the distance from the surface", 10,
                    kExactlyOnSurface, 8, kExactlyOnSurface},
      surface},
-    {"inside", "origins inside, 10^-k radii off the centre; at the highest, at it", false,
-     // No method has difficulties.
+    {"inside", "origins inside, 10^-k radii off the centre; at the highest severity at it", false,
+     // Not hard for any method.
      SeverityRange{"log10 of the radius over the distance from the centre", 10, kExactlyAtCentre,
                    kExactlyAtCentre, kExactlyAtCentre},
      inside},

@@ -159,8 +159,8 @@ constexpr CaseSource kRaySourceTable[] = {
      // The textbook's class is wrong from @7 on (lecture: @8), its s and Q from @2 on. The stable
      // methods hold at all severities.
      SeverityRange{"log10 of the distance over the radius", 10, 15, 2, 15}, distance},
-    {"coincident", "equal spheres 10^-k radii apart along the ray; at the highest, coincident",
-     // The nearest sphere needs excuses from @13 (textbook) and @14 (direct/cross) on.
+    {"coincident", "equal spheres 10^-k radii apart along the ray; at the highest severity equal",
+     // Which sphere is nearer needs excuses from @13 (textbook) and @14 (direct/cross) on.
      false, SeverityRange{"log10 of the radius over the separation", 10, kExactlyCoincident, 6, 12},
      coincident},
     {"far-world", "ordinary rays and spheres, all 10^k from the world's origin", false,

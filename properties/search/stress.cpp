@@ -124,6 +124,19 @@ std::vector<StressResult> stress(const ChosenSource& source, Stage stage,
   return results;
 }
 
+AnswersFailed answers_failed(const StressResult& result) {
+  AnswersFailed failed;
+  for (const Verdict* verdict : {&result.inside, &result.outside}) {
+    for (const auto& [quantity, tally] : verdict->tallies()) {
+      failed.count += tally.count(Wrong::kFailed);
+    }
+  }
+  const auto first = std::ranges::find_if(
+      result.found, [](const Example& one) { return one.discrepancy.wrong == Wrong::kFailed; });
+  if (first != result.found.end()) failed.first = first->discrepancy.what;
+  return failed;
+}
+
 std::uint64_t defects(const Verdict& verdict) {
   std::uint64_t sum = 0;
   for (const auto& [quantity, tally] : verdict.tallies()) {

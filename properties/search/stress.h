@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "properties/case.h"
@@ -37,6 +38,13 @@ struct StressResult {
   void merge(StressResult other);
   void serialize(auto& archive) { archive(inside, outside, found, left_out); }
 };
+
+/// The answers that a candidate failed to give: their number, and the first failure's message.
+struct AnswersFailed {
+  std::uint64_t count = 0;
+  std::string first = {};
+};
+AnswersFailed answers_failed(const StressResult& result);
 
 struct StressOptions {
   int first = 0;  ///< The first case of the seed to run.

@@ -170,10 +170,12 @@ void TomlFields::require_known(const Table& from, std::span<const std::string_vi
     const bool is_known = std::ranges::find(known, key.str()) != known.end();
     if (!is_known && (!unknown || field.line < unknown->line)) unknown.emplace(field);
   }
-  if (unknown) {
-    located_.fail(unknown->line, unknown->name, spelled(unknown->node),
-                  "unknown key; " + from.name + " accepts " + joined(known));
+  if (!unknown) return;
+  const std::string accepted = from.name + " accepts " + joined(known);
+  if (unknown->node.is_table()) {
+    located_.fail(unknown->line, "[" + unknown->name + "]", "unknown table; " + accepted);
   }
+  located_.fail(unknown->line, unknown->name, spelled(unknown->node), "unknown key; " + accepted);
 }
 
 std::optional<TomlFields::Field> TomlFields::optional(const Table& from,

@@ -96,8 +96,8 @@ std::string without_times(std::string line) {
   return line;
 }
 
-/// On a terminal, progress is one transient line, which documents do not show.
-const std::regex kProgress("^submissions: [0-9]+ of [0-9]+ (tried|graded): .*");
+/// On a terminal this is one transient line, which documents do not show.
+const std::regex kProgress("^submissions: [0-9]+ of [0-9]+ done: .*");
 
 std::vector<std::string> lasting_lines_of(const std::string& text) {
   std::vector<std::string> lines;

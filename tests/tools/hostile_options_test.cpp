@@ -154,6 +154,20 @@ TEST(HostileOptions, have_the_same_names_in_errors_as_on_the_command_line) {
   EXPECT_GE(texts, 60);
 }
 
+TEST(HostileOptions, that_are_hidden_are_not_shown_by_help) {
+  Program program;
+  for (const tools::Command& command : program.commands) {
+    const std::string help = command.app->help();
+    for (const char* part : {"Excludes: ", "Excludes:\n"}) {
+      for (std::size_t at = 0; (at = help.find(part, at)) != std::string::npos; ++at) {
+        EXPECT_TRUE(has(help.substr(at, 13), "Excludes: -") ||
+                    has(help.substr(at, 13), "Excludes: S"))
+            << command.app->get_name() << ": " << help.substr(at, 40);
+      }
+    }
+  }
+}
+
 TEST(HostileOptions, that_are_unused_are_refused) {
   for (const char* option : {"--timeout 1", "--read .", "--include .", "--bounds cross",
                              "--image-change 0", "--t-threshold 0", "--sandbox none"}) {
@@ -165,7 +179,14 @@ TEST(HostileOptions, that_are_unused_are_refused) {
 
 /// Command lines and their messages. FAR stands for a scene, OUT for an option with a file.
 const std::pair<const char*, const char*> kRefused[] = {
-    {"", "subcommand"},
+    {"", "give a command: check, properties"},
+    {"check FAR --topp 3", "--topp: there is no such option; did you mean --top?"},
+    {"check FAR --topp=3", "--topp=3: there is no such option; did you mean --top?"},
+    {"check FAR --nothing", "--nothing: there is no such option\n"},
+    {"check FAR more", "more: is one argument too many"},
+    {"check FAR --format xml", "--format xml: give one of text, json"},
+    {"check FAR --max-ulp x", "--max-ulp x: give a finite number >= 0"},
+    {"check FAR --candidate a:b --read nowhere", "--read nowhere: there is no such folder"},
     {"chekc", "there is no command 'chekc'"},
     // Scenes.
     {"check", "SCENE"},
@@ -190,7 +211,8 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --all --rays direct", "--all"},
     {"image FAR OUT --rays direct", "--rays direct: only --what error"},
     {"image FAR OUT --intersect cross", "--intersect cross: only --what error"},
-    {"stress --method magic", "method magic: no such method"},
+    {"stress --method magic", "--method magic: no such method"},
+    {"stress --methods magic", "--methods magic: no such method"},
     {"worst --method lecture --family rays", "rays/lecture or intersect/lecture"},
     {"worst --method direct --family rays", "has no camera"},
     {"worst --method cross", "--family"},
@@ -208,23 +230,24 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"worst --method cross --family distance@77", "0 to 15"},
     {"stress --severity 5..2", "--severity 5..2"},
     {"stress --cases 1 --family distance --severity 9999", "--severity 9999..9999: the severities"},
-    {"stress --family distance --severity 4294967296", "give a whole number from 0 to 2147483647"},
-    {"stress --family distance --severity -1", "--severity -1: give a whole number from 0"},
+    {"stress --family distance --severity 4294967296",
+     "--severity 4294967296: give a severity, or a range"},
+    {"stress --family distance --severity -1", "--severity -1: give a severity, or a range"},
     // Candidates.
     {"worst --family distance", "give --method or --candidate"},
     {"worst --family distance --candidate a:b --candidate c:d", "worst takes only one"},
     {"worst --family distance --method cross --candidate a:b", "excludes"},
     {"stress --family distance --candidate 'renderer:sh {scene} {image}'",
-     "it only draws pictures; this command needs single answers"},
+     "it only draws pictures; this command judges single answers"},
     {"image FAR OUT --candidate a:b", "only --what error shows a candidate or method"},
     {"check FAR --candidate mine", "candidate mine: give library:PATH.so, source:PATH, command:"},
     {"check FAR --candidate elsewhere:mine", "candidate elsewhere:mine: unknown kind 'elsewhere'"},
     {"check FAR --candidate library:", "give library:PATH.so"},
-    {"check FAR --candidate library:nowhere.so", "No such file or directory"},
+    {"check FAR --candidate library:nowhere.so", "there is no such file or folder\n"},
     {"check FAR --candidate library:README.md", "README.md"},
     {"check FAR --candidate library:tests",
      "--candidate library:tests: it is not a file; give a shared library"},
-    {"check FAR --candidate source:nowhere.cpp", "No such file or directory"},
+    {"check FAR --candidate source:nowhere.cpp", "there is no such file or folder\n"},
     {"check FAR --candidate source:docs", "it contains no .cpp file"},
     {"check FAR --candidate 'command:nosuchprogram --fast'",
      "there is no program 'nosuchprogram' in /usr/local/bin:/usr/bin:/bin"},
@@ -232,14 +255,16 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"check FAR --candidate 'renderer:nosuchprogram {scene} {image}'",
      "there is no program 'nosuchprogram'"},
     {"check FAR --candidate 'renderer:./rt {scene}'", "{image} is missing"},
-    {"check FAR --candidate command:true", "exited with 0"},
-    {"check FAR --candidate 'command:echo hello'", "hello"},
+    {"check FAR --candidate command:true", "it exited with 0 before it printed 'raycheck 1 NAME'"},
+    {"check FAR --candidate 'command:echo hello'",
+     "its first line is 'hello', not 'raycheck 1 NAME'"},
     {"check FAR --candidate 'command:python3 tests/candidates/hostile.py early'",
      "wrote more after its reply"},
     // Rubrics and submissions.
     {"grade", "RUBRIC"},
     {"grade nowhere.toml README.md --out nowhere", "nowhere.toml: cannot be read"},
     {"grade lecture7.toml README.md", "--out: give a folder for the results"},
+    {"grade lecture7.toml nowhere", "nowhere: there is no such file or folder"},
     {"grade lecture7.toml nowhere --out nowhere", "nowhere: there is no such file or folder"},
     {"grade lecture7.toml README.md README.md --out nowhere", "has the same name, README"},
     {"grade lecture7.toml README.md --package x.png", "SUBMISSION excludes --package"},
@@ -259,8 +284,8 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"rubric lecture7/frame", "rubric lecture7/frame: raycheck has no rubric"},
     {"rubric --out somewhere", "--out requires NAME"},
     // Numbers; octal digits are not accepted.
-    {"properties --cases 010", "give a whole number from 1 to 1000000000, not '010'"},
-    {"properties --cases 0x10", "not '0x10'"},
+    {"properties --cases 010", "--cases 010: give a whole number from 1 to 1000000000"},
+    {"properties --cases 0x10", "--cases 0x10: give a whole number"},
     {"properties --cases 0", "--cases"},
     {"check FAR --pixels 0", "--pixels 0"},
     {"check FAR --pixels some", "--pixels some"},

@@ -92,9 +92,9 @@ CommandRun add_merge(CLI::App& command) {
       ->required()
       ->type_name("FOLDER");
   command.add_flag("--run-candidates", given->may_run,
-                   "allow the merge to run the campaign's candidates or submissions");
+                   "allow raycheck to run the campaign's candidates or submissions");
   for (const std::string_view option : kReportOptions) {
-    const std::string name(option), meaning = "as for the campaign's command";
+    const std::string name(option), meaning = "as in the command that made the folders";
     if (has(kFlags, name)) {
       command.add_flag(name, given->flags[name], meaning);
       continue;

@@ -141,10 +141,10 @@ std::string view_text(const ViewDocument& document, const std::string& file, std
     text += fmt::format("  {}: {}\n", finding.candidate, finding.sentence);
   }
   if (shown < document.findings.size()) {
-    text += fmt::format("  and {} more beside the figure\n", document.findings.size() - shown);
+    text += fmt::format("  and {} more on the page\n", document.findings.size() - shown);
   }
   for (const std::string& sentence : document.left_out) text += "left out: " + sentence + "\n";
-  return text + fmt::format("{} written, {} bytes: open it in a browser\n", file, bytes);
+  return text + fmt::format("wrote {}, {} bytes: open it in a browser\n", file, bytes);
 }
 
 int run_view(const ViewArguments& arguments) {
@@ -182,9 +182,10 @@ CommandRun add_view(CLI::App& command) {
   const auto given = std::make_shared<ViewArguments>();
   ViewArguments& arguments = *given;
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
-  command.add_option("--family", arguments.family,
-                     "a source of cases instead of a scene: shows a scene at each severity");
-  add_cases(command, arguments.cases, "cases at each severity of a source");
+  command.add_option(
+      "--family", arguments.family,
+      "a source of cases in place of a scene; the page shows a scene at each severity");
+  add_cases(command, arguments.cases, "the number of cases at each severity of a source");
   add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one self-contained HTML file");
   add_dialect(command, arguments.dialect);

@@ -93,7 +93,7 @@ class Pictures {
       timeouts_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
     if (const int timeouts = timeouts_; timeouts >= renderer_.most_timeouts) {
-      fail(fmt::format("not started after {} runs that timed out", timeouts),
+      fail(fmt::format("not started any more, since {} runs timed out", timeouts),
            FailureKind::kNotAsked);
       return;
     }
@@ -153,7 +153,6 @@ class Conversation {
   /// Resets the count of time-outs, and uses stored answers again.
   void reset_timeouts() {
     shares_timed_out_ = 0;
-    timeouts_ = 0;
     failed_request_.clear();
     is_asked_anew_ = false;
   }
@@ -173,7 +172,8 @@ class Conversation {
     fill(request);
     if (shares_timed_out_ >= kMostTimeouts) {
       AnswerFailure{
-          fmt::format("{}: not called after {} requests that timed out", function, timeouts_),
+          fmt::format("{}: not called any more, since its time-outs add up to {} times the limit",
+                      function, kMostTimeouts),
           FailureKind::kNotAsked}
           .raise(last_);
     }
@@ -184,10 +184,7 @@ class Conversation {
       reply = reply_to(request, lines);
       return read(Reply(reply.text, reply.id));
     } catch (const ProcessFailure& failure) {
-      if (failure.kind() == FailureKind::kTimeUp) {
-        ++timeouts_;
-        shares_timed_out_ += share_;
-      }
+      if (failure.kind() == FailureKind::kTimeUp) shares_timed_out_ += share_;
       const auto line = line_in(process_ ? process_->unfinished() : "");
       AnswerFailure words{fmt::format("{}: it {}{}{}{}", function, failure.what(), line_text(line),
                                       last_line_text(error_output()),
@@ -217,9 +214,24 @@ class Conversation {
   void start() {
     introduction_heard_ = false;
     process_.emplace(external_.program);
-    const std::string text = process_->exchange(
-        kGreeting, [](std::string_view line) { return line == kReady || line == "ready\r"; },
-        kMostIntroduction);
+    // A program that begins with other output is not waited for.
+    std::optional<std::string> first;
+    std::string text;
+    try {
+      text = process_->exchange(
+          kGreeting,
+          [&](std::string_view line) {
+            if (!first) first = line;
+            return !begins_introduction(*first) || line == kReady || line == "ready\r";
+          },
+          kMostIntroduction);
+    } catch (const ProcessFailure&) {
+      if (!first || begins_introduction(*first)) throw;
+    }
+    if (first && !begins_introduction(*first)) {
+      throw ProtocolError(
+          fmt::format("its first line is '{}', not 'raycheck 1 NAME'", shown(*first)));
+    }
     introduction_ = parse_introduction(text);
     introduction_heard_ = true;
     external_.answers->keep(std::string(kGreeting), {text});
@@ -276,9 +288,7 @@ class Conversation {
   bool introduction_heard_ = true;  ///< Whether the introduction of the current process was read.
   double share_ = 1;
   bool is_asked_anew_ = false;
-  int timeouts_ = 0;
-  /// The sum of the shares of the time limit that timed-out requests had.
-  double shares_timed_out_ = 0;
+  double shares_timed_out_ = 0;  ///< The sum of their shares of the time limit.
   std::mt19937_64 ids_{std::random_device{}()};
 };
 
@@ -377,14 +387,20 @@ External introduced(std::string name, const Confined& program,
   } catch (const ProcessFailure& failure) {
     const KeptText error_output = conversation.error_output();
     const std::string all = error_output.excerpt();
-    throw CandidateError(fmt::format("it {}{}{}", failure.what(), last_line_text(error_output),
-                                     limit_text(error_output, program.limits)),
+    // raycheck-worker names what a library lacks.
+    constexpr std::string_view kOfWorker = "; it printed: raycheck-worker: ";
+    const std::string printed = last_line_text(error_output);
+    if (printed.starts_with(kOfWorker)) throw CandidateError(printed.substr(kOfWorker.size()));
+    const bool is_silent = failure.kind() == FailureKind::kEnded && error_output.empty();
+    throw CandidateError(fmt::format("it {}{}{}{}", failure.what(),
+                                     is_silent ? " before it printed 'raycheck 1 NAME'" : "",
+                                     printed, limit_text(error_output, program.limits)),
                          all.find('\n') == std::string::npos ? "" : all);
   } catch (const ProtocolError& error) {
     throw CandidateError(error.what());
   }
   if (external.introduction.functions.empty()) {
-    throw CandidateError("it implements no function");
+    throw CandidateError("it has none of the functions that raycheck judges");
   }
   return external;
 }

@@ -21,7 +21,10 @@ namespace fs = std::filesystem;
 fs::path existing(const std::string& path, const RunOptions& options) {
   std::error_code error;
   fs::path found = fs::canonical(options.folder / path, error);
-  if (error) throw CandidateError(fmt::format("{}: {}", path, error.message()));
+  if (error == std::errc::no_such_file_or_directory) {
+    throw CandidateError("there is no such file or folder");
+  }
+  if (error) throw CandidateError(error.message());
   return found;
 }
 
@@ -65,7 +68,7 @@ void copy_for_others(const fs::path& from, const fs::path& to) {
     if (copied > kMostCopied) {
       throw CandidateError(fmt::format(
           "other users may not read {}, and it is too large to be copied; put the program "
-          "into a separate folder, or use no sandbox",
+          "into a separate folder, or choose sandbox none",
           from.string()));
     }
     fs::copy_file(entry.path(), target);
@@ -203,7 +206,7 @@ Confined program_of(const std::string& words, const RunOptions& options, Readabl
     let_read(path, program);
   }
   if (program.arguments.empty()) {
-    throw CandidateError("the command names no program");
+    throw CandidateError("the command is empty; give a program");
   }
   return program;
 }

@@ -143,7 +143,7 @@ class ClassRun {
       return result;
     }
     std::vector<Graded> all = done_for_each<Graded>(
-        submissions_, control, "graded",
+        submissions_, control,
         [&](const Submission& one, bool alone) { return graded(one, control, alone); });
     for (Graded& one : all) {
       add_times(one.grade, result.times);
@@ -169,9 +169,9 @@ class ClassRun {
       open.push_back(unit);
       mine.push_back(submissions_[static_cast<std::size_t>(unit)]);
     }
-    const auto all = done_for_each<Graded>(
-        mine, control, "graded",
-        [&](const Submission& one, bool alone) { return graded(one, control, alone); });
+    const auto all = done_for_each<Graded>(mine, control, [&](const Submission& one, bool alone) {
+      return graded(one, control, alone);
+    });
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k].grade.finished && all[k].outside.empty()) units.write(open[k], all[k].grade.name);
     }
@@ -324,10 +324,12 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
 }
 
 bool TryReport::holds() const {
-  const auto& items = shown.submission.items;
-  return could_be_judged(shown.submission) && std::ranges::all_of(items, [](const ItemGrade& item) {
-           return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
-         });
+  const auto item_holds = [](const ItemGrade& item) {
+    return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
+  };
+  return std::ranges::all_of(shown, [&](const StudentGrade& one) {
+    return could_be_judged(one.submission) && std::ranges::all_of(one.submission.items, item_holds);
+  });
 }
 
 TryReport try_submission(GradeOptions options, const properties::RunControl& control) {
@@ -336,17 +338,19 @@ TryReport try_submission(GradeOptions options, const properties::RunControl& con
   TryReport report;
   report.interrupted = graded.interrupted;
   report.rubric = std::make_shared<const Rubric>(std::move(graded.rubric));
-  if (graded.submissions.empty()) return report;
-  report.shown = student_grade(*report.rubric, graded.submissions.front(), HiddenBy::kUs);
-  if (options.out.empty()) return report;
-  report.folder = (std::filesystem::path(options.out) / graded.submissions.front().name).string();
+  report.out = options.out;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    report.shown.push_back(student_grade(*report.rubric, grade, HiddenBy::kUs));
+  }
   return report;
 }
 
-/// The lines that `grade` prints for one submission, then details of the items that fail.
-std::string try_text(const TryReport& report) {
-  const StudentGrade& shown = report.shown;
-  std::string text = report.rubric->title + "\n" + submission_text(shown.items, shown.submission);
+namespace {
+
+/// The lines that `grade` prints for one submission, then details of the items that fail. `out`:
+/// the folder of the results; or empty.
+std::string try_text(const StudentGrade& shown, const std::string& out) {
+  std::string text = submission_text(shown.items, shown.submission);
   if (shown.unlisted > 0) text += "  " + unlisted_text(shown) + "\n";
   for (std::size_t k = 0; k < shown.items.size(); ++k) {
     const ItemGrade& item = shown.submission.items[k];
@@ -355,8 +359,19 @@ std::string try_text(const TryReport& report) {
     if (item.state != ItemState::kFails || !has_more) continue;
     text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
   }
-  if (!report.folder.empty()) {
-    text += "\nwritten: " + report.folder + "/report.html, and the smallest cases beside it\n";
+  if (!out.empty()) {
+    text += fmt::format("\nwrote {}/report.html, and the smallest failing cases beside it\n",
+                        (fs::path(out) / shown.submission.name).string());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string try_text(const TryReport& report) {
+  std::string text = report.rubric->title + "\n";
+  for (std::size_t k = 0; k < report.shown.size(); ++k) {
+    text += (k == 0 ? "" : "\n") + try_text(report.shown[k], report.out);
   }
   if (report.interrupted) text += "INTERRUPTED: these are the results so far.\n";
   return text;

@@ -51,41 +51,40 @@ ClassGrade grade(const GradeOptions& options, const properties::RunControl& cont
 template <class Result>
 std::vector<Result> done_for_each(
     const std::vector<Submission>& submissions, const properties::RunControl& control,
-    const std::string& done, const std::function<Result(const Submission&, bool alone)>& work) {
+    const std::function<Result(const Submission&, bool alone)>& work) {
   std::vector<Result> all;
   in_order<Result>(
       static_cast<std::int64_t>(submissions.size()), control,
       [&](std::int64_t k) { return work(submissions[static_cast<std::size_t>(k)], false); },
       [&](Result& one) {
-        const std::string state =
-            fmt::format("{} of {} {}", all.size() + 1, submissions.size(), done);
+        const std::string state = fmt::format("{} of {} done", all.size() + 1, submissions.size());
         control.progress(state);
         control.done(state + ": " + submissions[all.size()].name);
         all.push_back(std::move(one));
       });
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (all[k].outside.empty() || control.interrupted()) continue;
-    control.progress(submissions[k].name + " again, alone");
+    const std::string again = submissions[k].name + ": repeated, with no other submission running";
+    control.progress(again);
     all[k] = work(submissions[k], true);
-    control.done(done + " again, alone: " + submissions[k].name);
+    control.done(again);
   }
   return all;
 }
 
-/// The part of a submission's grade that a student may see.
+/// The parts of the submissions' grades that students may see.
 struct TryReport {
-  std::shared_ptr<const Rubric> rubric;  ///< The rubric of `shown`.
-  StudentGrade shown;
-  /// The folder of the page and the failing cases; empty if nothing was written.
-  std::string folder;
+  std::shared_ptr<const Rubric> rubric;  ///< What `shown` refers to.
+  std::vector<StudentGrade> shown;       ///< In the given order.
+  std::string out;                       ///< The folder of the results; empty: nothing is written.
   bool interrupted = false;
 
-  /// Whether every shown item that was asked holds.
+  /// Whether every item that is shown and was asked holds, of all submissions.
   bool holds() const;
 };
 
-/// Grades one submission for its author, like grade() with the same rubric and seed. Asks every
-/// item, and shows the items that students may see.
+/// Grades submissions for their authors, as grade() does with the same rubric and seed: asks every
+/// item, and shows those that students may see.
 /// Errors: as grade().
 TryReport try_submission(GradeOptions options, const properties::RunControl& control = {});
 

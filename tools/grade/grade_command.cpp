@@ -78,7 +78,8 @@ int try_own_methods(const GradeArguments& arguments) {
 int run_probe(const GradeArguments& arguments) {
   if (std::ranges::none_of(kProbeViews,
                            [&](const auto& view) { return view.name == arguments.format; })) {
-    throw std::invalid_argument("--format " + arguments.format + ": --probe prints text or json");
+    throw std::invalid_argument("--format " + arguments.format +
+                                ": with --probe, give text or json");
   }
   GradeOptions options = arguments.options;
   options.sandbox = sandbox_of(arguments.sandbox);
@@ -101,7 +102,10 @@ int run_grade(const GradeArguments& arguments) {
         "merge: give one folder; all shards of a class write into the same folder");
   }
   for (const std::string& folder : arguments.shards.merged) options.out = folder;
-  if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
+  if (options.out.empty()) {
+    find_submissions(options.submissions);  // a missing submission is named first
+    throw std::invalid_argument("--out: give a folder for the results");
+  }
   if (!arguments.secret_file.empty()) options.secret = secret_of(arguments.secret_file);
   options.sandbox = sandbox_of(arguments.sandbox);
   for (const ResultsFormat& format : kResultsFormats) {
@@ -129,25 +133,26 @@ CommandRun add_grade(CLI::App& command) {
       .add_option("RUBRIC", arguments.options.rubric,
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
       ->required();
-  CLI::Option* const submissions =
-      command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
+  CLI::Option* const submissions = command.add_option("SUBMISSION", arguments.options.submissions,
+                                                      "the folders or files of submissions");
   command.add_option("--out", arguments.options.out, "the folder for the results")
       ->needs(submissions);
   add_shards_inside(command, arguments.shards);
-  command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
+  command.add_option("--jobs", arguments.jobs, "the number of submissions graded at the same time")
       ->check(whole_number(1, 1024));
   // --out is allowed, so that removing --probe gives the command for grading.
   CLI::Option* const probe =
       command
-          .add_flag("--probe", arguments.probe,
-                    "only build and try the submissions, without judging; print what each reads, "
-                    "writes and shows, and a [driver] and [[form]]s for the rubric")
+          .add_flag(
+              "--probe", arguments.probe,
+              "only build the submissions and draw a test scene with each; print what each one "
+              "reads, writes and shows, and suggest [driver] and [[form]] tables for the rubric")
           ->needs(submissions);
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   command
       .add_option("--secret-file", arguments.secret_file,
-                  "derive each submission's seed from this secret file and its name")
+                  "derive each submission's seed from the secret in this file and from its name")
       ->needs(submissions)
       ->excludes(probe);
   add_sandbox(command, arguments.sandbox);

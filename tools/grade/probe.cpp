@@ -50,8 +50,8 @@ ProbeReport probe(const GradeOptions& options, const properties::RunControl& con
   const Layers layers = chosen_layers(options.sandbox).layers;
   test_environment(report.rubric, layers);
   const std::vector<Submission> submissions = find_submissions(options.submissions, {});
-  report.submissions = done_for_each<SubmissionProbe>(
-      submissions, control, "tried", [&](const Submission& each, bool alone) {
+  report.submissions =
+      done_for_each<SubmissionProbe>(submissions, control, [&](const Submission& each, bool alone) {
         return probed(each, report.rubric, layers, control, alone);
       });
   report.interrupted = control.interrupted();

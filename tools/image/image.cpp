@@ -143,7 +143,7 @@ properties::Candidate completed(const Implementation& implementation, const Meth
   properties::Candidate candidate = implementation.make();
   if (!candidate.intersect) {
     throw std::invalid_argument(implementation.name +
-                                ": does not implement intersect(), so it has no error of s");
+                                ": has no function intersect(), so there is no error of s");
   }
   const properties::Candidate own = candidate_of(methods);
   if (!candidate.pixel_rays && !candidate.focal_rays) {

@@ -325,7 +325,7 @@ std::string decided_by_text(const reference::DecidedBy& decided_by) {
     stages +=
         fmt::format("{}{} by {}", stages.empty() ? "" : ", ", decided_by.stages[k], kStageNames[k]);
   }
-  return fmt::format("{} by the certified filter, {} by exact arithmetic{}", decided_by.filter,
+  return fmt::format("{} by certified doubles, {} by exact arithmetic{}", decided_by.filter,
                      decided_by.fallback(), stages.empty() ? "" : " (" + stages + ")");
 }
 

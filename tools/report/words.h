@@ -90,7 +90,7 @@ std::string broken_law_text(std::string_view sentence, std::string_view discrepa
 /// The questions of which an answer of this kind is expected: "rays that hit".
 std::string expected_text(properties::Expected expected);
 
-/// "250 by the certified filter, 6 by exact arithmetic (6 by intervals)"
+/// "250 by certified doubles, 6 by exact arithmetic (6 by intervals)"
 std::string decided_by_text(const reference::DecidedBy& decided_by);
 
 /// `text`, in red if `colours`.

@@ -121,8 +121,9 @@ CampaignIdentity campaign_in(const fs::path& folder) {
     return campaign_in(folder / kUnitsInside);
   }
   if (!fs::exists(file)) {
-    throw std::invalid_argument(fmt::format("{}: has no units of a campaign: {} is missing",
-                                            folder.string(), kCampaignFile));
+    throw std::invalid_argument(
+        fmt::format("{}: is not a folder that a campaign wrote: {} is missing", folder.string(),
+                    kCampaignFile));
   }
   try {
     const Json json = Json::parse(bytes_of(file));

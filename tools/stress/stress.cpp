@@ -158,6 +158,16 @@ std::uint64_t StressCurve::left_out() const {
   return sum;
 }
 
+properties::AnswersFailed StressCurve::failed() const {
+  properties::AnswersFailed all;
+  for (const StressResult& result : results) {
+    properties::AnswersFailed failed = properties::answers_failed(result);
+    if (all.count == 0) all.first = std::move(failed.first);
+    all.count += failed.count;
+  }
+  return all;
+}
+
 std::optional<double> StressCurve::slope(int base) const {
   std::vector<double> errors;
   for (std::size_t k = 0; k < results.size(); ++k) {

@@ -45,6 +45,8 @@ struct StressCurve {
   std::optional<double> worst_ratio() const;
   std::uint64_t left_out() const;
   std::optional<double> slope(int base) const;
+  /// The answers that the candidate failed to give.
+  properties::AnswersFailed failed() const;
 };
 
 struct FamilyReport {

@@ -132,11 +132,15 @@ std::size_t count_curves(const StressReport& report) {
 
 std::string explanation() {
   return fmt::format(
-      "A number is the first severity at which the method is not stable: a decision is wrong that\n"
-      "no relative change of the inputs by {:g} u makes right, or a stability ratio\n"
-      "rho = error / ((1 + kappa) u) is above {:g}. \"stable\": it is stable at all of them; "
-      "\"-\": nothing\nthere lies in its stated domain. u is that of the method's own precision. "
-      "More cases may find an\nearlier severity.\n",
+      "A number is the first severity at which the method is not stable: it decides wrongly, and "
+      "no\n"
+      "relative change of the inputs by {:g} u would make the decision right; or a stability "
+      "ratio\n"
+      "rho = error / ((1 + kappa) u) is above {:g}. u is the unit roundoff of the method's "
+      "precision, "
+      "kappa\nthe condition number. \"stable\": it is stable at all severities. \"-\": no case "
+      "lies in "
+      "the method's\ndomain. More cases may find an earlier severity.\n",
       properties::kExcusedChange / properties::kDoubleRoundoff, properties::kStableRatio);
 }
 
@@ -163,9 +167,15 @@ std::string rendered(const StressReport& report, Markup markup) {
   text += "\n";
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
+      const std::string where = fmt::format("{}{} on {} ({})", item, curve.candidate.name,
+                                            family.family->name, name(curve.stage));
+      const properties::AnswersFailed failed = curve.failed();
+      if (failed.count > 0) {
+        text += fmt::format("{}: {} failed, first: {}\n", where, count_text(failed.count, "answer"),
+                            failed.first);
+      }
       if (curve.left_out() == 0) continue;
-      text += fmt::format("{}{} on {} ({}): {} left out, not representable in floats\n", item,
-                          curve.candidate.name, family.family->name, name(curve.stage),
+      text += fmt::format("{}: {} left out, not representable in floats\n", where,
                           count_text(curve.left_out(), "case"));
     }
   }

@@ -207,7 +207,7 @@ void finish(const std::vector<Case>& timed, TradeoffReport& report) {
     const std::vector<Case> asked = asked_of(timed, stage);
     if (asked.empty()) {
       costs.clear();
-      report.left_out.push_back(fmt::format("{}: the cases do not use them", name(stage)));
+      report.left_out.push_back(fmt::format("{}: no case asks for them", name(stage)));
       continue;
     }
     if (stage == Stage::kRays) {
@@ -226,9 +226,9 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   const properties::SceneCases cases(std::move(loaded.scene),
                                      static_cast<std::uint64_t>(options.cases));
   if (cases.rays_judged() < cases.rays_in_scene()) {
-    report.left_out.push_back(fmt::format("{} of {} rays: only {} were selected",
-                                          cases.rays_in_scene() - cases.rays_judged(),
-                                          cases.rays_in_scene(), cases.rays_judged()));
+    report.left_out.push_back(fmt::format(
+        "{} of {} rays: only {} were selected; more cases select more",
+        cases.rays_in_scene() - cases.rays_judged(), cases.rays_in_scene(), cases.rays_judged()));
   }
   const auto rays = [&](std::uint64_t chunks) {
     return std::min(chunks * kChunk, cases.rays_judged());

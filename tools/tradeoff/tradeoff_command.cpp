@@ -42,10 +42,13 @@ CommandRun add_tradeoff(CLI::App& command) {
   TradeoffOptions& options = given->options;
   CLI::Option* const scene = command.add_option(
       "SCENE", options.scene,
-      "a scene: only stages that it needs are compared (default: ordinary cases)");
+      "a scene, in place of random cases; only the stages that it needs are compared");
   add_dialect(command, given->dialect);
   CLI::Option* const family =
-      command.add_option("--family", given->sources, "cases of these sources, separated by commas")
+      command
+          .add_option(
+              "--family", given->sources,
+              "the sources of the random cases, separated by commas (default: rays,cameras)")
           ->delimiter(',')
           ->excludes(scene);
   command

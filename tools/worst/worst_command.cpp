@@ -34,7 +34,8 @@ Implementation chosen_method(const WorstArguments& arguments) {
   if (methods.size() > 1) {
     throw scene::InvalidInput(
         "method", arguments.method,
-        fmt::format("ambiguous: give rays/{0} or intersect/{0}", arguments.method));
+        fmt::format("is the name of two methods; give rays/{0} or intersect/{0}",
+                    arguments.method));
   }
   return methods.front();
 }
@@ -68,23 +69,24 @@ int run_worst(WorstArguments& arguments) {
 CommandRun add_worst(CLI::App& command) {
   const auto given = std::make_shared<WorstArguments>();
   WorstOptions& options = given->options;
-  CLI::Option* const method =
-      command.add_option("--method", given->method, "the method, for rays or intersection");
+  CLI::Option* const method = command.add_option("--method", given->method,
+                                                 "the method that makes rays or intersects them");
   command.add_option("--family", options.family, "the source to start from, or SOURCE@SEVERITY")
       ->required();
-  command.add_option("--quantity", options.quantity,
-                     "direction or pixel-point; parameter, backward-error or hit-point (default: "
-                     "direction or parameter)");
+  command.add_option(
+      "--quantity", options.quantity,
+      "for rays: direction (the default) or pixel-point; for intersections: parameter (the "
+      "default), backward-error or hit-point");
   add_named(
       command, "--by", options.search.climb, properties::kClimbNames,
-      "what to maximise: the error, the error over the growth of the documented bound, or the "
-      "stability ratio rho");
-  add_cases(command, options.search.cases, "random cases");
+      "what to maximise: the error; the error divided by the growth of the documented bound with "
+      "the condition number; or the stability ratio rho");
+  add_cases(command, options.search.cases, "the number of random cases to start from");
   add_number(command, "--steps", options.search.steps, 0, kMostCases,
              "the number of changes tried after the random cases");
   add_seed(command, options.search.seed);
   add_number(command, "--searches", options.searches, 1, kMostCases,
-             "the number of searches, each from other random cases");
+             "the number of searches, each one from other random cases");
   add_threads(command, given->threads, "the report");
   add_shards(command, given->shards);
   command.add_option("--save", given->save, "write the input to a TOML scene");

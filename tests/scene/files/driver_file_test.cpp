@@ -105,11 +105,16 @@ TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
 }
 
 TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
-  constexpr const char* kNoSign = ": must be above zero (dialect A) or below (B and C)";
+  constexpr const char* kNoSign = ": must be above 0 (dialect A) or below 0 (dialects B and C)";
   const std::pair<std::string, std::string> errors[] = {
       {replaced(kA, "d 2\n", ""),
-       "f.txt:1: d: is missing; it places the image plane, and its sign tells dialect A (d > 0) "
-       "from dialect B (d < 0)"},
+       "f.txt:1: d: is missing; it places the image plane, and its sign distinguishes dialect A "
+       "(d > 0) from dialect B (d < 0)"},
+      {replaced(kA, "d 2", "D 2"),
+       "f.txt:4: D: unknown keyword; d is missing; it places the image plane, and its sign "
+       "distinguishes dialect A (d > 0) from dialect B (d < 0)"},
+      {replaced(kA, "up 0", "upp 0"), "f.txt:3: upp: unknown keyword; up is missing"},
+      {"fog 1\n" + replaced(kA, "res 16 9\n", ""), "f.txt:1: fog: unknown keyword; res is missing"},
       {replaced(kA, "d 2", "d -0"), "f.txt:4: d = -0" + std::string(kNoSign)},
       {replaced(kA, "d 2", "d nan"), "f.txt:4: d = nan" + std::string(kNoSign)},
       {replaced(kC, "-2", "2"), "f.txt:1: d = 2: dialect C needs d < 0"},
@@ -122,7 +127,7 @@ TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
       {replaced(kA, "eye 0 0 4", "eye 0 \x01 4"), "f.txt:1: eye[1] = \\x01: is not a number"},
       {kA + "sphere 1 2 3\n", "f.txt:7: sphere = 1 2 3: needs 4 numbers, has 3"},
       {kA + "sphere 1 2 3 r\n", "f.txt:7: sphere[3] = r: is not a number"},
-      {replaced(kA, "d 2", "d"), "f.txt:4: d = : needs 1 numbers, has 0"},
+      {replaced(kA, "d 2", "d"), "f.txt:4: d = : needs 1 number, has 0"},
       {replaced(kC, " -2", ""), "f.txt:1: camera = 0 0 4 0 0 0 0 1 0: needs 10 numbers, has 9"},
       {replaced(kA, "res 16 9", "res 16.0 9"),
        "f.txt:6: res[0] = 16.0: is not a whole number of pixels"}};
@@ -130,14 +135,16 @@ TEST(ReadDriverFile, NamesFileLineFieldAndValueOfErrors) {
 }
 
 TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
-  EXPECT_EQ(error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
-            "f.txt:5: bounds = -1 -1 1 1: has no area in dialect B's order (left right bottom "
-            "top), but has one in dialect A's (left bottom right top): reorder the numbers; "
-            "dialect A needs d > 0");
-  EXPECT_EQ(error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
-            "f.txt:5: bounds = -1 1 -1 1: has no area in dialect A's order (left bottom right "
-            "top), but has one in dialect B's (left right bottom top): reorder the numbers; "
-            "dialect B needs d < 0");
+  EXPECT_EQ(
+      error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
+      "f.txt:5: bounds = -1 -1 1 1: have no area in the order of dialect B (left right bottom "
+      "top), but have one in that of dialect A (left bottom right top): reorder the numbers; "
+      "dialect A needs d > 0");
+  EXPECT_EQ(
+      error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
+      "f.txt:5: bounds = -1 1 -1 1: have no area in the order of dialect A (left bottom right "
+      "top), but have one in that of dialect B (left right bottom top): reorder the numbers; "
+      "dialect B needs d < 0");
   EXPECT_EQ(error_of(kView + "d 2\nbounds 1 1 1 1\nres 2 2\n"),
             "f.txt:5: camera.right = 1: equals left, so the image has no width\n"
             "f.txt:5: camera.top = 1: equals bottom, so the image has no height");
@@ -152,13 +159,13 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
     EXPECT_EQ(error_of(text).substr(0, 9 + std::string(keyword).size() + 12),
               std::string("f.txt:1: ") + keyword + ": is missing");
   }
-  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
+  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:2: bound: unknown keyword; bounds is missing");
 }
 
 TEST(ReadDriverFile, RefusesOtherKindsOfFiles) {
   const std::string kOther = ": not a driver file; the name of a TOML file must end in .toml";
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nres 2 2\n"),
-            "f.txt:1: eye: is missing");
+            "f.txt:1: b: unknown keyword; eye is missing");
   EXPECT_EQ(error_of("b 0 0 0\nv\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nresolution 2 2\n"),
             "f.txt:1: first words = b, v, from" + kOther);
   EXPECT_EQ(error_of("\x7f"

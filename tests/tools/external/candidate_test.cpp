@@ -176,7 +176,8 @@ TEST(Candidate, can_read_folders_and_headers_given_by_options) {
     if (is_in_bubblewrap()) {
       const Outcome hidden = run(words);
       EXPECT_EQ(hidden.exit_code, 2) << candidate << hidden.out;
-      expect_parts(hidden.err, {"--read DIR adds a folder, and --include DIR a folder of headers"});
+      expect_parts(hidden.err,
+                   {"add a folder by --read DIR, or a folder of headers by --include DIR"});
     }
   }
   run("check " + kRays + " --candidate 'source:" + source + "' --include /no/such", 2);
@@ -199,6 +200,23 @@ std::string refusal_of(const std::string& candidate, const std::string& more = "
   return run("check " + kRays + " --candidate '" + candidate + "' " + more, 2).err;
 }
 
+TEST(Candidate, in_Python_reports_its_errors_with_their_lines) {
+  const auto candidate = [](const std::string& lines) {
+    return "command:python3 " +
+           temporary_file("mistaken.py", "import raycheck_candidate as rc\n" + lines);
+  };
+  const json report = judged(kRays, candidate("def intersect(ray, sphere, conventions):\n"
+                                              "    return 1 / 0\n"
+                                              "rc.run('mine', intersect=intersect)\n"));
+  expect_parts(
+      report["worst"].dump(),
+      {"intersect: it failed: ZeroDivisionError: division by zero (", "mistaken.py, line 3)"});
+  expect_parts(refusal_of(candidate("rc.run('mine', interset=None)\n")),
+               {"no such function: interset; the functions are frame, pixel_point"});
+  expect_parts(refusal_of(candidate("print('hello')\nrc.run('mine', nearest=None)\n")),
+               {"its first line is 'hello', not 'raycheck 1 NAME'"});
+}
+
 TEST(Candidate, in_JavaScript_reports_its_errors) {
   if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
   const std::string folder = temporary_folder("wrong-javascript");
@@ -210,7 +228,7 @@ TEST(Candidate, in_JavaScript_reports_its_errors) {
     return "command:node " + folder + "/it.mjs";
   };
   expect_parts(refusal_of(candidate("throw new Error('no library')")),
-               {"it exited with 1; it said: Error: no library\n"});
+               {"it exited with 1; it printed: Error: no library\n"});
   for (const auto& [roots, wrong] : {std::pair("5", "5"), {"{ tmin: 1 }", "tmin"}, {"0", "0"}}) {
     expect_parts(refusal_of(candidate(std::string("run('it', { intersect: () => null, roots: ") +
                                       roots + " })")),
@@ -240,7 +258,7 @@ TEST(Candidate, is_reported_with_the_limit_that_it_met_and_its_last_message) {
   const std::string thread = says(
       "Exception in thread main java.lang.OutOfMemoryError: unable to create native thread: "
       "possibly out of memory\\n\\tat Mine.main(Mine.java:3)");
-  expect_parts(thread, {"it said: Exception in thread main",
+  expect_parts(thread, {"it printed: Exception in thread main",
                         "it may have at most 64 processes and threads"});
   EXPECT_FALSE(has(thread, "MiB of memory"));
   expect_parts(says("MemoryError"), {"at most 4096 MiB of memory (--memory)"});
@@ -354,8 +372,9 @@ TEST(Candidate, that_does_not_build_or_has_unknown_functions_or_declarations_is_
   for (const auto& [text, why] :
        {std::pair<std::string, const char*>("int main( {\n", "error: "),
         {"int x;\n", "raycheck_candidate_functions"},
-        {declaring + ".rows = static_cast<Rows>(7))\n", "no such rows: 7"},
-        {declaring + ".precision = static_cast<Precision>(7))\n", "no such precision: 7"}}) {
+        {declaring + ".rows = static_cast<Rows>(7))\n", "unknown value of rows: 7"},
+        {declaring + ".precision = static_cast<Precision>(7))\n",
+         "unknown value of precision: 7"}}) {
     const std::string source = temporary_file("broken.cpp", text);
     expect_refused("check " + kRays + " --candidate source:" + source, why);
   }

@@ -23,6 +23,17 @@ TEST(OthersStress, are_judged_stage_by_stage) {
   }
 }
 
+TEST(OthersStress, that_fail_are_reported_with_the_first_failure) {
+  const std::string candidate = " --candidate '" + kFailing + "exit all'";
+  const std::string failed = " failed, first: intersect: it exited with 3\n";
+  expect_parts(run("stress --family distance --severity 0 --cases 10" + candidate, 1).out,
+               {" on distance (intersections): ", " answers" + failed});
+  expect_parts(run("tradeoff --family distance --cases 10" + candidate).out,
+               {" (intersections): ", " answers" + failed});
+  expect_parts(run("worst --cases 10 --steps 0 --family distance" + candidate, 1).out,
+               {"first: intersect: it exited with 3\n", "nothing was measured"});
+}
+
 TEST(OthersWorst, are_searched_by_the_stage_of_the_quantity) {
   const std::string few = "worst --cases 20 --steps 20 --family ";
   const json s = report_of(few + "distance", right_library(), 0);

@@ -39,7 +39,7 @@ TEST(Introduction, ThatIsInvalidIsRefusedWithItsLine) {
   std::vector<std::pair<std::string, std::string>> wrong = {
       {"", "introduce"},
       {"hello\n", "line 1"},
-      {"raycheck 2 mine\n", "another version"},
+      {"raycheck 2 mine\n", "has the version 2, not 1"},
       {mine + "function fly\n", "line 2"},
       {mine + "convention rows up\n", "unknown convention"},
       {mine + "level easy\n", "unknown level"},
@@ -74,7 +74,7 @@ TEST(Reply, ThatIsInvalidIsRefusedWithAReason) {
        {std::pair("0 0 1 2 3\n", "line 2 of its reply has too few words"),
         {"0 0 1 2 3 4 5\n", "too many words"},
         {"0 0 1 2 3 four\n", "not a number"},
-        {"2 0 1 2 3 4\n", "index 2, but there are only 2"},
+        {"2 0 1 2 3 4\n", "index 2, which must be below 2"},
         {"-1 0 1 2 3 4\n", "negative index"},
         {"0 0 1 2 3 4\n0 0 1 2 3 4\n", "two hits"}}) {
     const std::string said = thrown_by<std::runtime_error>(

@@ -41,16 +41,16 @@ TEST(Renderer, without_a_picture_fails_with_the_reason) {
     expect_parts(report["worst"].dump(), {what});
   };
   expect_said("transposed", "26 x 40 pixels, the scene 40 x 26: width and height are exchanged");
-  expect_said("no-picture", "it succeeded, but wrote no picture");
+  expect_said("no-picture", "it exited with 0, but did not write its picture, image.ppm");
   expect_said("huge", "its picture has 8192 x 8192 pixels, the scene 40 x 26");
   expect_said("half", "its PPM lacks a number, or ends too early");
   expect_said("crash", "exited with 1");
   expect_said("hang", "did not end, and used almost no CPU time for 1 s");
-  expect_said("link", "its picture {image} is not a file");
+  expect_said("link", "its picture image.ppm is not a file");
   const Outcome none =
       run("check " + kProbeScene + " --candidate '" + renderer("no-picture") + "'", 1);
   expect_parts(none.out, {"0 of 1040 rays judged\n", "; no single question that fails was found\n",
-                          "no answer: image: it succeeded, but wrote no picture to {image}",
+                          "no answer: image: it exited with 0, but did not write its picture, image.ppm",
                           ": a renderer is judged only by its pictures\n"});
 }
 

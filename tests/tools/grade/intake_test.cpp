@@ -138,7 +138,7 @@ const std::vector<Brought> kBuilt = {
     {"has_two_mains_of_which_the_likeliest_is_taken",
      with(kSources, {{"another.cpp", "int main() { return 1; }\n"}}),
      "",
-     {"2 of its files have a main; the one in rt.cpp is used"}},
+     {"2 of its files have a main function; that of rt.cpp is used"}},
     {"has_a_source_that_does_not_compile_and_that_nothing_includes",
      with(kSources, {{"attempt.cpp", "this is not C++\n"}}),
      "",
@@ -204,7 +204,7 @@ const std::vector<Brought> kBuilt = {
 const Files kMakesWhatFails = {
     {"Makefile", "check:\n\techo 'int main() { return 3; }' > check.c\n\tgcc -o check check.c\n"}};
 constexpr const char* kNoPicture =
-    "it succeeded, but wrote no picture to {image}; it said: no such key";
+    "it exited with 0, but did not write its picture, image.ppm; it printed: no such key";
 const std::string kLimits =
     "[limits]\nfile_mib = 1\nprocesses = 8\nmemory_mib = 300\nsubmission_mib = 1\nfiles = 3\n";
 
@@ -217,12 +217,13 @@ const std::vector<Brought> kRefused = {
     // The Makefile's program fails; the program built from sources makes no picture.
     refused("is_built_in_several_ways_of_which_the_one_that_comes_farthest_is_quoted",
             with(kMakesWhatFails, {{"rt.c", kNoSuchKey}}), {kNoPicture}, "",
-            {"what was built from its Makefile shows no spheres; built from its sources instead"}),
+            {"the program built from its Makefile shows no spheres; it was built from its sources "
+             "instead"}),
     refused("is_built_in_several_ways_of_which_the_first_is_quoted_where_none_comes_farther",
             with(kMakesWhatFails, {{"rt.c", "int main() { return 4; }\n"}}), {"it exited with 3"}),
     refused("is_a_program_of_windows", {{"rt.exe", "MZ"}}, {"rt.exe is a Windows program"}),
     refused("has_no_main", {{"vec.cpp", "int one() { return 1; }\n"}},
-            {"none of its sources starts a program"}),
+            {"none of its source files has a main function"}),
     refused("does_not_compile", {{"rt.cpp", "int main() { return 0 }\n"}},
             {"'g++ -O2 -std=c++20 rt.cpp' exited with 1", "error: expected"}),
     refused("cannot_be_made", {{"Makefile", "rt: missing.cpp\n"}},
@@ -231,14 +232,15 @@ const std::vector<Brought> kRefused = {
             {{"Makefile", "rt:\n\t@for k in $$(seq 60); do echo line $$k; done; false\n"}},
             {"line 1\n", "line 12\n... ", " lines left out ...\n", "line 60\n"}),
     refused("says_something_in_place_of_a_picture", {{"rt.sh", "echo 'usage: rt WIDTH HEIGHT'\n"}},
-            {"it succeeded, but wrote no picture to {image}; it said: usage: rt WIDTH HEIGHT"}),
+            {"it exited with 0, but did not write its picture, image.ppm; it printed: usage: rt "
+             "WIDTH HEIGHT"}),
     refused("ends_with_an_error", {{"rt.sh", "echo 'line 3:' >&2\necho 'what?' >&2\nexit 1\n"}},
             {"it exited with 1\nline 3:\nwhat?"}),
     refused("reads_whole_numbers_only",
             {{"rt.sh",
               "awk '/[0-9]\\.[0-9]|e-/ { print \"not whole: \" $0; exit 1 }' \"$1\" >&2 || exit 1\n"
               "{ echo P3 25 25 255; yes 1 2 3 | head -n 625; } > \"$2\"\n"}},
-            {"it reads numbers as integers, and fails where one has a fraction", "not whole: "}),
+            {"it reads numbers as integers, and fails if a number has a fraction", "not whole: "}),
     refused("writes_too_large_a_file",
             {{"rt.c",
               "#include <stdio.h>\nint main() { FILE* f = fopen(\"image.ppm\", \"w\");\n"
@@ -256,9 +258,9 @@ const std::vector<Brought> kRefused = {
               "    threading.Thread(target=time.sleep, args=(1,), daemon=True).start()\n"}},
             {"it may have at most 8 processes and threads (processes)"}, kLimits),
     refused("is_too_large", {{"rt.py", std::string(2 << 20, ' ')}},
-            {"it has more than 1 MiB (submission_mib)"}, kLimits),
+            {"it has more than 1 MiB (limits.submission_mib)"}, kLimits),
     refused("has_too_many_files", {{"1.py", ""}, {"2.py", ""}, {"3.py", ""}, {"4.py", ""}},
-            {"it has more than 3 files (files)"}, kLimits),
+            {"it has more than 3 files (limits.files)"}, kLimits),
     refused("is_built_too_slowly", {{"Makefile", "rt:\n\tsleep 30\n"}},
             {"did not end, and used almost no CPU time for 1 s (build_seconds)"},
             "[limits]\nbuild_seconds = 1\n")};
@@ -341,7 +343,8 @@ TEST_F(LongIntake, gives_the_same_grades_from_the_store) {
   grade_brought(grading, {"other"});
   const json other = grading.result("other");
   EXPECT_EQ(other["notes"][1],
-            "what was built from its Makefile shows no spheres; built from its sources instead");
+            "the program built from its Makefile shows no spheres; it was built from its sources "
+            "instead");
   expect_parts(other["program"], {"./raycheck-built "});
   grade_brought(grading, {"other"}, "title = \"again\"\n");
   const json again = grading.result("other");

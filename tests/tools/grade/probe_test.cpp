@@ -116,7 +116,7 @@ TEST_F(Probe, reports_what_is_wrong_with_a_picture_and_the_programs_output) {
        grading_.hand_in("empty", "rt.sh", kEmptyPicture),
        grading_.hand_in("other", "rt.sh", kOtherSize), grading_.hand_in("sky", "rt.sh", kSky)},
       one_form());
-  EXPECT_EQ(all[0]["refused"]["why"], "it succeeded, but wrote no picture to {image}");
+  EXPECT_EQ(all[0]["refused"]["why"], "it exited with 0, but did not write its picture, image.ppm");
   EXPECT_EQ(all[0]["refused"]["said"], "first words\nlast words");
   ASSERT_FALSE(all[1]["refused"].is_null());
   expect_parts(all[1]["refused"].dump(), {"wrote it"});
@@ -137,8 +137,8 @@ TEST_F(Probe, logs_progress_without_a_terminal_and_retries_programs_that_only_wa
       probe(one_form("2019", "reply_seconds = 1\n"),
             {grading_.hand_in("draws", "rt.py", renderer_in_python()), waits}, "--format json");
   EXPECT_EQ(outcome.err,
-            "submissions: 1 of 2 tried: draws\nsubmissions: 2 of 2 tried: waits\n"
-            "submissions: tried again, alone: waits\n");
+            "submissions: 1 of 2 done: draws\nsubmissions: 2 of 2 done: waits\n"
+            "submissions: waits: repeated, with no other submission running\n");
   EXPECT_EQ(json::parse(outcome.out)["submissions"][1]["refused"]["why"],
             "it did not end, and used almost no CPU time for 1 s (reply_seconds)");
 }

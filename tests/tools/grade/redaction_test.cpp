@@ -214,7 +214,7 @@ TEST(Redaction, does_not_name_hidden_items) {
   EXPECT_EQ(item(grading.result("mine"), "open")["reason"]["item"], "covert");
   const std::string text = given_to_student(grading, "mine");
   EXPECT_FALSE(has(text, "covert"));
-  expect_parts(text, {"left out: it needs another item to have all points"});
+  expect_parts(text, {"left out: another item must have all points first"});
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ TEST(Results, of_a_class_have_the_format_of_each_system) {
     return grading.grade(rubric, folders, "out", std::string("--format ") + format).out;
   };
   const std::string printed = graded("gradescope");
-  expect_parts(printed, {"4 submissions graded"});
+  expect_parts(printed, {"3 of 4 submissions graded; 1 could not be judged"});
   expect_gradescope(grading);
   // The grades are those of the previous run; only the format of the files differs.
   graded("prairielearn");
@@ -122,7 +122,7 @@ TEST(ClassResults, show_the_points_for_submissions_that_could_not_be_judged) {
   const std::string right = grading.submit_built("right", "rays.cpp", "none");
   expect_parts(grading.grade(rubric, {broken, right}, "out", "--format gradescope").out,
                {"broken      25 of 100  could not be judged: ", "right      100 of 100, bonus 10\n",
-                "2 submissions graded, 1 could not be judged"});
+                "1 of 2 submissions graded; 1 could not be judged"});
   EXPECT_EQ(results(grading, "broken")["score"], 25);
   expect_parts(results(grading, "broken")["output"], {"could not be judged"});
   expect_parts(grading.file("", "grades.csv"), {"\nbroken,25,100,,,"});
@@ -210,8 +210,8 @@ TEST(ClassResults, rank_mistakes_by_students_and_separate_unjudged_submissions) 
        grading.submit_built("bob", "rays.cpp", "far_root"),
        grading.submit_built("cleo", "rt.cpp", "mirrored"), grading.submit_broken("dan"),
        grading.submit_built("eve", "rays.cpp", "far_root")});
-  expect_parts(outcome.out, {"could not be judged: g++ exited with 1\n",
-                             "5 submissions graded, 1 could not be judged (built in "});
+  expect_parts(outcome.out, {"could not be judged: g++ exited with 1\n", "/dan/report.html\n",
+                             "4 of 5 submissions graded; 1 could not be judged (built in "});
   const std::string page = grading.file("", "index.html");
   const std::size_t first = page.find(
       "<span class=\"name\">the far root is taken for the near one"

@@ -87,8 +87,8 @@ TEST_F(RubricKeys, requires_leaves_out_dependent_items) {
   EXPECT_EQ(item(result, "later")["reason"],
             json({{"kind", "needs"}, {"item", "after"}, {"state", "left out"}}));
   const std::string page = grading.file("u_flipped", "report.html");
-  expect_parts(page, {"left out: it needs &#39;frame&#39;, which fails<",
-                      "left out: it needs &#39;after&#39;, which is left out<"});
+  expect_parts(page, {"left out: &#39;frame&#39; must have all points first, but fails<",
+                      "left out: &#39;after&#39; must have all points first, but is left out<"});
   expect_values(result, {{"score", 4}, {"points", 29}});
 }
 
@@ -192,7 +192,7 @@ TEST(RubricCommand, copies_a_rubric_with_its_scenes_and_overwrites_nothing) {
             "wrote " + out + "/lecture7.toml and " + std::to_string(scenes) + " scenes\n");
   grading.write("copy/of/it/lecture7.toml", "mine");
   const Outcome again = run("rubric lecture7.toml --out '" + out + "'", 2);
-  expect_parts(again.err, {"out " + out + ": lecture7", " exists already"});
+  expect_parts(again.err, {"out " + out + ": lecture7", " already exists there"});
   EXPECT_EQ(contents(out + "/lecture7.toml"), "mine");
 }
 

@@ -116,7 +116,7 @@ sys.exit(3 if asked == open(first).read() else 0)
     return grading.write("any.toml", text);
   };
   const json first = graded(of_any_form(10), {program})["submissions"][0];
-  EXPECT_EQ(first["refused"]["why"], "it succeeded, but wrote no picture to {image}")
+  EXPECT_EQ(first["refused"]["why"], "it exited with 0, but did not write its picture, image.ppm")
       << first.dump(2);
   EXPECT_EQ(first["refused"]["said"], "one line\nanother");
   const std::size_t starts = lines("starts");

@@ -57,9 +57,9 @@ TEST_F(Unsaid, cases_leave_the_total_and_every_page_shows_their_number) {
   EXPECT_EQ(item(result, "none")["unsaid"], 1);
   EXPECT_EQ(item(result, "none")["state"], "not asked");
   EXPECT_EQ(item(result, "none")["reason"]["kind"], "cannot be said");
-  const std::string kAll = "2 of 3 cases cannot be written in its input format";
+  const std::string kAll = "2 of 3 cases cannot be written in the input format of the program";
   expect_parts(grading.file("right", "report.html"),
-               {kAll, "; 1 further case cannot be written in its input format"});
+               {kAll, "; 1 further case cannot be written in the input format of the program"});
   expect_parts(contents(grading.path("out/index.html")), {kAll});
   expect_parts(outcome_.out, {kAll});
 }

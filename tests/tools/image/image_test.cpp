@@ -226,7 +226,7 @@ TEST(Image, replaces_an_older_picture_and_warns_about_the_scene) {
       temporary_file("foggy.txt", contents(example("driver-a.txt")) + "fog 1\n");
   const Outcome result = run("image " + scene + " --dialect A --out " + path, 0);
   expect_parts(result.err, {"warning", "fog: unknown keyword, ignored"});
-  EXPECT_TRUE(has(result.out, "written to " + path));
+  EXPECT_TRUE(has(result.out, "wrote " + path));
   EXPECT_EQ(read_picture(path).width, 16);
 }
 

@@ -178,9 +178,9 @@ TEST_F(Merge, does_not_overwrite_its_input) {
   for (const std::string& written :
        {"--report json=" + file, "--view " + file, "--report junit=" + folder + "/new.xml",
         "--report json=" + folder + "//./campaign.json"}) {
-    expect_refused("merge " + folder + " " + written, "a campaign's folder of units");
+    expect_refused("merge " + folder + " " + written, "the folder of a campaign's units");
   }
-  expect_refused("merge " + folder + "/ --report json=" + file, "a campaign's folder of units");
+  expect_refused("merge " + folder + "/ --report json=" + file, "the folder of a campaign's units");
   EXPECT_EQ(contents(file), whole);
   run("merge " + folder, 0);
 }
@@ -201,8 +201,9 @@ TEST_F(Merge, names_files_of_another_campaign) {
   fs::copy_file(units_in(other)[0], units_in(folder)[0], fs::copy_options::overwrite_existing);
   expect_refused("merge " + folder, "is truncated or was changed");
   expect_refused("merge " + fresh_folder("nowhere"), "there is no such folder");
-  expect_refused("merge tests", "tests: has no units of a campaign");
-  // The folder has the name of an option.
+  expect_refused("merge tests",
+                 "tests: is not a folder that a campaign wrote: campaign.json is missing");
+  // A folder named like an option.
   expect_refused("merge format", "raycheck: format: there is no such folder");
 }
 

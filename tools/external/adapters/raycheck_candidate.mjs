@@ -149,7 +149,7 @@ export async function run(name, given) {
   if (directions) said.push(`directions ${directions}`);
   if (returns !== "hit") said.push(`returns ${returns}`);
   const lines = linesOf(process.stdin);
-  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: not started by raycheck: expected 'raycheck 1' on standard input");
+  if (!(await lines.next()).value?.startsWith("raycheck ")) throw new Error("raycheck_candidate.run: started without raycheck: 'raycheck 1' is missing on standard input");
   reply(`${[...said, "ready"].join("\n")}\n`);
   for (let first = await lines.next(); !first.done; first = await lines.next()) {
     const request = await readRequest(lines, first.value);

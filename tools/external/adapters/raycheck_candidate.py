@@ -32,6 +32,7 @@ for a vector, "class" for True or False; None and False are misses.
 Output of the functions goes to standard error. The protocol is that of docs/candidates.md.
 """
 import collections
+import os
 import sys
 
 Camera = collections.namedtuple(
@@ -133,17 +134,30 @@ def _answer(functions, returns, request):
     return [_line(function(request["camera"], asked, pixel)) for pixel in request["pixels"]]
 
 
+def _place(error):
+    """" (rays.py, line 3)": where the program's code failed, or where it called other code."""
+    folder = os.path.dirname(os.path.abspath(sys.argv[0]))
+    place, step = "", error.__traceback__
+    while step:
+        path = os.path.abspath(step.tb_frame.f_code.co_filename)
+        if os.path.dirname(path) == folder and path != os.path.abspath(__file__):
+            place = f" ({os.path.basename(path)}, line {step.tb_lineno})"
+        step = step.tb_next
+    return place
+
+
 def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, level=None,
         lengths=None, precision=None, roots=None, directions=None, returns="hit", **functions):
     """Answers raycheck until it has no more requests."""
     unknown = set(functions) - set(_FUNCTIONS)
     if unknown:
-        sys.exit(f"raycheck_candidate.run: no such function: {', '.join(sorted(unknown))}")
+        sys.exit(f"raycheck_candidate.run: no such function: {', '.join(sorted(unknown))}; "
+                 f"the functions are {', '.join(_FUNCTIONS)}")
     replies, sys.stdout = sys.stdout, sys.stderr
     lines = iter(sys.stdin)
     if not next(lines, "").startswith("raycheck "):
-        sys.exit("raycheck_candidate.run: not started by raycheck: "
-                 "expected 'raycheck 1' on standard input")
+        sys.exit("raycheck_candidate.run: started without raycheck: "
+                 "'raycheck 1' is missing on standard input")
     declared = {"rows": rows, "samples": samples, "origin": origin, "root": root,
                 "tangent": tangent}
     said = [f"raycheck 1 {name}"]
@@ -164,7 +178,7 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
         try:
             body = _answer(functions, returns, request)
             last = f"end {request['id']}"
-        except Exception as error:  # raised by the functions: its message belongs in the report
-            said = " ".join(f"{type(error).__name__}: {error}".split())
+        except Exception as error:  # of the functions: its message belongs in the report
+            said = " ".join(f"{type(error).__name__}: {error}{_place(error)}".split())
             body, last = [], f"error {request['id']} {said}"
         print("\n".join([f"reply {request['id']}"] + body + [last]), file=replies, flush=True)

@@ -71,7 +71,7 @@ class DryRunner {
     }
     if (!chosen.made->ended.empty()) {
       found.notes.push_back(
-          fmt::format("it makes its picture, and then it {}", chosen.made->ended));
+          fmt::format("it makes its picture, but then it {}", chosen.made->ended));
     }
     if (!chosen.reads()) {
       if (chosen.made->picture.pixels.empty()) return found;
@@ -221,7 +221,7 @@ class DryRunner {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
     const double needed = again.seconds > seconds ? again.seconds : passed.count();
     found.needed_seconds = needed;
-    return {fmt::format("it needs more time: {:.1f} s for a picture of {} x {} pixels, where "
+    return {fmt::format("it needs more time: {:.1f} s for a picture of {} x {} pixels, but "
                         "reply_seconds allows {}",
                         needed, scene_.camera->width, scene_.camera->height, seconds),
             {}};
@@ -287,7 +287,7 @@ class DryRunner {
   }
   static Refusal by_fractions(const Attempt& failed) {
     const auto& [why, said] = failed.failure;
-    return {"it reads numbers as integers, and fails where one has a fraction",
+    return {"it reads numbers as integers, and fails if a number has a fraction",
             said.empty() ? why : said};
   }
 

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 std::string read_made(const fs::path& path, std::uint64_t most) {
   struct stat status {};
   if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
-    throw PictureError("its picture {image} is not a file");
+    throw PictureError(fmt::format("its picture {} is not a file", kImageFile));
   }
   // If the program made the file unreadable, the machine is not at fault.
   chmod(path.c_str(), S_IRUSR | S_IWUSR);
@@ -174,8 +174,9 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
         fmt::format("it {}{}", failure->why(), limit_text(process.error_output(), program.limits)),
         said);
   }
-  throw ProcessFailure(FailureKind::kBadReply, "it succeeded, but wrote no picture to {image}",
-                       said);
+  throw ProcessFailure(
+      FailureKind::kBadReply,
+      fmt::format("it exited with 0, but did not write its picture, {}", kImageFile), said);
 }
 
 }  // namespace

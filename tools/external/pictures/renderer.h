@@ -14,7 +14,7 @@
 
 namespace raycheck::tools {
 
-/// The number of time-outs after which a candidate is dropped.
+/// A candidate is dropped when its time-outs add up to this number of full time limits.
 inline constexpr int kMostTimeouts = 3;
 
 /// A picture may have at most this many pixels, whatever the size of the scene.
@@ -39,8 +39,8 @@ struct Renderer {
   DriverForm driver = {};
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
-  double threshold = 0;                      ///< Hits whose s is at most this are not judged.
-  std::optional<scene::Origin> origin = {};  ///< The origin of its rays; empty: as the scene says.
+  double threshold = 0;  ///< Wrong pixels with an exact s of at most this are excused.
+  std::optional<scene::Origin> origin = {};  ///< Where its rays start; empty: as the scene says.
   /// The number of time-outs after which it is no longer started.
   int most_timeouts = kMostTimeouts;
   std::shared_ptr<AnswerStore> answers = std::make_shared<AnswerStore>();

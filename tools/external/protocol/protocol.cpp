@@ -30,7 +30,7 @@ std::size_t index(Words& words, std::size_t count) {
   const std::int64_t value = words.integer();
   if (value < 0) words.fail("has a negative index");
   if (static_cast<std::uint64_t>(value) >= count) {
-    words.fail(fmt::format("has index {}, but there are only {}", value, count));
+    words.fail(fmt::format("has the index {}, which must be below {}", value, count));
   }
   return static_cast<std::size_t>(value);
 }
@@ -117,15 +117,19 @@ Introduction parse_introduction(std::string_view text) {
     Words words(lines[k], k + 1);
     const std::string_view kind = words.word();
     if (k == 0) {
-      if (kind != "raycheck") words.fail("does not begin with 'raycheck 1'");
-      if (words.word() != std::to_string(kProtocolVersion)) words.fail("has another version");
+      if (kind != "raycheck") words.fail("is not 'raycheck 1 NAME'");
+      const std::string_view version = words.word();
+      if (version != std::to_string(kProtocolVersion)) {
+        words.fail(fmt::format("has the version {}, not {}", shown(version), kProtocolVersion));
+      }
       introduction.name = words.word();
     } else {
       read_statement(kind, words, introduction);
     }
     words.end();
   }
-  if (lines.size() < 2) throw ProtocolError("it did not introduce itself with 'raycheck 1 NAME'");
+  if (lines.size() < 2)
+    throw ProtocolError("it did not introduce itself: 'raycheck 1 NAME' is missing");
   return introduction;
 }
 
@@ -184,7 +188,8 @@ Reply::Reply(std::string_view text, std::string_view id) : lines_(lines_of(text)
   if (!lines_.empty() && lines_.back().starts_with("error ")) {
     const std::size_t message = std::string_view("error ").size() + id.size() + 1;
     const std::string_view line = lines_.back();
-    throw ProtocolError("it says: " + shown(line.substr(std::min(message, line.size()))));
+    throw ProtocolError("it failed: " +
+                        shown(line.substr(std::min(message, line.size())), kShownError));
   }
   if (lines_.size() < 2 || lines_.front() != fmt::format("reply {}", id)) {
     throw ProtocolError(fmt::format("its reply begins with '{}', not with 'reply' and the id",

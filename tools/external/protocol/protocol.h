@@ -40,6 +40,8 @@ struct Introduction {
 inline constexpr std::string_view kGreeting = "raycheck 1\n";
 inline constexpr std::string_view kReady = "ready";
 inline constexpr std::size_t kMostIntroduction = 4096;  ///< bytes
+/// Whether the first line of a program's output can begin an introduction.
+inline bool begins_introduction(std::string_view line) { return line.starts_with("raycheck "); }
 Introduction parse_introduction(std::string_view text);
 
 /// The line "roots ENDS T_MIN T_MAX UNIT CULLING".

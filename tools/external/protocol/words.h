@@ -46,13 +46,15 @@ class ProtocolError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The beginning of a line, for error messages, without terminal control sequences.
-inline std::string shown(std::string_view line) {
-  constexpr std::size_t kShown = 60;
-  std::string text(line.substr(0, kShown));
+/// The most characters shown of a line, and of an error's message.
+inline constexpr std::size_t kShownLine = 60, kShownError = 200;
+
+/// A line for error messages, without terminal control sequences.
+inline std::string shown(std::string_view line, std::size_t most = kShownLine) {
+  std::string text(line.substr(0, most));
   std::ranges::replace_if(
       text, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return line.size() > kShown ? text + "..." : text;
+  return line.size() > most ? text + "..." : text;
 }
 
 /// The words of a line, one after the other. Errors: ProtocolError.
@@ -72,7 +74,7 @@ class Words {
     if (!value) fail("has a word that is not a number");
     return *value;
   }
-  std::int64_t integer(const char* otherwise = "has no valid index") {
+  std::int64_t integer(const char* otherwise = "has a word that is not a whole number") {
     const std::string_view text = word();
     std::int64_t value = 0;
     const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value);

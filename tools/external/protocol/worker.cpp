@@ -218,7 +218,7 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
       }
     }
   } else {
-    throw std::invalid_argument("no such function: " + function);
+    throw std::invalid_argument("the candidate has no function " + function);
   }
 }
 
@@ -227,7 +227,8 @@ std::string_view name_in(std::span<const std::string_view> names, std::int32_t v
                          std::string_view what, std::int32_t first = 0) {
   const std::int64_t index = std::int64_t{value} - first;
   if (index < 0 || index >= std::ssize(names)) {
-    give_up("no such " + std::string(what) + ": " + std::to_string(value));
+    give_up("the candidate declares an unknown value of " + std::string(what) + ": " +
+            std::to_string(value));
   }
   return names[static_cast<std::size_t>(index)];
 }
@@ -257,7 +258,7 @@ void introduce_numbers(const raycheck_candidate& candidate, Reply& reply) {
           << " " << v.t_max << " " << name_in(scene::kTUnitNames, v.unit, "unit") << " "
           << name_in(scene::kCullingNames, v.culling, "culling") << "\n";
   } else if (candidate.roots != RAYCHECK_ROOTS_USUAL) {
-    give_up("no such roots: " + std::to_string(candidate.roots));
+    give_up("the candidate declares an unknown value of roots: " + std::to_string(candidate.roots));
   }
 }
 
@@ -299,12 +300,15 @@ const raycheck_candidate& load(const char* path) {
   using Functions = const raycheck_candidate* (*)();
   const auto functions =
       reinterpret_cast<Functions>(dlsym(library, "raycheck_candidate_functions"));
-  if (functions == nullptr) give_up("the library has no raycheck_candidate_functions()");
+  if (functions == nullptr)
+    give_up(
+        "the library has no raycheck_candidate_functions(); in C++, RAYCHECK_CANDIDATE(...) "
+        "defines it");
   const raycheck_candidate* const candidate = functions();
   if (candidate == nullptr) give_up("raycheck_candidate_functions() returns null");
   if (candidate->version < 1 || candidate->version > RAYCHECK_CANDIDATE_VERSION) {
     give_up("the library was built for version " + std::to_string(candidate->version) +
-            " of <raycheck/candidate.h>, raycheck-worker supports versions up to " +
+            " of <raycheck/candidate.h>; raycheck-worker supports versions up to " +
             std::to_string(RAYCHECK_CANDIDATE_VERSION));
   }
   return *candidate;
@@ -321,7 +325,7 @@ int main(int argc, char** argv) {
   raycheck::tools::report_deaths(replies);
   const raycheck_candidate& candidate = load(argv[1]);
   if (std::optional<Words> first = next_line(); !first || first->word() != "raycheck") {
-    give_up("not started by raycheck: expected 'raycheck 1' on standard input");
+    give_up("started without raycheck: 'raycheck 1' is missing on standard input");
   }
   introduce(candidate, reply);
   while (const std::optional<Request> request = read_request()) {

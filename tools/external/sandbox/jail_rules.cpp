@@ -269,7 +269,7 @@ class Ruleset {
 bool keep_to_files(const FileRights& rights) {
   const auto abi = static_cast<int>(
       syscall(SYS_landlock_create_ruleset, nullptr, 0UL, LANDLOCK_CREATE_RULESET_VERSION));
-  if (abi < 1) fail("this kernel has none");
+  if (abi < 1) fail("this kernel has no Landlock");
   const Ruleset rules(handled_by(abi));
   for (const fs::path& path : rights.reads) {
     std::error_code error;

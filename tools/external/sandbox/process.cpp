@@ -98,7 +98,7 @@ std::string last_line_text(const KeptText& error_output) {
   for (char& c : text) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
   }
-  return text.empty() ? "" : "; it said: " + text;
+  return text.empty() ? "" : "; it printed: " + text;
 }
 
 std::string limit_text(const KeptText& error_output, const Limits& limits) {
@@ -125,7 +125,7 @@ std::string limit_text(const KeptText& error_output, const Limits& limits) {
 
 std::string output_text(const std::string& output) {
   if (output.empty()) return "";
-  return (output.find('\n') == std::string::npos ? "; it said: " : "; it said:\n") + output;
+  return (output.find('\n') == std::string::npos ? "; it printed: " : "; it printed:\n") + output;
 }
 
 std::string Process::excerpt() const {

@@ -272,7 +272,7 @@ BuildPlan build_plan(const HandedInFiles& files) {
   if (!foreign.empty()) {
     plan.why_none = foreign + ", and there are no sources to build it from";
   } else if (std::ranges::any_of(files, [](const auto& file) { return is_source(file.first); })) {
-    plan.why_none = "none of its sources starts a program (there is no main function)";
+    plan.why_none = "none of its source files has a main function";
   } else {
     plan.why_none =
         "there is nothing to build or run: no Makefile, no CMakeLists.txt, no sources in C, C++, "

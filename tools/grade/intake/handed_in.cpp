@@ -70,7 +70,7 @@ HandedInPaths paths_of(const fs::path& path, const SubmissionLimits& limits) {
   if (!fs::is_directory(status)) {
     throw std::invalid_argument(
         fs::is_regular_file(status)
-            ? fmt::format("it has more than {} MiB (submission_mib)", limits.submission_mib)
+            ? fmt::format("it has more than {} MiB (limits.submission_mib)", limits.submission_mib)
             : "it is neither a file nor a folder");
   }
   std::uintmax_t bytes = 0;
@@ -82,18 +82,19 @@ HandedInPaths paths_of(const fs::path& path, const SubmissionLimits& limits) {
       } else if (folders.push_back(entry->path().lexically_relative(path).string());
                  folders.size() > limits.files) {
         throw std::invalid_argument(
-            fmt::format("it has more than {} folders (files)", limits.files));
+            fmt::format("it has more than {} folders (limits.files)", limits.files));
       }
     }
     if (!fs::is_regular_file(own) || is_left_behind(entry->path(), false)) continue;
     files.emplace(entry->path().lexically_relative(path).string(), entry->path());
     bytes += entry->file_size();
     if (files.size() > limits.files) {
-      throw std::invalid_argument(fmt::format("it has more than {} files (files)", limits.files));
+      throw std::invalid_argument(
+          fmt::format("it has more than {} files (limits.files)", limits.files));
     }
     if (bytes > most) {
       throw std::invalid_argument(
-          fmt::format("it has more than {} MiB (submission_mib)", limits.submission_mib));
+          fmt::format("it has more than {} MiB (limits.submission_mib)", limits.submission_mib));
     }
   }
   std::ranges::sort(folders);

@@ -25,7 +25,7 @@ struct Submission {
 /// Errors: std::invalid_argument if a path does not exist, two names are equal, or a name is
 /// reserved.
 std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
-                                         const std::vector<std::string_view>& reserved);
+                                         const std::vector<std::string_view>& reserved = {});
 
 /// Throws std::invalid_argument if the folder of results, or a submission's folder in it, is a
 /// submission, contains one or lies in one, also through links. The folder need not exist.

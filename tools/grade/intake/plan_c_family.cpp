@@ -260,7 +260,7 @@ void plan_c_family(const HandedInFiles& files, BuildPlan& plan) {
     if (count == 1) continue;
     for (std::size_t k = first; k < plan.attempts.size(); ++k) {
       plan.attempts[k].notes.push_back(
-          fmt::format("{} of its files have a main; the one in {} is used", count, main));
+          fmt::format("{} of its files have a main function; that of {} is used", count, main));
     }
   }
 }

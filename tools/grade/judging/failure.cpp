@@ -27,14 +27,15 @@ constexpr int kTries = 400;
 constexpr int kTriesOfFailures = 40;
 constexpr int kTriesOfPictures = 60;
 
-/// The step of the computation at which a wrong quantity is computed.
-std::string step_that_gives(properties::Quantity quantity) {
+/// The step of the computation that a wrong quantity points to; empty for a wrong hit class, which
+/// several steps decide: the discriminant, the root and its sign.
+std::optional<std::string> step_that_gives(properties::Quantity quantity) {
   using properties::Quantity;
   switch (quantity) {
     case Quantity::kUnitDefect:
       return std::string(info(Quantity::kDirection).name);
     case Quantity::kClass:
-      return "discriminant";
+      return {};
     case Quantity::kParameter:
       return std::string(info(Quantity::kRoot).name);
     default:

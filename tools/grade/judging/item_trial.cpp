@@ -124,16 +124,42 @@ bool has_hits(Trial& trial) {
   return false;
 }
 
-/// Whether the candidate's answers give a law less to compare than the scene offers.
-bool is_unanswered(const Law& law, Trial& trial) {
-  if (law.per == properties::Per::kImage || !scene_suits(law.needs, trial)) return false;
-  const bool lacks_functions = !what_is_missing(law.needs, trial).empty();
+/// The first function that a law needs and the candidate lacks, "frame()"; empty if there is none.
+std::string missing_function(const Law& law, const Trial& trial) {
+  const Candidate& candidate = trial.candidate();
+  const bool from_pixel = trial.conventions().origin == scene::Origin::kPixel;
+  const auto lacks = [&](Needs need, const auto& function) {
+    return needs_any(law.needs, need) && !function;
+  };
+  if (lacks(Needs::kFrame, candidate.frame)) return "frame()";
+  if (lacks(Needs::kPixelPoints, candidate.pixel_points)) return "pixel_point()";
+  if (lacks(Needs::kBothOrigins, candidate.pixel_rays)) return "pixel_ray()";
+  if (lacks(Needs::kBothOrigins, candidate.focal_rays)) return "focal_ray()";
+  if (trial.scene().camera && needs_any(law.needs, Needs::kRays | Needs::kMadeRays) &&
+      !trial.has_rays()) {
+    return from_pixel ? "pixel_ray()" : "focal_ray()";
+  }
+  if (lacks(Needs::kIntersect, candidate.intersect)) return "intersect()";
+  if (lacks(Needs::kNearest, candidate.nearest)) return "nearest()";
+  return {};
+}
+
+/// Why the candidate's answers give a law less to compare than the scene offers, if they do.
+ItemReason why_unanswered(const Law& law, Trial& trial) {
+  if (law.per == properties::Per::kImage || !scene_suits(law.needs, trial)) return {};
+  ItemReason reason = {.kind = ItemReason::Kind::kUnanswered,
+                       .law = std::string(law.name),
+                       .said = std::string(what_is_missing(law.needs, trial)),
+                       .function = missing_function(law, trial)};
+  const bool lacks_functions = !reason.said.empty();
   // The law "class" also compares misses; laws without a stage compare hits if there are any.
   const bool is_of_class = judges_decisions(law) && law.quantity == properties::Quantity::kClass;
   const bool compares_hits =
       needs_any(law.needs, Needs::kIntersect) || (needs_any(law.needs, Needs::kRays) && !law.stage);
-  if (is_of_class || !compares_hits) return lacks_functions;
-  return has_hits(trial) && (lacks_functions || misses_hits(trial));
+  if (is_of_class || !compares_hits) return lacks_functions ? reason : ItemReason{};
+  if (!has_hits(trial) || !(lacks_functions || misses_hits(trial))) return {};
+  if (!lacks_functions) reason.said = "a hit that is missed or has the wrong root is not compared";
+  return reason;
 }
 
 /// Tries the laws on a case.
@@ -145,9 +171,11 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
   for (const Law* law : laws) {
     Verdict verdict = apply(*law, trial);
     // In pictures every pixel is compared.
-    const bool unanswered = !graded.pictures && verdict.holds() && is_unanswered(*law, trial);
+    ItemReason unanswered;
+    if (!graded.pictures && verdict.holds()) unanswered = why_unanswered(*law, trial);
+    const bool is_unanswered = unanswered.kind != ItemReason::Kind::kNone;
     outcome.compared += verdict.compared();
-    outcome.answers = outcome.answers || verdict.compared() > 0 || unanswered;
+    outcome.answers = outcome.answers || verdict.compared() > 0 || is_unanswered;
     // A renderer with its own colours does not identify the spheres.
     const bool is_untold =
         graded.pictures && !graded.masks_only && the_case.scene.spheres.size() > 1;
@@ -160,10 +188,8 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
       }
     } else if (is_untold && !verdict.reason_left_out().empty()) {
       outcome.unanswered = {.kind = ItemReason::Kind::kOtherColours};
-    } else if (unanswered && outcome.is_answered()) {
-      outcome.unanswered = {.kind = ItemReason::Kind::kUnanswered,
-                            .law = std::string(law->name),
-                            .said = verdict.reason_left_out()};
+    } else if (is_unanswered && outcome.is_answered()) {
+      outcome.unanswered = std::move(unanswered);
     }
     outcome.verdict.merge(std::move(verdict));
   }
@@ -177,7 +203,7 @@ constexpr std::size_t kKeptCases = 8;
 /// After this many cases of an item on which a program fails entirely, or does not end in time, the
 /// others are skipped.
 constexpr int kMostFailures = 8;
-constexpr int kMostSilentCases = 3;
+constexpr int kMostTimedOut = 3;
 
 /// A quantity whose answers are all excused and never right: they earn nothing.
 std::optional<properties::Quantity> never_right(const Verdict& verdict) {

@@ -134,8 +134,7 @@ std::string not_judged(const ClassGrade& graded) {
   const Submissions all = submissions_that(graded, false);
   if (all.empty()) return "";
   std::string html =
-      "<h2>Could not be judged</h2>\n<p>These submissions could not be run: the numbers above do "
-      "not include them.";
+      "<h2>Could not be judged</h2>\n<p>The numbers above do not include these submissions.";
   if (graded.rubric.unjudged > 0) {
     html +=
         fmt::format(" The rubric gives them {:g}% of the points.", 100 * graded.rubric.unjudged);

@@ -15,8 +15,7 @@ std::string gradescope_results(const StudentGrade& grade) {
   json["output_format"] = "text";
   json["output"] = grade.title;
   if (submission.refused) {
-    json["output"] = "could not be judged: your submission could not be run:\n" +
-                     refusal_text(*submission.refused);
+    json["output"] = "your submission could not be judged:\n" + refusal_text(*submission.refused);
   }
   json["tests"] = Json::array();
   for (std::size_t k = 0; k < grade.items.size(); ++k) {

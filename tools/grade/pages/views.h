@@ -52,7 +52,7 @@ std::string report_page(const StudentGrade& grade);
 /// Points with at most two decimals, without trailing zeros: "7", "2.5".
 std::string points_text(double points);
 
-/// "scene frame.toml", "course, random case 7"
+/// "the scene frame.toml", "random case 7 of the source course"
 std::string origin_text(const CaseOrigin& origin);
 
 /// "class, pixel (3, 4), sphere 0: missed"
@@ -63,6 +63,10 @@ std::string exact_text(const WrongAnswer& answer);
 
 /// The reason as a text; empty if there is none.
 std::string reason_text(const ItemReason& reason);
+
+/// What to do about a failing item: the rubric's hint, unless the program fails or lacks a
+/// function.
+std::string hint_text(const Item& item, const ItemGrade& grade);
 
 /// "the far root is taken for the near one; this explains all 12 wrong answers"
 std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake);

@@ -55,8 +55,9 @@ std::string inexpressible_text(const SubmissionGrade& grade) {
     cases += item.cases + item.unsaid;
   }
   if (unsaid == 0) return "";
-  return fmt::format("{} of {} cases cannot be written in its input format and do not count",
-                     unsaid, cases);
+  return fmt::format(
+      "{} of {} cases cannot be written in the input format of the program, and do not count",
+      unsaid, cases);
 }
 
 namespace {

@@ -72,7 +72,7 @@ struct RayAnswers {
 struct FailingCase {
   std::string law;  ///< The name of the law.
   CaseOrigin origin;
-  std::optional<std::string> step;  ///< The first step that goes wrong: "direction".
+  std::optional<std::string> step;  ///< The first step that goes wrong, if known: "direction".
   WrongAnswer answer;
   properties::Case the_case;  ///< For pictures, no pixels means all pixels.
   /// Present if the program drew the case; both pictures have the camera's size.
@@ -123,7 +123,7 @@ struct ItemReason {
     kTimeUp,            ///< The limit for all questions of the submission was reached.
     kInterrupted,       ///< The run was interrupted.
     kOtherColours,      ///< A picture's colours do not identify the spheres.
-    kUnanswered,        ///< The candidate answers less than a law requires.
+    kUnanswered,        ///< The candidate lacks a function, or its hits cannot be compared.
     kNothingToCompare,  ///< There were no cases.
     kNeverRight,        ///< All answers about a quantity are excused; none is right.
     kNothingRuns,       ///< The submission could not be run.
@@ -133,7 +133,8 @@ struct ItemReason {
   std::string item = {};                ///< The item that it needs or follows; empty if withheld.
   ItemState state = ItemState::kFails;  ///< The state of that item.
   double seconds = 0;                   ///< The time limit.
-  std::string law = {}, said = {};      ///< The law that was not answered, and the reason.
+  std::string law = {}, said = {};      ///< The unanswered law, and why it was not answered.
+  std::string function = {};            ///< The missing function, "frame()"; or empty.
   std::string quantity = {};            ///< The quantity without a right answer.
 };
 inline constexpr std::array<std::string_view, 13> kReasonNames = {"",

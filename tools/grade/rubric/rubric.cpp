@@ -210,7 +210,9 @@ class RubricReader {
       }
     }
     if (!file_names_.insert(file_name(result.name)).second) {
-      fields_.fail(name, "has the letters and digits of an earlier item, and so its file names");
+      fields_.fail(name,
+                   "has the same letters and digits as an earlier item, so their files would have "
+                   "the same names");
     }
     names_.insert(result.name);
     const auto tolerance_given = fields_.optional(from, "tolerance");

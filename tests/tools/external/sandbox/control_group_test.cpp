@@ -148,7 +148,7 @@ sys.exit('gained ' + ' '.join(gained) if gained else 'tried %d' % len(folders)))
   expect_parts(group_isolation(candidate), {"control group"});
   const std::string words = candidate["worst"].dump();
   EXPECT_EQ(words.find("gained"), std::string::npos) << words;
-  expect_parts(words, {"it said: tried "});
+  expect_parts(words, {"it printed: tried "});
   EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
   EXPECT_TRUE(delegated.controllers().empty()) << delegated.controllers();
 }
