@@ -129,7 +129,7 @@ External as_it_reads(const External& external, const DriverRule& rule) {
 /// How to let a candidate read a file that it reports as missing.
 std::string hint_of_missing(const CandidateError& error, const Layers& layers) {
   if (!layers.bubblewrap && !layers.landlock) return "";
-  const std::string all = error.why() + error.said();
+  const std::string all = error.why() + error.output();
   // Of compilers and loaders, of Python and of Node.
   for (const char* words : {"No such file or directory", "cannot open shared object file",
                             "No module named", "Cannot find module", "Cannot find package"}) {
@@ -148,7 +148,7 @@ External located(const std::string& what, const RunOptions& options) {
   } catch (const CandidateError& error) {
     const std::string hint = hint_of_missing(error, options.layers);
     if (hint.empty()) throw;
-    throw CandidateError(error.why() + hint, error.said(), spec.text());
+    throw CandidateError(error.why() + hint, error.output(), spec.text());
   }
 }
 

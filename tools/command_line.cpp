@@ -155,7 +155,7 @@ std::string error_message(const std::exception& error, const CLI::App& command,
   }
   if (const auto* file = dynamic_cast<const fs::filesystem_error*>(&error)) {
     return fmt::format(
-        "{}: cannot be read or written: {}; change its permissions, or give another file",
+        "{}: cannot be read or written: {}; make it accessible, or give another file",
         file->path1().string(), file->code().message());
   }
   const auto* input = dynamic_cast<const scene::InvalidInput*>(&error);

@@ -49,8 +49,8 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
   const scene::Pixel pixel = {parse_index(option, scene::shortest(at[0]), 0),
                               parse_index(option, scene::shortest(at[1]), 0)};
   if (!scene.camera) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: {} has given rays and no camera, so no pixels", option, text, path));
+    throw std::invalid_argument(fmt::format(
+        "{} {}: {} has rays instead of a camera, so it has no pixels", option, text, path));
   }
   const scene::Camera& camera = *scene.camera;
   if (pixel.i >= camera.width || pixel.j >= camera.height) {
@@ -77,14 +77,17 @@ std::optional<DriverRule> parse_driver(const std::string& text) {
 }
 
 void add_dialect(CLI::App& command, std::string& dialect) {
-  command.add_option("--dialect", dialect, "of a driver file: A, B or C, or a year, 2017 to 2020");
+  command.add_option(
+      "--dialect", dialect,
+      "the dialect of a driver file: A, B or C, or the year of a course, 2017 to 2020");
 }
 
 void add_rubric_dialect(CLI::App& command, std::string& dialect) {
-  command.add_option("--dialect", dialect,
-                     "of the driver files that renderers are given, in place of the rubric's "
-                     "[driver]: A, B, C, 2017 to 2020, auto (what each reads), or a form such as "
-                     "B:17:no-light");
+  command.add_option(
+      "--dialect", dialect,
+      "the form of driver files for renderers, in place of the rubric's [driver]: A, "
+      "B, C, 2017 to 2020, auto (the form that each one reads), or a form such as "
+      "B:17:no-light");
 }
 
 properties::ChosenSource parse_source(std::string_view option, const std::string& name) {
@@ -119,7 +122,7 @@ CLI::Validator number_between(double least, double most) {
             if (number && *number >= least && *number <= most) return {};
             const std::string range = most < std::numeric_limits<double>::max()
                                           ? fmt::format("number from {} to {}", least, most)
-                                          : fmt::format("finite number from {}", least);
+                                          : fmt::format("finite number >= {}", least);
             return fmt::format("give a {}, not '{}'", range, text);
           },
           "", "number"};
@@ -160,8 +163,8 @@ void add_view(CLI::App& command, std::optional<std::string>& path, std::string_v
 void add_certificates(CLI::App& command, std::optional<std::string>& path) {
   command
       .add_option("--certificates", path,
-                  "write proofs of the discrepancies found; tools/verify_certificates.py checks "
-                  "them without raycheck")
+                  "write a proof of each discrepancy; tools/verify_certificates.py checks them "
+                  "without raycheck")
       ->type_name("FILE");
 }
 
@@ -193,12 +196,11 @@ std::vector<std::string> files_of(const CLI::Option& option) {
 void add_threads(CLI::App& command, int& threads, std::string_view same) {
   constexpr int kMostThreads = 1024;
   add_number(command, "--threads", threads, 1, kMostThreads,
-             fmt::format("the number of threads; {} does not depend on it", same));
+             fmt::format("the number of threads; {} is the same for any number", same));
 }
 
 void add_strict(CLI::App& command, bool& strict) {
-  command.add_flag("--strict", strict,
-                   "also fail for answers that are excused by a witness or undecided");
+  command.add_flag("--strict", strict, "also fail for answers that are excused or undecided");
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {

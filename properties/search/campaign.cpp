@@ -53,7 +53,7 @@ using CasesOfLaw = std::map<SeriesKey, SeriesCases>;
 void share_out(const Law& law, const CampaignOptions& options, Level level, CasesOfLaw& given) {
   std::vector<std::pair<std::size_t, ChosenSource>> sources;
   const auto add = [&](std::size_t place, const ChosenSource& chosen) {
-    if (speaks_of_cameras(law) && !chosen.source->has_camera) return;
+    if (is_about_cameras(law) && !chosen.source->has_camera) return;
     sources.emplace_back(place, chosen);
   };
   for (std::size_t k = 0; k < options.sources.size(); ++k) add(k, options.sources[k]);
@@ -369,7 +369,7 @@ CampaignResult Campaigns::finished(std::size_t number, std::size_t law,
     LawSearch search(asked, candidate, options, part.source);
     search.replay(seed, !its.answers_nothing());
     if (search.failure) {
-      search.ask_first();
+      search.judge_restarted();
       return *std::move(search.failure);
     }
     return Failure{.shrunk = part.source.make(seed),

@@ -16,10 +16,10 @@ namespace raycheck::properties {
 
 /// The case for one stage. For intersections, the rays that `rays` makes from the camera replace it
 /// and are taken as exact. Empty if no ray is left.
-std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
+std::optional<Case> case_of_stage(const Case& the_case, Stage stage, const Candidate& rays);
 /// The case for one stage in a format: the case is rounded to the format first, and so are the rays
 /// that `rays` makes.
-RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format);
+RoundedCase case_of_stage(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format);
 
 /// A discrepancy and the case that shows it.
 struct Example {

@@ -77,7 +77,7 @@ class Climber {
     for (int k = 0; k < options_.cases && !control_.interrupted(); ++k) {
       const auto& source = options_.sources[static_cast<std::size_t>(k) % options_.sources.size()];
       std::optional<Case> one =
-          alone(source.make(random_.bits()), stage_, candidate_, candidate_.input_format())
+          case_of_stage(source.make(random_.bits()), stage_, candidate_, candidate_.input_format())
               .the_case;
       if (!one) continue;
       keep_first(*one);

@@ -34,15 +34,15 @@ struct CandidateSpec {
 class CandidateError : public scene::InvalidInput {
  public:
   /// `whose`: the candidate's name for what(); may be empty.
-  explicit CandidateError(const std::string& why, std::string said = {},
+  explicit CandidateError(const std::string& why, std::string output = {},
                           std::string_view whose = {});
   /// One line, without the candidate's name.
   const std::string& why() const { return why_; }
   /// The output of the compiler or the program; may be empty.
-  const std::string& said() const { return said_; }
+  const std::string& output() const { return output_; }
 
  private:
-  std::string why_, said_;
+  std::string why_, output_;
 };
 
 /// Errors: CandidateError that lists the kinds.

@@ -30,7 +30,7 @@ struct AnswerFailure {
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
     if (size) throw properties::OtherSize(words, size->width, size->height);
-    if (kind == FailureKind::kCannotSay) throw properties::CannotBeSaid(words);
+    if (kind == FailureKind::kCannotExpress) throw properties::CannotBeSaid(words);
     if (fails_always || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::CandidateUnavailable(words);
     }
@@ -89,7 +89,7 @@ class Pictures {
   void draw(Picture& picture) {
     const auto fail = [&](const std::string& words, FailureKind kind) {
       picture.failure =
-          AnswerFailure{kind == FailureKind::kCannotSay ? words : "image: " + words, kind};
+          AnswerFailure{kind == FailureKind::kCannotExpress ? words : "image: " + words, kind};
       timeouts_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
     if (const int timeouts = timeouts_; timeouts >= renderer_.most_timeouts) {

@@ -286,7 +286,7 @@ External named_in_errors(const CandidateSpec& spec, const RunOptions& options, c
     external.bounds = options.bounds;
     return external;
   } catch (const CandidateError& error) {
-    throw CandidateError(error.why(), error.said(), spec.text());
+    throw CandidateError(error.why(), error.output(), spec.text());
   }
 }
 

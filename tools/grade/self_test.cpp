@@ -112,7 +112,7 @@ void test_environment(const Rubric& rubric, const Layers& layers) {
     try {
       judge(own, options);
     } catch (const CandidateError& error) {
-      why = error.why() + (error.said().empty() ? "" : "\n" + error.said());
+      why = error.why() + (error.output().empty() ? "" : "\n" + error.output());
     } catch (const std::exception& error) {
       why = error.what();
     }

@@ -119,7 +119,7 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
     if (first == nullptr) first = &curve;
     show(curve.candidate, view);
   }
-  dial.sentence += fmt::format("; scenes: of the first {} cases the one on which {} is worst",
+  dial.sentence += fmt::format("; scenes: at each severity, the one of the first {} cases on which {} is worst",
                                kCasesTried, first->candidate.name);
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =

@@ -193,7 +193,7 @@ std::vector<Case> asked_of(const std::vector<Case>& cases, Stage stage) {
   const Candidate rays = candidate_of(kDefaultMethods);
   std::vector<Case> asked;
   for (const Case& one : cases) {
-    if (auto own = properties::alone(one, stage, rays)) asked.push_back(std::move(*own));
+    if (auto own = properties::case_of_stage(one, stage, rays)) asked.push_back(std::move(*own));
   }
   return asked;
 }

@@ -58,7 +58,7 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
     known += (known.empty() ? "" : ", ") + name;
   }
   throw scene::InvalidInput("quantity", chosen,
-                            fmt::format("no such quantity of {}; give {}", name(stage), known));
+                            fmt::format("no such quantity of {}; give one of {}", name(stage), known));
 }
 
 template <class Answer, class... Arguments>

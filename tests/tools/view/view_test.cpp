@@ -263,13 +263,15 @@ std::string renderer(const std::string& mistake) {
   return " --candidate 'renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}'";
 }
 
+/// Of more pixels than one chunk of a picture has.
 TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
-  const std::string ten = resized_example("ten-spheres.toml", 8);
+  constexpr std::uint64_t kSide = 32, kPixels = kSide * kSide;
+  const std::string ten = resized_example("ten-spheres.toml", kSide);
   const json right = document_of(ten + renderer("none"))["scenes"][0]["pictures"];
   ASSERT_EQ(right.size(), 3u);
   EXPECT_EQ(right[1]["legend"], right[0]["legend"]);
   EXPECT_EQ(right[1]["png"], right[0]["png"]);
-  EXPECT_EQ(pixels_of(right[2], "correct"), 64u);
+  EXPECT_EQ(pixels_of(right[2], "correct"), kPixels);
   EXPECT_EQ(pixels_of(right[2], "wrong"), 0u);
 
   const json mirrored = document_of(ten + renderer("mirrored"));
@@ -285,7 +287,7 @@ TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
   EXPECT_FALSE(has(mirrored["scenes"][0]["panels"][0]["command"].get<std::string>(), "candidate"));
 
   const json grey = document_of(ten + renderer("grey"))["scenes"][0]["pictures"];
-  EXPECT_EQ(pixels_of(grey[1], "an unknown sphere"), 64 - pixels_of(right[0], "no sphere"));
+  EXPECT_EQ(pixels_of(grey[1], "an unknown sphere"), kPixels - pixels_of(right[0], "no sphere"));
   const json crash = document_of(ten + renderer("crash"));
   ASSERT_EQ(crash["findings"].size(), 1u);
   EXPECT_TRUE(has(crash["findings"][0]["sentence"].get<std::string>(), "image: it exited with 1"))

@@ -296,7 +296,7 @@ class DryRunner {
       rendered(renderer_, driver_text(scene, form), {scene.camera->width, scene.camera->height});
       return false;
     } catch (const ProcessFailure& failure) {
-      return failure.kind() != FailureKind::kCannotSay;
+      return failure.kind() != FailureKind::kCannotExpress;
     } catch (const std::runtime_error&) {
       return true;
     }

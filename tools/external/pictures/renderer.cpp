@@ -133,9 +133,9 @@ Confined given(Confined program, const std::string& driver) {
   return program;
 }
 
-/// Whether the wrapper exits with kCannotSay for this driver file, too.
+/// Whether the wrapper exits with kCannotExpress for this driver file, too.
 bool cannot_say(const std::optional<Confined>& wrapper, const std::string& driver) try {
-  return wrapper && Process(given(*wrapper, driver)).finish() == kCannotSay;
+  return wrapper && Process(given(*wrapper, driver)).finish() == kCannotExpress;
 } catch (const ProcessFailure& failure) {
   if (failure.kind() == FailureKind::kSystem) throw;
   return false;
@@ -165,8 +165,8 @@ MadePicture picture_by(const Renderer& renderer, const std::string& driver, Pict
       if (!failure) throw ProcessFailure(FailureKind::kBadReply, error.what(), said);
     }
   }
-  if (code == kCannotSay && cannot_say(renderer.wrapper, driver)) {
-    throw ProcessFailure(FailureKind::kCannotSay, "its input format cannot express the scene");
+  if (code == kCannotExpress && cannot_say(renderer.wrapper, driver)) {
+    throw ProcessFailure(FailureKind::kCannotExpress, "its input format cannot express the scene");
   }
   if (failure) {
     throw ProcessFailure(

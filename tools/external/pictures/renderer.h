@@ -26,15 +26,15 @@ inline constexpr const char* kImageFile = "image.ppm";
 
 /// The exit code of a command whose input format cannot express the scene. It is Automake's code
 /// for skipped tests.
-inline constexpr int kCannotSay = 77;
+inline constexpr int kCannotExpress = 77;
 
 /// A finished renderer. Its command line is run once per picture; {scene} stands for a driver file
 /// and {image} for the picture to make (PPM or PNG).
 struct Renderer {
   Confined program;
-  /// The command that confirms exit code kCannotSay: if `program` exits with it and makes no
+  /// The command that confirms exit code kCannotExpress: if `program` exits with it and makes no
   /// picture, this command is run on the same scene and must exit with it, too. Without this
-  /// command, exit code kCannotSay is a failure.
+  /// command, exit code kCannotExpress is a failure.
   std::optional<Confined> wrapper = {};
   DriverForm driver = {};
   ColourHabit colours = {};
@@ -67,7 +67,7 @@ struct MadePicture {
 /// Runs the program on a driver file, or takes the stored picture of the `nth` run. A complete
 /// picture counts, whatever the program's exit code. A picture of the wrong size is returned
 /// without pixels. The time to read a picture is charged to the program. Errors: ProcessFailure
-/// (kCannotSay if the wrapper confirms it); std::runtime_error if the picture is invalid.
+/// (kCannotExpress if the wrapper confirms it); std::runtime_error if the picture is invalid.
 MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size,
                      int nth = 1);
 

@@ -172,7 +172,7 @@ enum class FailureKind {
   kExtraOutput,  ///< It gave more output than requested or allowed.
   kBadReply,     ///< A malformed reply, or not a picture.
   kNotAsked,     ///< It timed out too often and was dropped.
-  kCannotSay     ///< Not a failure: its input format cannot express the scene.
+  kCannotExpress     ///< Not a failure: its input format cannot express the scene.
 };
 
 /// A program's output as a clause for error messages; empty if there is none.

@@ -125,14 +125,14 @@ Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& 
               std::move(attempt.notes), std::move(attempt.what)};
     } catch (const CandidateError& error) {
       empty_folder(to);
-      const auto missing = missing_includes(submission.files, error.said());
+      const auto missing = missing_includes(submission.files, error.output());
       if (missing.empty() || repairs == kMostRepairs) {
-        const std::string package = missing_package(error.said());
+        const std::string package = missing_package(error.output());
         if (package.empty()) throw;
         throw CandidateError(
             fmt::format("{}: the package {} is missing: put its jar beside the sources",
                         error.why(), package),
-            error.said());
+            error.output());
       }
       attempt.repairs += repair_words(missing);
       for (const IncludeRepair& one : missing) attempt.notes.push_back(one.note());
@@ -168,10 +168,10 @@ Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions
     } catch (const CandidateError& error) {
       if (why.empty()) {
         why = error.why();
-        said = error.said();
+        said = error.output();
       } else {
         said += fmt::format("{}{}{}{}", said.empty() ? "" : "\n\n", error.why(),
-                            error.said().empty() ? "" : ":\n", error.said());
+                            error.output().empty() ? "" : ":\n", error.output());
       }
       if (failed != attempt.what) notes.push_back(attempt.what);
       failed = attempt.what;

@@ -215,7 +215,7 @@ void ask_in_its_form(RunnableSubmission& runnable, const Intake& intake, const f
   renderer.driver = found.driver;
   renderer.colours = found.colours;
   // The rubric's `seconds` limit all requests together.
-  renderer.most_silences = std::numeric_limits<int>::max();
+  renderer.most_timeouts = std::numeric_limits<int>::max();
   External asked = rendering(runnable.external.name, std::move(renderer));
   asked.folder = runnable.external.folder;
   asked.copies = runnable.external.copies;
@@ -250,7 +250,7 @@ RunnableSubmission started(const Intake& intake, const Build& build, const std::
     if (external.renderer) ask_in_its_form(runnable, intake, options.folder, control);
     return runnable;
   } catch (const CandidateError& error) {
-    throw SubmissionError({error.why(), error.said()}, found);
+    throw SubmissionError({error.why(), error.output()}, found);
   }
 }
 
@@ -266,7 +266,7 @@ RunnableSubmission best_program(const Intake& intake, const properties::RunContr
     try {
       build = next_build(intake, build);
     } catch (const CandidateError& error) {
-      take_failure({{error.why(), error.said()}, found_by(intake, build)});
+      take_failure({{error.why(), error.output()}, found_by(intake, build)});
       break;
     }
     for (const std::string& by : build.made.programs) {

@@ -35,7 +35,7 @@ std::optional<ItemCase> ItemCases::operator[](std::size_t k) const {
   if (!found || !round()) return {};
   if (!task_.given_rays) return found;
   found->the_case.scene.conventions = declared_.over(found->the_case.scene.conventions);
-  auto alone = properties::alone(found->the_case, properties::Stage::kIntersection,
+  auto alone = properties::case_of_stage(found->the_case, properties::Stage::kIntersection,
                                  candidate_of(kDefaultMethods));
   if (!alone) return {};
   found->the_case = std::move(*alone);
@@ -81,7 +81,7 @@ using properties::Wrong;
 /// The outcome of a case.
 struct CaseOutcome {
   bool answers = false;    ///< The case has something to ask.
-  bool is_unsaid = false;  ///< The candidate's form of input cannot express the case.
+  bool is_inexpressible = false;  ///< The candidate's form of input cannot express the case.
   std::uint64_t compared = 0;
   properties::Verdict verdict;  ///< By all laws.
   ItemReason unanswered;        ///< Why some questions were not answered.
@@ -89,7 +89,7 @@ struct CaseOutcome {
   std::optional<properties::Discrepancy> discrepancy;
   std::optional<FailureKind> failure;   ///< The candidate's failure, if it breaks the law.
   std::optional<ShownPicture> picture;  ///< Of a renderer.
-  bool is_untold = false;               ///< Its colours do not identify the spheres.
+  bool is_unidentified = false;               ///< Its colours do not identify the spheres.
 
   bool failed() const { return discrepancy && discrepancy->wrong == Wrong::kFailed; }
   bool timed_out() const { return failure == FailureKind::kTimeUp; }
@@ -177,7 +177,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
     outcome.compared += verdict.compared();
     outcome.answers = outcome.answers || verdict.compared() > 0 || is_unanswered;
     // A renderer with its own colours does not identify the spheres.
-    const bool is_untold =
+    const bool is_unidentified =
         graded.pictures && !graded.masks_only && the_case.scene.spheres.size() > 1;
     if (!verdict.holds()) {
       if (outcome.broken != nullptr) continue;
@@ -186,14 +186,14 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
       if (outcome.discrepancy->wrong == properties::Wrong::kFailed && graded.last_failure) {
         outcome.failure = *graded.last_failure;
       }
-    } else if (is_untold && !verdict.reason_left_out().empty()) {
+    } else if (is_unidentified && !verdict.reason_left_out().empty()) {
       outcome.unanswered = {.kind = ItemReason::Kind::kOtherColours};
     } else if (is_unanswered && outcome.is_answered()) {
       outcome.unanswered = std::move(unanswered);
     }
     outcome.verdict.merge(std::move(verdict));
   }
-  outcome.is_unsaid = graded.last_failure && *graded.last_failure == FailureKind::kCannotSay;
+  outcome.is_inexpressible = graded.last_failure && *graded.last_failure == FailureKind::kCannotExpress;
   return outcome;
 }
 
@@ -230,9 +230,9 @@ bool tells_spheres(const ShownPicture& picture) {
   const auto& image = picture.image;
   const auto spheres =
       std::count_if(image.begin(), image.end(), [](const auto& one) { return one.has_value(); });
-  const auto untold =
+  const auto unidentified =
       std::count(image.begin(), image.end(), std::optional(properties::kSomeSphere));
-  return 2 * untold <= spheres;
+  return 2 * unidentified <= spheres;
 }
 
 /// Tries the laws on a case; of a renderer, also gets its picture.
@@ -245,7 +245,7 @@ CaseOutcome ask(const std::vector<const Law*>& laws, const Case& the_case,
     outcome.picture = properties::shown_picture(the_case.scene, graded.unmasked);
   }
   if (outcome.broken == nullptr && outcome.unanswered.kind == ItemReason::Kind::kOtherColours) {
-    outcome.is_untold = !tells_spheres(*outcome.picture);
+    outcome.is_unidentified = !tells_spheres(*outcome.picture);
     outcome.unanswered = {};
   }
   return outcome;
@@ -266,14 +266,14 @@ void count(ItemCase item_case, CaseOutcome outcome, std::size_t most_kept, ItemT
                           outcome.failure, std::move(outcome.picture)});
 }
 
-/// The outcome of all cases. `is_untold`: in some cases the colours do not identify the spheres.
-void finish(const Verdict& all, bool is_untold, ItemGrade& grade) {
-  if (grade.cases == 0 && (is_untold || grade.unsaid > 0)) {
+/// The outcome of all cases. `is_unidentified`: in some cases the colours do not identify the spheres.
+void finish(const Verdict& all, bool is_unidentified, ItemGrade& grade) {
+  if (grade.cases == 0 && (is_unidentified || grade.unsaid > 0)) {
     // The item can be neither right nor wrong.
     grade.points = 0;
     grade.state = ItemState::kNotAsked;
     grade.reason.kind =
-        is_untold ? ItemReason::Kind::kOtherColours : ItemReason::Kind::kCannotBeSaid;
+        is_unidentified ? ItemReason::Kind::kOtherColours : ItemReason::Kind::kCannotBeSaid;
     return;
   }
   if (grade.cases == 0) grade.reason = {.kind = ItemReason::Kind::kNothingToCompare};
@@ -296,9 +296,9 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
   ItemGrade& grade = trial.grade;
   Verdict all;
   int failures = 0, silent = 0;
-  bool is_untold = false;
+  bool is_unidentified = false;
   std::size_t k = 0;
-  for (; k < cases.size() && failures < kMostFailures && silent < kMostSilentCases; ++k) {
+  for (; k < cases.size() && failures < kMostFailures && silent < kMostTimedOutCases; ++k) {
     if (ItemReason reason = reason_to_stop(); reason.kind != ItemReason::Kind::kNone) {
       grade.state = ItemState::kNotJudged;
       grade.reason = std::move(reason);
@@ -309,12 +309,12 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
     if (!item_case) continue;
     CaseOutcome outcome = ask(task.laws, item_case->the_case, graded);
     all.merge(std::move(outcome.verdict));
-    if (outcome.is_unsaid) ++grade.unsaid;
+    if (outcome.is_inexpressible) ++grade.unsaid;
     if (outcome.failed()) ++failures;
     if (outcome.timed_out()) ++silent;
     if (outcome.picture) trial.pictures.push_back(*outcome.picture);
-    if (outcome.is_untold) is_untold = true;
-    if (!outcome.answers || outcome.is_untold) continue;
+    if (outcome.is_unidentified) is_unidentified = true;
+    if (!outcome.answers || outcome.is_unidentified) continue;
     count(std::move(*item_case), std::move(outcome), graded.pictures ? cases.size() : kKeptCases,
           trial);
   }
@@ -322,7 +322,7 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
   for (; k < cases.size(); ++k) {
     if (auto next = cases[k]) trial.not_asked.push_back(std::move(next->the_case.scene));
   }
-  finish(all, is_untold, grade);
+  finish(all, is_unidentified, grade);
   return trial;
 }
 

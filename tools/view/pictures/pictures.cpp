@@ -94,6 +94,7 @@ void paint_chunk(const properties::Case& chunk, const properties::Candidate& can
     ++errors.wrong[static_cast<std::size_t>(standing)];
   };
   properties::Trial trial(chunk, candidate);
+  const std::size_t before = trial.place(0).ray;  // The image's pixels before this chunk.
   for (const properties::Law* law : properties::laws_that(
            [](const properties::Law& one) { return one.per == properties::Per::kImage; })) {
     const properties::Verdict verdict = properties::apply(*law, trial);
@@ -103,7 +104,7 @@ void paint_chunk(const properties::Case& chunk, const properties::Candidate& can
         if (errors.failed == 0) errors.first_failure = one.what;
         errors.failed += pixels.size();
       } else {
-        mark(one.place.ray, one.excuse.standing());
+        mark(one.place.ray - before, one.excuse.standing());
       }
     }
   }
