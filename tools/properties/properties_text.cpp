@@ -396,8 +396,8 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
 std::string too_few_text(const CampaignResult& result) {
   const auto [quantity, question] = *result.too_few_right();
   return fmt::format(
-      "{}: fewer than {} of the {} are answered right without an excuse; try more "
-      "--cases",
+      "{}: fewer than {} of the {} are answered right without an excuse; "
+      "try more --cases",
       info(quantity).name, result.fewest_right, expected_text(question));
 }
 

@@ -171,7 +171,7 @@ std::string failures_text(const TradeoffReport& report, std::string_view item) {
     for (const MethodCost& cost : *costs) {
       const auto failed = properties::answers_failed(cost.accuracy);
       if (failed.count == 0) continue;
-      text += fmt::format("{}{} ({}): {} failed, first: {}\n", item, cost.method.name,
+      text += fmt::format("{}{} ({}): {} failed, first: {}\n", item, cost.candidate.name,
                           name(cost.stage), count_text(failed.count, "answer"), failed.first);
     }
   }

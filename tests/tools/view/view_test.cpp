@@ -265,7 +265,8 @@ std::string renderer(const std::string& mistake) {
 
 /// Of more pixels than one chunk of a picture has.
 TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
-  constexpr std::uint64_t kSide = 32, kPixels = kSide * kSide;
+  constexpr int kSide = 32;
+  constexpr std::uint64_t kPixels = kSide * kSide;
   const std::string ten = resized_example("ten-spheres.toml", kSide);
   const json right = document_of(ten + renderer("none"))["scenes"][0]["pictures"];
   ASSERT_EQ(right.size(), 3u);
@@ -293,8 +294,8 @@ TEST(View, has_a_renderers_picture_and_its_wrong_pixels) {
   EXPECT_TRUE(has(crash["findings"][0]["sentence"].get<std::string>(), "image: it exited with 1"))
       << crash["findings"];
   const json& none = crash["scenes"][0]["pictures"];
-  EXPECT_EQ(pixels_of(none[1], "no answer"), 64u);
-  EXPECT_EQ(pixels_of(none[2], "wrong hit class or sphere: defect"), 64u);
+  EXPECT_EQ(pixels_of(none[1], "no answer"), kPixels);
+  EXPECT_EQ(pixels_of(none[2], "wrong hit class or sphere: defect"), kPixels);
 }
 
 TEST(View, explains_each_of_several_candidates_separately) {

@@ -295,10 +295,10 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
   ItemTrial trial{std::move(given), {}, {}, {}};
   ItemGrade& grade = trial.grade;
   Verdict all;
-  int failures = 0, silent = 0;
+  int failures = 0, timed_out = 0;
   bool is_unidentified = false;
   std::size_t k = 0;
-  for (; k < cases.size() && failures < kMostFailures && silent < kMostTimedOutCases; ++k) {
+  for (; k < cases.size() && failures < kMostFailures && timed_out < kMostTimedOut; ++k) {
     if (ItemReason reason = reason_to_stop(); reason.kind != ItemReason::Kind::kNone) {
       grade.state = ItemState::kNotJudged;
       grade.reason = std::move(reason);
@@ -311,7 +311,7 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const GradedCan
     all.merge(std::move(outcome.verdict));
     if (outcome.is_inexpressible) ++grade.unsaid;
     if (outcome.failed()) ++failures;
-    if (outcome.timed_out()) ++silent;
+    if (outcome.timed_out()) ++timed_out;
     if (outcome.picture) trial.pictures.push_back(*outcome.picture);
     if (outcome.is_unidentified) is_unidentified = true;
     if (!outcome.answers || outcome.is_unidentified) continue;
