@@ -159,7 +159,8 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
     EXPECT_EQ(error_of(text).substr(0, 9 + std::string(keyword).size() + 12),
               std::string("f.txt:1: ") + keyword + ": is missing");
   }
-  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")), "f.txt:2: bound: unknown keyword; bounds is missing");
+  EXPECT_EQ(error_of(replaced(kC, "bounds", "bound")),
+            "f.txt:2: bound: unknown keyword; bounds is missing");
 }
 
 TEST(ReadDriverFile, RefusesOtherKindsOfFiles) {

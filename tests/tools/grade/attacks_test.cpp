@@ -19,7 +19,7 @@ const std::vector<Attack> kAttacks = {
     {"none", kDeserved, ""},
     {"exit_in_call", 0, "intersect: it exited with 0"},
     {"boasts", 0, "class, ray 0, sphere 0: false hit"},
-    {"forges_replies", 0, "it wrote more after its reply"},
+    {"forges_replies", 0, "its first line is &#39;{&quot;score&quot;: 100}&#39;"},
     {"hangs", 0, "gave no reply within"},
     {"crashes", 0, "intersect: it was killed by signal 11"},
     {"fork_bomb", 0, "gave no reply within"},
