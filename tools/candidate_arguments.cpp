@@ -126,19 +126,14 @@ External as_it_reads(const External& external, const DriverRule& rule) {
   return reading(reader, found.driver);
 }
 
-/// How to let a candidate read a file that it reports as missing.
-std::string hint_of_missing(const CandidateError& error, const Layers& layers) {
-  if (!layers.bubblewrap && !layers.landlock) return "";
+/// Whether a compiler, a loader, Python or Node reports a missing file.
+bool lacks_a_file(const CandidateError& error) {
   const std::string all = error.why() + error.output();
-  // Of compilers and loaders, of Python and of Node.
-  for (const char* words : {"No such file or directory", "cannot open shared object file",
-                            "No module named", "Cannot find module", "Cannot find package"}) {
-    if (all.find(words) == std::string::npos) continue;
-    return "; a candidate can read only its own folder and the system's: add a folder by --read "
-           "DIR, "
-           "or a folder of headers by --include DIR";
-  }
-  return "";
+  const auto is_said = [&](const char* words) { return all.find(words) != std::string::npos; };
+  return std::ranges::any_of(
+      std::array{"No such file or directory", "cannot open shared object file", "No module named",
+                 "Cannot find module", "Cannot find package"},
+      is_said);
 }
 
 External located(const std::string& what, const RunOptions& options) {
@@ -146,9 +141,13 @@ External located(const std::string& what, const RunOptions& options) {
   try {
     return find_external(spec, options);
   } catch (const CandidateError& error) {
-    const std::string hint = hint_of_missing(error, options.layers);
-    if (hint.empty()) throw;
-    throw CandidateError(error.why() + hint, error.output(), spec.text());
+    const bool hides_files = options.layers.bubblewrap || options.layers.landlock;
+    if (!hides_files || !lacks_a_file(error)) throw;
+    throw CandidateError(
+        error.why() +
+            "; a candidate can read only its own folder and the system's: add a folder by --read "
+            "DIR, or a folder of headers by --include DIR",
+        error.output(), spec.text());
   }
 }
 
@@ -193,12 +192,10 @@ std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
 }
 
 std::vector<Implementation> find_judged(const JudgedArguments& arguments) {
-  std::vector<Implementation> found;
-  const auto others = find_candidates(arguments.external, parse_driver(arguments.dialect));
-  if (arguments.name_methods()) {
-    found = built_in(chosen_methods(arguments.rays, arguments.intersect));
-  }
-  found.insert(found.end(), others.begin(), others.end());
+  auto found = find_candidates(arguments.external, parse_driver(arguments.dialect));
+  if (!arguments.name_methods()) return found;
+  const auto methods = built_in(chosen_methods(arguments.rays, arguments.intersect));
+  found.insert(found.begin(), methods.begin(), methods.end());
   return found;
 }
 
@@ -216,10 +213,10 @@ std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
 
 std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
                                            const ExternalArguments& arguments) {
-  const std::vector<Implementation> candidates = find_by_stages(arguments);
-  std::vector<Implementation> found;
-  if (candidates.empty() || !methods.empty()) found = find_methods(methods);
-  found.insert(found.end(), candidates.begin(), candidates.end());
+  std::vector<Implementation> found = find_by_stages(arguments);
+  if (!found.empty() && methods.empty()) return found;
+  const auto named = find_methods(methods);
+  found.insert(found.begin(), named.begin(), named.end());
   return found;
 }
 

@@ -103,11 +103,8 @@ bool misses_hits(Trial& trial) {
   for (const Law& law : properties::laws()) {
     if (!judges_decisions(law) || !needs_any(law.needs, Needs::kIntersect)) continue;
     if (!what_is_missing(law.needs, trial).empty()) continue;
-    const auto defects = apply(law, trial).defects();
-    if (std::any_of(defects.begin(), defects.end(), [](const properties::DefectKind& defect) {
-          return defect.wrong == Wrong::kMissed || defect.wrong == Wrong::kWrongRoot;
-        })) {
-      return true;
+    for (const properties::DefectKind& defect : apply(law, trial).defects()) {
+      if (defect.wrong == Wrong::kMissed || defect.wrong == Wrong::kWrongRoot) return true;
     }
   }
   return false;
@@ -227,12 +224,9 @@ bool never_hits(const Verdict& verdict) {
 
 /// Whether most pixels that show a sphere identify it.
 bool tells_spheres(const ShownPicture& picture) {
-  const auto& image = picture.image;
-  const auto spheres =
-      std::count_if(image.begin(), image.end(), [](const auto& one) { return one.has_value(); });
-  const auto unidentified =
-      std::count(image.begin(), image.end(), std::optional(properties::kSomeSphere));
-  return 2 * unidentified <= spheres;
+  const auto shows = [](const auto& pixel) { return pixel.has_value(); };
+  return 2 * std::ranges::count(picture.image, std::optional(properties::kSomeSphere)) <=
+         std::ranges::count_if(picture.image, shows);
 }
 
 /// Tries the laws on a case; of a renderer, also gets its picture.
