@@ -83,7 +83,8 @@ class Collector {
   }
 
   void check_edges(const Camera& camera) {
-    const char* const what = "is too few; samples = edges divides by this number less 1: give 2 or more";
+    const char* const what =
+        "is too few; samples = edges divides by this number less 1: give 2 or more";
     if (camera.width == 1) add("width", camera.width, what);
     if (camera.height == 1) add("height", camera.height, what);
   }

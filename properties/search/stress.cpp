@@ -41,7 +41,8 @@ std::optional<Case> case_of_stage(const Case& the_case, Stage stage, const Candi
   return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
 }
 
-RoundedCase case_of_stage(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format) {
+RoundedCase case_of_stage(const Case& the_case, Stage stage, const Candidate& rays,
+                          InputFormat format) {
   RoundedCase rounded = rounded_case(the_case, format);
   if (!rounded.the_case) return rounded;
   std::optional<Case> asked = case_of_stage(*rounded.the_case, stage, rays);

@@ -19,7 +19,8 @@ namespace raycheck::properties {
 std::optional<Case> case_of_stage(const Case& the_case, Stage stage, const Candidate& rays);
 /// The case for one stage in a format: the case is rounded to the format first, and so are the rays
 /// that `rays` makes.
-RoundedCase case_of_stage(const Case& the_case, Stage stage, const Candidate& rays, InputFormat format);
+RoundedCase case_of_stage(const Case& the_case, Stage stage, const Candidate& rays,
+                          InputFormat format);
 
 /// A discrepancy and the case that shows it.
 struct Example {

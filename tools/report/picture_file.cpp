@@ -162,7 +162,8 @@ class PpmWords {
     skip();
     std::int64_t value = 0;
     const auto [at, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc()) throw PictureError("its PPM has a word that is not a number, or ends too early");
+    if (error != std::errc())
+      throw PictureError("its PPM has a word that is not a number, or ends too early");
     rest_.remove_prefix(static_cast<std::size_t>(at - rest_.data()));
     return value;
   }

@@ -119,8 +119,9 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
     if (first == nullptr) first = &curve;
     show(curve.candidate, view);
   }
-  dial.sentence += fmt::format("; scenes: at each severity, the one of the first {} cases on which {} is worst",
-                               kCasesTried, first->candidate.name);
+  dial.sentence +=
+      fmt::format("; scenes: at each severity, the one of the first {} cases on which {} is worst",
+                  kCasesTried, first->candidate.name);
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =
       properties::some_severities(0, static_cast<int>(severities.size()) - 1, kMostScenes);

@@ -57,8 +57,9 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
     if (name == chosen) return quantity;
     known += (known.empty() ? "" : ", ") + name;
   }
-  throw scene::InvalidInput("quantity", chosen,
-                            fmt::format("no such quantity of {}; give one of {}", name(stage), known));
+  throw scene::InvalidInput(
+      "quantity", chosen,
+      fmt::format("no such quantity of {}; give one of {}", name(stage), known));
 }
 
 template <class Answer, class... Arguments>

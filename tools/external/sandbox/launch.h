@@ -166,13 +166,13 @@ struct Confined {
 
 /// How a candidate's process failed.
 enum class FailureKind {
-  kSystem,       ///< A system call failed: the process could not be started or reached.
-  kEnded,        ///< It ended before its task was finished.
-  kTimeUp,       ///< It timed out.
-  kExtraOutput,  ///< It gave more output than requested or allowed.
-  kBadReply,     ///< A malformed reply, or not a picture.
-  kNotAsked,     ///< It timed out too often and was dropped.
-  kCannotExpress     ///< Not a failure: its input format cannot express the scene.
+  kSystem,        ///< A system call failed: the process could not be started or reached.
+  kEnded,         ///< It ended before its task was finished.
+  kTimeUp,        ///< It timed out.
+  kExtraOutput,   ///< It gave more output than requested or allowed.
+  kBadReply,      ///< A malformed reply, or not a picture.
+  kNotAsked,      ///< It timed out too often and was dropped.
+  kCannotExpress  ///< Not a failure: its input format cannot express the scene.
 };
 
 /// A program's output as a clause for error messages; empty if there is none.

@@ -36,7 +36,7 @@ std::optional<ItemCase> ItemCases::operator[](std::size_t k) const {
   if (!task_.given_rays) return found;
   found->the_case.scene.conventions = declared_.over(found->the_case.scene.conventions);
   auto alone = properties::case_of_stage(found->the_case, properties::Stage::kIntersection,
-                                 candidate_of(kDefaultMethods));
+                                         candidate_of(kDefaultMethods));
   if (!alone) return {};
   found->the_case = std::move(*alone);
   if (!round()) return {};
@@ -80,7 +80,7 @@ using properties::Wrong;
 
 /// The outcome of a case.
 struct CaseOutcome {
-  bool answers = false;    ///< The case has something to ask.
+  bool answers = false;           ///< The case has something to ask.
   bool is_inexpressible = false;  ///< The candidate's form of input cannot express the case.
   std::uint64_t compared = 0;
   properties::Verdict verdict;  ///< By all laws.
@@ -89,7 +89,7 @@ struct CaseOutcome {
   std::optional<properties::Discrepancy> discrepancy;
   std::optional<FailureKind> failure;   ///< The candidate's failure, if it breaks the law.
   std::optional<ShownPicture> picture;  ///< Of a renderer.
-  bool is_unidentified = false;               ///< Its colours do not identify the spheres.
+  bool is_unidentified = false;         ///< Its colours do not identify the spheres.
 
   bool failed() const { return discrepancy && discrepancy->wrong == Wrong::kFailed; }
   bool timed_out() const { return failure == FailureKind::kTimeUp; }
@@ -190,7 +190,8 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
     }
     outcome.verdict.merge(std::move(verdict));
   }
-  outcome.is_inexpressible = graded.last_failure && *graded.last_failure == FailureKind::kCannotExpress;
+  outcome.is_inexpressible =
+      graded.last_failure && *graded.last_failure == FailureKind::kCannotExpress;
   return outcome;
 }
 
@@ -260,7 +261,8 @@ void count(ItemCase item_case, CaseOutcome outcome, std::size_t most_kept, ItemT
                           outcome.failure, std::move(outcome.picture)});
 }
 
-/// The outcome of all cases. `is_unidentified`: in some cases the colours do not identify the spheres.
+/// The outcome of all cases. `is_unidentified`: in some cases the colours do not identify the
+/// spheres.
 void finish(const Verdict& all, bool is_unidentified, ItemGrade& grade) {
   if (grade.cases == 0 && (is_unidentified || grade.unsaid > 0)) {
     // The item can be neither right nor wrong.
